@@ -1,0 +1,35 @@
+// Mathematical covers over the cut rock: manifold elements, physical covers, and the points of the material that
+// conditions, loads and monitors refer to. Thesis 2.3 and 4.1; DESIGN.md "Covers".
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "host/cut/cut.hpp"
+#include "src/arrays/block_arrays.hpp"
+#include "src/arrays/cover_arrays.hpp"
+
+namespace rockfold {
+
+struct PieceIndex;  // piece_index.hpp
+
+struct Covering {
+  CoverArrays arrays;
+  std::shared_ptr<const PieceIndex> pieces;  ///< for locating points
+};
+
+/// Lays the model's lattice (model.cover must be set) over the cutting. Deterministic numbering.
+Covering build_covers(const Cutting& cutting, const Model& model, Progress& progress);
+
+/// Points of the material by position, m. A point on a face or vertex belongs to the lowest block that has it.
+/// Returns element = none for a point outside the rock.
+MaterialPoints locate_points(const Covering& covering, const std::vector<Vec3>& points);
+
+/// The vertices of the blocks, in the order of BlockArrays::vertex, each in its own block.
+MaterialPoints locate_block_vertices(const Covering& covering, const BlockArrays& blocks);
+
+/// The points at which the model's [[fixed]] hold, with penalties of 10 E/h per area (augmented Lagrangian) or
+/// 1000 E/h (penalty). Throws Error(model) naming the `fixed` entry where a region holds nothing.
+FixedPoints fixed_points(const Cutting& cutting, const Covering& covering, const Model& model);
+
+}  // namespace rockfold

@@ -1,0 +1,43 @@
+// Which element holds a point.
+#pragma once
+
+#include <functional>
+
+#include "host/cover/cover.hpp"
+#include "host/cover/piece_index.hpp"
+
+namespace rockfold {
+
+/// A part of the rock that holds a point: a tetrahedron of a regular lattice cell, or a piece.
+struct Holder {
+  Index element = none;  ///< numbered as in CoverArrays
+  Index block = none;
+  Index rock = none;  ///< cell of the complex
+  Index lattice_cell = none;
+  int tet = 0;
+  Real violation = 0;  ///< m, how far outside the point is; ≤ 0 inside
+
+  bool found() const { return element != none; }
+};
+
+class Locator {
+ public:
+  explicit Locator(const Covering& covering) : covers_(covering.arrays), index_(*covering.pieces) {}
+
+  /// The holder nearest to x among those that `accept`s; of equally near ones (to 1e-9 of the model's size) the one of the
+  /// lowest block, then element. Not found if x is outside all by more than that.
+  Holder find(const Vec3& x, const std::function<bool(Index block, Index rock)>& accept) const;
+
+  /// Adds the point to `points` with its element's weights.
+  void add(const Vec3& x, const Holder& holder, MaterialPoints& points) const;
+
+ private:
+  void try_regular(const Vec3& x, Index regular, std::vector<Holder>& found) const;
+  void try_element(const Vec3& x, Index element, std::vector<Holder>& found) const;
+  Real piece_violation(const Vec3& from_centre, Index piece) const;
+
+  const CoverArrays& covers_;
+  const PieceIndex& index_;
+};
+
+}  // namespace rockfold

@@ -1,0 +1,96 @@
+#include "host/cover/pieces.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <tuple>
+
+#include "host/parallel.hpp"
+#include "src/base/error.hpp"
+#include "src/base/interrupt.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+
+namespace {
+
+PieceRecord make_record(const LatticePlanes& lattice, const PlaneTable& planes,
+                        const std::array<Index, 3>& ijk, int tet, Index rock,
+                        const ConvexCell& cell) {
+  PieceRecord r;
+  r.lattice_cell = lattice.lattice().cell_index(ijk[0], ijk[1], ijk[2]);
+  r.rock = rock;
+  r.tet = tet;
+  for (int a = 0; a < 4; ++a) {
+    const HalfSpaceId h = lattice.facet(ijk, tet, a);
+    for (const auto& face : cell.faces)
+      if (face.inside == h) r.open_facets |= 1u << a;
+  }
+  r.vertex_count = static_cast<std::int32_t>(cell.vertices.size());
+  r.face_count = static_cast<std::int32_t>(cell.faces.size());
+  const Vec3 centre = lattice.lattice().cell_centre(r.lattice_cell) - planes.centre();
+  for (const Vertex& v : cell.vertices) r.vertices.push_back(v.x - centre);
+  for (const auto& f : cell.faces)
+    for (std::int32_t k = 1; k + 1 < f.count; ++k)
+      r.triangles.push_back({cell.corners[f.begin].vertex, cell.corners[f.begin + k].vertex,
+                             cell.corners[f.begin + k + 1].vertex});
+  return r;
+}
+
+// A piece thinner than rounding has no volume to integrate; the rock it stands for is below 1e-15 of a lattice cell.
+Real volume6(const PieceRecord& r) {
+  Real v = 0;
+  const Vec3 o = r.vertices.front();
+  for (const auto& t : r.triangles)
+    v += dot(r.vertices[t[0]] - o, cross(r.vertices[t[1]] - o, r.vertices[t[2]] - o));
+  return v;
+}
+
+}  // namespace
+
+Pieces cut_pieces(const Complex& complex, const LatticePlanes& lattice, const PlaneTable& planes,
+                  Progress& progress) {
+  const Index n = complex.cells.size();
+  std::vector<Pieces> parts(n);
+  std::atomic<std::int64_t> done{0};
+  progress.begin("covering", n, "cells");
+  parallel_for(n, 4, [&](std::int64_t c) {
+    const auto rock = static_cast<Index>(c);
+    LatticeWalker walker(lattice, planes);
+    Pieces& out = parts[c];
+    CellVisitor visitor;
+    visitor.whole = [&](const LatticeBox& box) {
+      for (Index k = box.low[2]; k < box.high[2]; ++k)
+        for (Index j = box.low[1]; j < box.high[1]; ++j)
+          for (Index i = box.low[0]; i < box.high[0]; ++i)
+            out.regular.push_back({lattice.lattice().cell_index(i, j, k), rock});
+    };
+    visitor.piece = [&](const std::array<Index, 3>& ijk, int tet, const ConvexCell& piece) {
+      PieceRecord r = make_record(lattice, planes, ijk, tet, rock, piece);
+      if (volume6(r) > 0) out.pieces.push_back(std::move(r));
+    };
+    walker.walk(complex.cells[rock], visitor);
+    const auto count = done.fetch_add(1) + 1;
+    if (interrupt_signal != 0)
+      throw Error(ErrorKind::analysis, "interrupted while covering; nothing was written");
+    if (count % 64 == 0) {
+#pragma omp critical(rockfold_progress)
+      progress.done(count);
+    }
+  });
+  progress.end();
+
+  Pieces all;
+  for (Pieces& p : parts) {
+    all.regular.insert(all.regular.end(), p.regular.begin(), p.regular.end());
+    std::move(p.pieces.begin(), p.pieces.end(), std::back_inserter(all.pieces));
+    p = {};
+  }
+  std::sort(all.regular.begin(), all.regular.end(),
+            [](const auto& a, const auto& b) { return a.lattice_cell < b.lattice_cell; });
+  std::sort(all.pieces.begin(), all.pieces.end(), [](const PieceRecord& a, const PieceRecord& b) {
+    return std::tie(a.lattice_cell, a.tet, a.rock) < std::tie(b.lattice_cell, b.tet, b.rock);
+  });
+  return all;
+}
+
+}  // namespace rockfold

@@ -1,0 +1,35 @@
+// All rock as whole lattice cells and convex pieces of tetrahedra, in lattice order.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host/cover/lattice_walk.hpp"
+#include "host/cut/complex.hpp"
+#include "src/base/progress.hpp"
+
+namespace rockfold {
+
+struct PieceRecord {
+  Index lattice_cell = none;
+  Index rock = none;  ///< cell of the complex
+  std::int32_t tet = 0;
+  std::uint32_t open_facets = 0;  ///< bit a: the piece has an area on facet a of its tetrahedron
+  std::int32_t vertex_count = 0, face_count = 0;
+  std::vector<Vec3> vertices;                   ///< m, from the lattice cell's centre
+  std::vector<std::array<Index, 3>> triangles;  ///< outward
+};
+
+struct Pieces {
+  struct Regular {
+    Index lattice_cell, rock;
+  };
+  std::vector<Regular> regular;     ///< ordered by lattice cell
+  std::vector<PieceRecord> pieces;  ///< ordered by lattice cell, tetrahedron, rock
+};
+
+/// Cuts the cells of a complex by the lattice, in parallel over cells.
+Pieces cut_pieces(const Complex& complex, const LatticePlanes& lattice, const PlaneTable& planes,
+                  Progress& progress);
+
+}  // namespace rockfold

@@ -1,0 +1,238 @@
+#include "host/cut/convex_cell.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "host/exact/plane_exact.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+
+BoundingBall bounding_ball(const CellView& cell) {
+  Vec3 low = cell.vertices.front().x, high = low;
+  for (const Vertex& v : cell.vertices)
+    for (int d = 0; d < 3; ++d) {
+      low[d] = std::min(low[d], v.x[d]);
+      high[d] = std::max(high[d], v.x[d]);
+    }
+  BoundingBall ball;
+  ball.centre = 0.5 * (low + high);
+  Real squared = 0;
+  for (const Vertex& v : cell.vertices) {
+    const Vec3 r = v.x - ball.centre;
+    squared = std::max(squared, dot(r, r));
+  }
+  ball.radius = std::sqrt(squared);
+  return ball;
+}
+
+CellSide CellSplitter::classify(const CellView& cell, Index plane) {
+  side_.resize(cell.vertices.size());
+  bool below = false, above = false;
+  for (std::size_t v = 0; v < cell.vertices.size(); ++v) {
+    const int s = planes_.side(cell.vertices[v], plane, intent);
+    side_[v] = static_cast<std::int8_t>(s);
+    below = below || s < 0;
+    above = above || s > 0;
+  }
+  if (!below) return CellSide::above;
+  return above ? CellSide::split : CellSide::below;
+}
+
+void CellSplitter::split(const CellView& cell, Index plane, ConvexCell* below, ConvexCell* above) {
+  make_cut_vertices(cell, plane);
+  if (below) write_part(cell, half_space(plane, false), *below);
+  if (above) write_part(cell, half_space(plane, true), *above);
+}
+
+// Each crossed edge is met twice, once from each of its faces; the first meeting makes the vertex.
+void CellSplitter::make_cut_vertices(const CellView& cell, Index plane) {
+  cut_edges_.clear();
+  cut_vertices_.clear();
+  for (const auto& face : cell.faces)
+    for (std::int32_t k = 0; k < face.count; ++k) {
+      const auto& corner = cell.corners[face.begin + k];
+      const std::int32_t u = corner.vertex;
+      const std::int32_t v = cell.corners[face.begin + (k + 1 == face.count ? 0 : k + 1)].vertex;
+      if (side_[u] * side_[v] >= 0 || u > v) continue;
+      const auto id = static_cast<std::int32_t>(cell.vertices.size() + cut_vertices_.size());
+      cut_edges_.push_back({u, v, id});
+      cut_vertices_.push_back(
+          planes_.vertex(plane_of(face.inside), plane_of(corner.neighbour), plane));
+    }
+}
+
+std::int32_t CellSplitter::find_cut_vertex(std::int32_t u, std::int32_t v) const {
+  if (u > v) std::swap(u, v);
+  for (const CutEdge& e : cut_edges_)
+    if (e.low == u && e.high == v) return e.vertex;
+  throw std::logic_error("an edge of a cell is crossed from one side only");
+}
+
+std::int32_t CellSplitter::part_vertex(const CellView& cell, std::int32_t vertex,
+                                       ConvexCell& part) {
+  std::int32_t& id = renumbered_[vertex];
+  if (id < 0) {
+    id = static_cast<std::int32_t>(part.vertices.size());
+    const auto own = static_cast<std::int32_t>(cell.vertices.size());
+    part.vertices.push_back(vertex < own ? cell.vertices[vertex] : cut_vertices_[vertex - own]);
+  }
+  return id;
+}
+
+void CellSplitter::write_part(const CellView& cell, HalfSpaceId inside, ConvexCell& part) {
+  part.clear();
+  cap_edges_.clear();
+  renumbered_.assign(cell.vertices.size() + cut_vertices_.size(), -1);
+  const int wanted = is_above(inside) ? 1 : -1;
+  for (const auto& face : cell.faces) {
+    bool kept = false;
+    for (std::int32_t k = 0; k < face.count && !kept; ++k)
+      kept = side_[cell.corners[face.begin + k].vertex] == wanted;
+    if (kept) write_face(cell, face, inside, part);
+  }
+  write_cap(inside, part);
+}
+
+// Walks a face's loop and keeps what is inside; where the walk leaves the half-space it follows the cut.
+void CellSplitter::write_face(const CellView& cell, const ConvexCell::Face& face,
+                              HalfSpaceId inside, ConvexCell& part) {
+  const int wanted = is_above(inside) ? 1 : -1;
+  const auto begin = static_cast<std::int32_t>(part.corners.size());
+  std::int32_t leaves = -1;  // the corner of `part` whose edge runs along the cut
+  for (std::int32_t k = 0; k < face.count; ++k) {
+    const auto& corner = cell.corners[face.begin + k];
+    const std::int32_t u = corner.vertex;
+    const std::int32_t v = cell.corners[face.begin + (k + 1 == face.count ? 0 : k + 1)].vertex;
+    const int su = side_[u] * wanted, sv = side_[v] * wanted;
+    if (su > 0) {
+      part.corners.push_back({part_vertex(cell, u, part), corner.neighbour});
+      if (sv < 0) {
+        if (leaves >= 0) throw std::logic_error("a face of a cell leaves a half-space twice");
+        leaves = static_cast<std::int32_t>(part.corners.size());
+        part.corners.push_back({part_vertex(cell, find_cut_vertex(u, v), part), inside});
+      }
+    } else if (su == 0) {
+      const bool along_cut = sv <= 0;
+      if (along_cut) {
+        if (leaves >= 0) throw std::logic_error("a face of a cell leaves a half-space twice");
+        leaves = static_cast<std::int32_t>(part.corners.size());
+      }
+      part.corners.push_back({part_vertex(cell, u, part), along_cut ? inside : corner.neighbour});
+    } else if (sv > 0) {
+      part.corners.push_back({part_vertex(cell, find_cut_vertex(u, v), part), corner.neighbour});
+    }
+  }
+  const auto end = static_cast<std::int32_t>(part.corners.size());
+  part.faces.push_back({face.inside, begin, end - begin});
+  if (end - begin < 3) throw std::logic_error("a face of a cell with fewer than three corners");
+  if (leaves >= 0) {
+    // A face that only touches the plane at one vertex leaves and enters there: no edge of the cap.
+    const std::int32_t next = leaves + 1 == end ? begin : leaves + 1;
+    cap_edges_.push_back({part.corners[leaves].vertex, part.corners[next].vertex, face.inside});
+  }
+}
+
+void CellSplitter::write_cap(HalfSpaceId inside, ConvexCell& part) {
+  if (cap_edges_.size() < 3) throw std::logic_error("the section of a cell is no polygon");
+  const auto begin = static_cast<std::int32_t>(part.corners.size());
+  // The cap runs against the faces' sense: from the end of a face's cut edge to its start.
+  const std::int32_t first = cap_edges_.front().to;
+  std::int32_t at = first;
+  do {
+    const auto edge = std::find_if(cap_edges_.begin(), cap_edges_.end(),
+                                   [at](const CapEdge& e) { return e.to == at; });
+    if (edge == cap_edges_.end() || part.corners.size() - begin == cap_edges_.size())
+      throw std::logic_error("the section of a cell does not close");
+    part.corners.push_back({at, edge->face});
+    at = edge->from;
+  } while (at != first);
+  const auto count = static_cast<std::int32_t>(part.corners.size()) - begin;
+  if (count != static_cast<std::int32_t>(cap_edges_.size()))
+    throw std::logic_error("the section of a cell is more than one polygon");
+  part.faces.push_back({inside, begin, count});
+}
+
+namespace {
+
+// The fan of each face from its first corner, outward.
+std::vector<std::array<Index, 3>> boundary_triangles(const CellView& cell) {
+  std::vector<std::array<Index, 3>> triangles;
+  for (const auto& f : cell.faces)
+    for (std::int32_t k = 1; k + 1 < f.count; ++k)
+      triangles.push_back({cell.corners[f.begin].vertex, cell.corners[f.begin + k].vertex,
+                           cell.corners[f.begin + k + 1].vertex});
+  return triangles;
+}
+
+}  // namespace
+
+CellMoments cell_moments(const CellView& cell, const PlaneTable& planes) {
+  const Vec3 o = cell.vertices.front().x;
+  Real volume6 = 0, area2 = 0, error = 0;
+  Vec3 first24{};
+  for (const Vertex& v : cell.vertices) error = std::max(error, Real{v.error});
+  for (const auto& f : cell.faces)
+    for (std::int32_t k = 1; k + 1 < f.count; ++k) {
+      const Vec3 a = cell.vertices[cell.corners[f.begin].vertex].x - o;
+      const Vec3 b = cell.vertices[cell.corners[f.begin + k].vertex].x - o;
+      const Vec3 c = cell.vertices[cell.corners[f.begin + k + 1].vertex].x - o;
+      const Real v = dot(a, cross(b, c));
+      volume6 += v;
+      first24 += v * (a + b + c);
+      area2 += norm(cross(b - a, c - a));
+    }
+  // Vertices off by `error` change the volume by at most the area times it; the bound is some 30 times what happens.
+  if (!(error * area2 / 2 < 1e-9 * volume6 / 6)) {
+    const auto exact = planes.exact_moments(cell.vertices, boundary_triangles(cell));
+    return {exact.volume, exact.first};
+  }
+  return {volume6 / 6, (1.0 / 24) * first24 + (volume6 / 6) * o};
+}
+
+ConvexCell make_box(PlaneTable& planes, const Vec3& min, const Vec3& max) {
+  Index id[6];
+  for (int d = 0; d < 3; ++d)
+    for (int s = 0; s < 2; ++s) {
+      Vec3 n{};
+      n[d] = 1;
+      const Vec3& p = s == 0 ? min : max;
+      ExactPlane plane{exact(n), 0};
+      plane.d = Exact(p[d]) + Exact(planes.centre()[d]);
+      id[2 * d + s] = planes.add(plane);
+    }
+  ConvexCell box;
+  for (int v = 0; v < 8; ++v)
+    box.vertices.push_back(planes.vertex(id[v & 1], id[2 + (v >> 1 & 1)], id[4 + (v >> 2 & 1)]));
+  // Corners c = x + 2y + 4z, counter-clockwise from outside; across = the face over the edge to the next corner.
+  constexpr int loop[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                              {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  constexpr int across[6][4] = {{2, 5, 3, 4}, {4, 3, 5, 2}, {4, 1, 5, 0},
+                                {0, 5, 1, 4}, {0, 3, 1, 2}, {2, 1, 3, 0}};
+  const auto inside = [&](int f) { return half_space(id[f], f % 2 == 0); };
+  for (int f = 0; f < 6; ++f) {
+    box.faces.push_back({inside(f), 4 * f, 4});
+    for (int k = 0; k < 4; ++k) box.corners.push_back({loop[f][k], inside(across[f][k])});
+  }
+  return box;
+}
+
+ConvexCell clip_cube(PlaneTable& planes, Real reach, const std::vector<HalfSpaceId>& inside) {
+  ConvexCell cell = make_box(planes, {-reach, -reach, -reach}, {reach, reach, reach}), part;
+  CellSplitter splitter(planes);
+  for (const HalfSpaceId h : inside) {
+    const CellSide place = splitter.classify(cell, plane_of(h));
+    if (place == CellSide::split) {
+      splitter.split(cell, plane_of(h), is_above(h) ? nullptr : &part,
+                     is_above(h) ? &part : nullptr);
+      std::swap(cell, part);
+    } else if ((place == CellSide::above) != is_above(h)) {
+      return {};
+    }
+  }
+  return cell;
+}
+
+}  // namespace rockfold

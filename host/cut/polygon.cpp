@@ -1,0 +1,112 @@
+#include "host/cut/polygon.hpp"
+
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+
+Polygon face_polygon(const CellView& cell, const ConvexCell::Face& face) {
+  Polygon polygon;
+  polygon.plane = plane_of(face.inside);
+  const auto n = face.count;
+  polygon.corner.reserve(n);
+  polygon.edge.reserve(n);
+  for (std::int32_t k = 0; k < n; ++k) {
+    // Above its plane a cell's outward normal points down: the loop seen from above is the reversed one, where the edge
+    // after corner j is the one before it in the face's own sense.
+    const std::int32_t i = is_above(face.inside) ? n - 1 - k : k;
+    const std::int32_t e = is_above(face.inside) ? (i + n - 1) % n : i;
+    polygon.corner.push_back(cell.vertices[cell.corners[face.begin + i].vertex]);
+    polygon.edge.push_back(cell.corners[face.begin + e].neighbour);
+  }
+  return polygon;
+}
+
+PolygonMoments polygon_moments(const Polygon& polygon) {
+  PolygonMoments m;
+  if (polygon.empty()) return m;
+  const Vec3 o = polygon.corner.front().x;
+  Vec3 first{};
+  for (std::size_t k = 1; k + 1 < polygon.corner.size(); ++k) {
+    const Vec3 a = polygon.corner[k].x - o, b = polygon.corner[k + 1].x - o;
+    const Real area = norm(cross(a, b)) / 2;
+    m.area += area;
+    first += (area / 3) * (a + b);
+  }
+  m.centroid = m.area > 0 ? o + (1 / m.area) * first : o;
+  return m;
+}
+
+void PolygonClipper::write_part(const Polygon& polygon, HalfSpaceId h, Polygon& part) const {
+  part.plane = polygon.plane;
+  part.corner.clear();
+  part.edge.clear();
+  const int wanted = is_above(h) ? 1 : -1;
+  const std::size_t n = polygon.corner.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t next = k + 1 == n ? 0 : k + 1;
+    const int su = side_[k] * wanted, sv = side_[next] * wanted;
+    const auto cut = [&] {
+      return planes_.vertex(polygon.plane, plane_of(polygon.edge[k]), plane_of(h));
+    };
+    if (su > 0 || (su == 0 && sv > 0)) {
+      part.corner.push_back(polygon.corner[k]);
+      part.edge.push_back(polygon.edge[k]);
+      if (sv < 0) {
+        part.corner.push_back(cut());
+        part.edge.push_back(h);
+      }
+    } else if (su == 0) {
+      part.corner.push_back(polygon.corner[k]);
+      part.edge.push_back(h);
+    } else if (sv > 0) {
+      part.corner.push_back(cut());
+      part.edge.push_back(polygon.edge[k]);
+    }
+  }
+}
+
+void PolygonClipper::split(const Polygon& polygon, HalfSpaceId h, Polygon& inside,
+                           Polygon* outside) {
+  side_.resize(polygon.corner.size());
+  bool above = false, below = false;
+  for (std::size_t k = 0; k < polygon.corner.size(); ++k) {
+    side_[k] = static_cast<std::int8_t>(planes_.side(polygon.corner[k], plane_of(h), intent));
+    above = above || side_[k] > 0;
+    below = below || side_[k] < 0;
+  }
+  const bool any_inside = is_above(h) ? above : below, any_outside = is_above(h) ? below : above;
+  inside.corner.clear();
+  inside.edge.clear();
+  inside.plane = polygon.plane;
+  if (outside) {
+    outside->corner.clear();
+    outside->edge.clear();
+    outside->plane = polygon.plane;
+    if (any_outside && !any_inside) *outside = polygon;
+    if (any_outside && any_inside) write_part(polygon, h ^ 1, *outside);
+  }
+  if (any_inside && !any_outside) inside = polygon;
+  if (any_inside && any_outside) write_part(polygon, h, inside);
+}
+
+Polygon PolygonClipper::intersection(const Polygon& a, const Polygon& b) {
+  Polygon result = a, part;
+  for (const HalfSpaceId h : b.edge) {
+    split(result, h, part, nullptr);
+    std::swap(result, part);
+    if (result.empty()) return {};
+  }
+  return result;
+}
+
+void PolygonClipper::subtract(const Polygon& a, const Polygon& b, std::vector<Polygon>& rest) {
+  Polygon kept = a, inside, outside;
+  for (const HalfSpaceId h : b.edge) {
+    split(kept, h, inside, &outside);
+    if (!outside.empty()) rest.push_back(outside);
+    std::swap(kept, inside);
+    if (kept.empty()) return;
+  }
+}
+
+}  // namespace rockfold

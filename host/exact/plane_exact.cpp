@@ -1,0 +1,31 @@
+#include "host/exact/plane_exact.hpp"
+
+namespace rockfold {
+
+ExactVec3 exact(const Vec3& a) {
+  return {Exact(a[0]), Exact(a[1]), Exact(a[2])};
+}
+
+Exact dot(const ExactVec3& a, const ExactVec3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+ExactVec3 cross(const ExactVec3& a, const ExactVec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+ExactPlane plane_through(const Vec3& normal, const Vec3& point, Real offset) {
+  const ExactVec3 n = exact(normal);
+  return {n, dot(n, exact(point)) + Exact(offset)};
+}
+
+ExactPlane plane_along(const ExactVec3& point, const ExactVec3& u, const ExactVec3& v) {
+  const ExactVec3 n = cross(u, v);
+  return {n, dot(n, point)};
+}
+
+ExactPlane opposite(const ExactPlane& plane) {
+  return {{-plane.n[0], -plane.n[1], -plane.n[2]}, -plane.d};
+}
+
+}  // namespace rockfold

@@ -1,0 +1,213 @@
+#include "host/exact/plane_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+#include "host/exact/plane_exact.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+
+namespace {
+
+constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+constexpr Real relative_tolerance = 1e-10;        // DESIGN.md, rules 2 and 5
+constexpr Real guard_sine_squared = 1e-3 * 1e-3;  // rule 5: sine of the angle over 1e-3
+constexpr Real near_factor = 100;                 // rule 5: what is reported as near
+// Below this determinant of the unit normals a vertex is computed exactly: above it the bound of `vertex` keeps
+// the error under 50·48·ε·L ≈ 5e-13·L, two orders below the tolerance of rule 5.
+constexpr Real ill_conditioned = 0.02;
+
+struct UnitPlane {
+  Vec3 normal;
+  Real offset;
+};
+
+UnitPlane rounded(const ExactVec3& n, const Exact& centred_d) {
+  // Scaled by the largest component first, so that normals of any length neither overflow nor vanish.
+  const Exact largest = std::max({Exact(abs(n[0])), Exact(abs(n[1])), Exact(abs(n[2]))});
+  Vec3 m;
+  for (int d = 0; d < 3; ++d) m[d] = CGAL::to_double(Exact(n[d] / largest));
+  const Real length = norm(m);
+  return {(1.0 / length) * m, CGAL::to_double(Exact(centred_d / largest)) / length};
+}
+
+ExactVec3 cramer_numerators(const ExactPlane& a, const ExactPlane& b, const ExactPlane& c) {
+  const ExactVec3 bc = cross(b.n, c.n), ca = cross(c.n, a.n), ab = cross(a.n, b.n);
+  ExactVec3 x;
+  for (int d = 0; d < 3; ++d) x[d] = a.d * bc[d] + b.d * ca[d] + c.d * ab[d];
+  return x;
+}
+
+Exact determinant(const ExactPlane& a, const ExactPlane& b, const ExactPlane& c) {
+  return dot(a.n, cross(b.n, c.n));
+}
+
+}  // namespace
+
+struct PlaneTable::Store {
+  std::vector<ExactPlane> plane;           // d relative to the centre
+  std::multimap<Real, Index> by_distance;  // |offset| → plane, for find()
+};
+
+void IntentCount::add(const IntentCount& other) {
+  vertices_identified += other.vertices_identified;
+  near_decisions += other.near_decisions;
+  near_planes.insert(near_planes.end(), other.near_planes.begin(), other.near_planes.end());
+}
+
+PlaneTable::PlaneTable(const Vec3& centre, Real size)
+    : centre_(centre),
+      size_(size),
+      tolerance_(relative_tolerance * size),
+      store_(std::make_unique<Store>()) {}
+PlaneTable::~PlaneTable() = default;
+PlaneTable::PlaneTable(PlaneTable&&) noexcept = default;
+PlaneTable& PlaneTable::operator=(PlaneTable&&) noexcept = default;
+PlaneTable::PlaneTable(const PlaneTable& other)
+    : centre_(other.centre_),
+      size_(other.size_),
+      tolerance_(other.tolerance_),
+      normal_(other.normal_),
+      offset_(other.offset_),
+      store_(std::make_unique<Store>(*other.store_)) {}
+
+Index PlaneTable::add(const ExactPlane& plane) {
+  const Exact d = plane.d - dot(plane.n, exact(centre_));
+  const UnitPlane unit = rounded(plane.n, d);
+  const Index id = size();
+  normal_.push_back(unit.normal);
+  offset_.push_back(unit.offset);
+  store_->plane.push_back({plane.n, d});
+  store_->by_distance.emplace(std::abs(unit.offset), id);
+  return id;
+}
+
+HalfSpaceId PlaneTable::find(const ExactPlane& plane) const {
+  const UnitPlane unit = rounded(plane.n, plane.d - dot(plane.n, exact(centre_)));
+  const Real distance = std::abs(unit.offset);
+  const auto& map = store_->by_distance;
+  Index best = none;
+  bool same_sense = true;
+  for (auto it = map.lower_bound(distance - 2 * tolerance_);
+       it != map.end() && it->first <= distance + 2 * tolerance_; ++it) {
+    const Vec3& n = normal_[it->second];
+    const Real sense = dot(n, unit.normal) < 0 ? -1 : 1;
+    const bool same_angle = norm(cross(n, unit.normal)) <= relative_tolerance;
+    const bool same_place = std::abs(unit.offset - sense * offset_[it->second]) <= tolerance_;
+    if (same_angle && same_place && (best == none || it->second < best)) {
+      best = it->second;
+      same_sense = sense > 0;
+    }
+  }
+  return best == none ? none : half_space(best, same_sense);
+}
+
+Vec3 PlaneTable::exact_position(const std::array<Index, 3>& p) const {
+  const ExactPlane &a = store_->plane[p[0]], &b = store_->plane[p[1]], &c = store_->plane[p[2]];
+  const Exact det = determinant(a, b, c);
+  if (det == 0) throw std::logic_error("three planes without a common point");
+  const ExactVec3 x = cramer_numerators(a, b, c);
+  return {CGAL::to_double(Exact(x[0] / det)), CGAL::to_double(Exact(x[1] / det)),
+          CGAL::to_double(Exact(x[2] / det))};
+}
+
+Vertex PlaneTable::vertex(Index p, Index q, Index r) const {
+  Vertex v;
+  v.plane = {p, q, r};
+  std::sort(v.plane.begin(), v.plane.end());
+  const Vec3 &a = normal_[v.plane[0]], &b = normal_[v.plane[1]], &c = normal_[v.plane[2]];
+  const Vec3 bc = cross(b, c);
+  const Real det = dot(a, bc);
+  if (std::abs(det) < ill_conditioned) {
+    v.x = exact_position(v.plane);
+    v.error =
+        static_cast<float>(2 * epsilon * (std::abs(v.x[0]) + std::abs(v.x[1]) + std::abs(v.x[2])));
+    return v;
+  }
+  const Real da = offset_[v.plane[0]], db = offset_[v.plane[1]], dc = offset_[v.plane[2]];
+  const Vec3 ca = cross(c, a), ab = cross(a, b);
+  v.x = (1 / det) * (da * bc + db * ca + dc * ab);
+  // Coefficients carry 1.5 ε each (a plane's own scale cancels), cross products 6 ε, their sums 10 ε: of the numerator
+  // Σ|d|, and of the determinant 1, where it counts |x|/|det| times.
+  v.error = static_cast<float>(
+      16 * epsilon * (std::abs(da) + std::abs(db) + std::abs(dc) + norm(v.x)) / std::abs(det));
+  return v;
+}
+
+bool PlaneTable::nearly_parallel(Index p, Index q) const {
+  const Vec3 c = cross(normal_[p], normal_[q]);
+  return dot(c, c) <= guard_sine_squared;
+}
+
+Real PlaneTable::distance(const Vertex& vertex, Index plane) const {
+  return dot(normal_[plane], vertex.x) - offset_[plane];
+}
+
+int PlaneTable::exact_side(const Vertex& vertex, Index plane) const {
+  const auto& p = vertex.plane;
+  const ExactPlane &a = store_->plane[p[0]], &b = store_->plane[p[1]], &c = store_->plane[p[2]];
+  const ExactPlane& s = store_->plane[plane];
+  const Exact det = determinant(a, b, c);
+  const Exact value = dot(s.n, cramer_numerators(a, b, c)) - s.d * det;
+  return CGAL::sign(value) * CGAL::sign(det);
+}
+
+int PlaneTable::side(const Vertex& vertex, Index plane, IntentCount& intent) const {
+  const auto& p = vertex.plane;
+  if (plane == p[0] || plane == p[1] || plane == p[2]) return 0;
+  const Real d = distance(vertex, plane);
+  const Real magnitude = std::abs(d);
+  // Rounding of the unit normal (2 ε a component), of the products and of the offset.
+  const Real error = vertex.error + 8 * epsilon *
+                                        (std::abs(vertex.x[0]) + std::abs(vertex.x[1]) +
+                                         std::abs(vertex.x[2]) + std::abs(offset_[plane]));
+  if (magnitude > near_factor * tolerance_ + error) return d > 0 ? 1 : -1;
+
+  const bool guarded = !nearly_parallel(plane, p[0]) && !nearly_parallel(plane, p[1]) &&
+                       !nearly_parallel(plane, p[2]);
+  if (!guarded) return magnitude > error ? (d > 0 ? 1 : -1) : exact_side(vertex, plane);
+
+  if (magnitude * near_factor > tolerance_ + near_factor * error) {
+    ++intent.near_decisions;
+    intent.near_planes.push_back(plane);
+  }
+  if (magnitude > tolerance_) return d > 0 ? 1 : -1;
+  if (magnitude > error) ++intent.vertices_identified;
+  return 0;
+}
+
+PlaneTable::ExactMoments PlaneTable::exact_moments(
+    std::span<const Vertex> vertices, const std::vector<std::array<Index, 3>>& triangles) const {
+  std::vector<ExactVec3> x;
+  x.reserve(vertices.size());
+  for (const Vertex& v : vertices) {
+    const ExactPlane &a = store_->plane[v.plane[0]], &b = store_->plane[v.plane[1]],
+                     &c = store_->plane[v.plane[2]];
+    const Exact det = determinant(a, b, c);
+    ExactVec3 y = cramer_numerators(a, b, c);
+    for (Exact& component : y) component /= det;
+    x.push_back(std::move(y));
+  }
+  const ExactVec3 o = x.front();
+  for (ExactVec3& y : x)
+    for (int d = 0; d < 3; ++d) y[d] -= o[d];
+  Exact volume6 = 0;
+  ExactVec3 first24{0, 0, 0};
+  for (const auto& t : triangles) {
+    const ExactVec3 &a = x[t[0]], &b = x[t[1]], &c = x[t[2]];
+    const Exact v = dot(a, cross(b, c));
+    volume6 += v;
+    for (int d = 0; d < 3; ++d) first24[d] += v * (a[d] + b[d] + c[d]);
+  }
+  ExactMoments m;
+  m.volume = CGAL::to_double(Exact(volume6 / 6));
+  for (int d = 0; d < 3; ++d)
+    m.first[d] = CGAL::to_double(Exact(first24[d] / 24 + o[d] * volume6 / 6));
+  return m;
+}
+
+}  // namespace rockfold

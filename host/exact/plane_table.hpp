@@ -1,0 +1,104 @@
+// All planes of a cutting, the vertices they define, and the one predicate of the program: on which side of a
+// plane lies the meeting point of three others.
+//
+// Positions are relative to the table's centre. Exactness: a double filter with an error bound decides nearly
+// always; where it cannot, exact rational arithmetic does. Near-concurrency is concurrency (DESIGN.md, rule 5).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "src/base/types.hpp"
+
+namespace rockfold {
+
+struct ExactPlane;  // plane_exact.hpp
+
+/// A side of a plane: 2·plane + (1 if above). Above = the side that the plane's normal points to.
+using HalfSpaceId = std::int32_t;
+constexpr HalfSpaceId half_space(Index plane, bool above) {
+  return 2 * plane + (above ? 1 : 0);
+}
+constexpr Index plane_of(HalfSpaceId h) {
+  return h / 2;
+}
+constexpr bool is_above(HalfSpaceId h) {
+  return (h & 1) != 0;
+}
+
+/// The meeting of three planes. Its position is a function of their ids alone.
+struct Vertex {
+  std::array<Index, 3> plane{};  ///< ascending
+  float error = 0;               ///< m, bound on |x − the exact point|
+  Vec3 x{};                      ///< m, relative to the table's centre
+};
+
+/// How often intent, not arithmetic, decided; kept by each task and added up.
+struct IntentCount {
+  Index vertices_identified = 0;
+  Index near_decisions = 0;
+  std::vector<Index> near_planes;  ///< planes of near decisions, with repeats
+
+  void add(const IntentCount& other);
+};
+
+class PlaneTable {
+ public:
+  /// `size` is the model's size L (m): tolerances are 1e-10·L.
+  PlaneTable(const Vec3& centre, Real size);
+  ~PlaneTable();
+  PlaneTable(PlaneTable&&) noexcept;
+  PlaneTable& operator=(PlaneTable&&) noexcept;
+  PlaneTable(const PlaneTable& other);
+  PlaneTable& operator=(const PlaneTable&) = delete;
+
+  /// Adds a plane and returns its id.
+  Index add(const ExactPlane& plane);
+
+  /// The plane that coincides with `plane` to the tolerance, on either orientation, or none. O(log n) and the
+  /// planes at a similar distance from the centre.
+  HalfSpaceId find(const ExactPlane& plane) const;
+
+  Index size() const { return static_cast<Index>(normal_.size()); }
+  const Vec3& normal(Index plane) const { return normal_[plane]; }  ///< unit
+  Real offset(Index plane) const { return offset_[plane]; }  ///< m, n·x of the centred plane
+  const Vec3& centre() const { return centre_; }
+  Real model_size() const { return size_; }
+  Real tolerance() const { return tolerance_; }
+
+  /// The meeting of three planes that no line is parallel to. Throws std::logic_error if they have none.
+  Vertex vertex(Index p, Index q, Index r) const;
+
+  /// −1 below, 0 on, +1 above.
+  int side(const Vertex& vertex, Index plane, IntentCount& intent) const;
+
+  /// Signed distance of a vertex from a plane in double precision, m.
+  Real distance(const Vertex& vertex, Index plane) const;
+
+  /// Six times the volume and 24 times the first moment, about the first vertex, of the tetrahedra of a convex
+  /// cell's triangulated boundary, in exact arithmetic; for slivers that doubles cannot measure.
+  struct ExactMoments {
+    Real volume;
+    Vec3 first;  ///< about the table's centre
+  };
+  ExactMoments exact_moments(std::span<const Vertex> vertices,
+                             const std::vector<std::array<Index, 3>>& triangles) const;
+
+ private:
+  struct Store;  // exact coefficients
+  bool nearly_parallel(Index p, Index q) const;
+  int exact_side(const Vertex& vertex, Index plane) const;
+  Vec3 exact_position(const std::array<Index, 3>& p) const;
+
+  Vec3 centre_;
+  Real size_;
+  Real tolerance_;
+  std::vector<Vec3> normal_;
+  std::vector<Real> offset_;
+  std::unique_ptr<Store> store_;
+};
+
+}  // namespace rockfold

@@ -1,0 +1,42 @@
+// The surface of one block: the free and joint areas of its cells merged into faces with holes, with exact counts of
+// vertices and edges, shells and genus.
+#pragma once
+
+#include <vector>
+
+#include "host/cut/complex.hpp"
+
+namespace rockfold {
+
+/// A convex area of a block's boundary.
+struct BoundaryArea {
+  Index cell = none, face = none;  ///< of the complex
+  Index origin = none;             ///< into Complex::origins
+  Index fragment = none;           ///< into Complex::fragments, or none
+  Index free_part = none;          ///< into Complex::free_parts, or none
+};
+
+/// Faces, loops, corners and vertices as in BlockArrays, numbered from 0 within the block.
+struct BlockSurface {
+  struct Face {
+    HalfSpaceId inside = none;  ///< the half-space that holds the block's side of the face
+    Index origin = none;
+    Real area = 0;  ///< m²
+  };
+  std::vector<Face> faces;
+  std::vector<Index> loop_begin{0};    ///< [faces + 1]
+  std::vector<Index> corner_begin{0};  ///< [loops + 1]
+  std::vector<Index> corner_vertex;
+  std::vector<Vec3> vertices;       ///< m, about the table's centre
+  std::vector<Index> face_of_area;  ///< [areas given] the face that each became part of
+  Index edge_count = 0;
+  Index shell_count = 0;
+  Index genus = 0;
+  bool convex = true;
+};
+
+/// Merges the areas of one block. A block of one cell whose faces have one origin each is the cell itself: O(corners).
+/// Otherwise O(n^5/3) at worst in the number of vertices, n log n where they are spread.
+BlockSurface make_block_surface(const Complex& complex, const std::vector<BoundaryArea>& areas);
+
+}  // namespace rockfold

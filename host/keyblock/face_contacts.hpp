@@ -1,0 +1,34 @@
+// Which blocks each face leans on: BlockArrays::interfaces, found by face instead of by block.
+#pragma once
+
+#include <vector>
+
+#include "src/arrays/block_arrays.hpp"
+#include "src/base/types.hpp"
+
+namespace rockfold {
+
+/// Example: two cubes one on the other have 12 faces and one interface; two faces have one contact
+/// each: contact_begin_ has 13 entries from 0 to 2, contact_ has 2.
+class FaceContacts {
+ public:
+  explicit FaceContacts(const BlockArrays& blocks);
+
+  /// m² of a face in contact with blocks that are still there: batch[block] == 0.
+  Real area(Index face, const std::vector<Index>& batch) const;
+
+  /// The blocks still there that lean on one of these: each once, ascending.
+  std::vector<Index> neighbours(const std::vector<Index>& of,
+                                const std::vector<Index>& batch) const;
+
+ private:
+  struct Contact {
+    Index block = none;  ///< the neighbour
+    Real area = 0;       ///< m²
+  };
+  std::vector<Index> face_begin_;     ///< [B+1] faces of each block
+  std::vector<Index> contact_begin_;  ///< [F+1]
+  std::vector<Contact> contact_;      ///< [2I] ordered by face, then as in `interfaces`
+};
+
+}  // namespace rockfold

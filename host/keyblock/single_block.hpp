@@ -1,0 +1,49 @@
+// Block theory of one block: its faces in, its class and motion out. Knows nothing of how blocks
+// were made.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "host/keyblock/sliding.hpp"
+#include "src/base/types.hpp"
+
+namespace rockfold {
+
+/// What block theory says of a block.
+enum class BlockClass {
+  infinite,  ///< the rock goes on beyond one of its faces
+  tapered,   ///< no free face, or no direction that its joint faces allow
+  stable,    ///< removable, but the resistance is no less than the driving force
+  key        ///< removable, and moves without support
+};
+
+/// A face of a block as block theory sees it.
+struct BlockFace {
+  Vec3 normal{};           ///< unit, outward
+  Real area = 0;           ///< m²
+  Real contact_area = 0;   ///< m², against rock that stays: 0 = a free face, otherwise ≤ area
+  Real friction = 0;       ///< tan φ of the joint
+  Real cohesion = 0;       ///< Pa
+  bool continues = false;  ///< the rock goes on beyond
+};
+
+struct BlockVerdict {
+  BlockClass block_class = BlockClass::tapered;
+  Vec3 resultant{};                  ///< r: the load and the water's push, N; zero unless removable
+  Real free_area = 0;                ///< m²; zero unless removable
+  std::vector<ContactPlane> planes;  ///< empty unless removable
+  std::optional<Movement> movement;  ///< of a removable block that r would move without friction
+};
+
+/// The class and motion of a block under `load` (weight, earthquake, …; N) and a water pressure
+/// (Pa, ≥ 0) on the faces in contact, which pushes the block off them: r = load − Σ p A n. Any
+/// shape: the faces are taken as they are (docs/block_theory.md, "Concave blocks").
+BlockVerdict judge_block(std::span<const BlockFace> faces, const Vec3& load, Real water_pressure);
+
+/// The faces in contact, those with one outward normal (to direction_tolerance) together. A face
+/// whose normal is not a unit vector (a face that rounded to nothing) is left out.
+std::vector<ContactPlane> contact_planes(std::span<const BlockFace> faces);
+
+}  // namespace rockfold

@@ -1,0 +1,81 @@
+// What the kernels share: where arrays live and how they get there. Also the only place that knows what differs
+// between the versions of Kokkos (3.4 to 5) that Rockfold builds with.
+#pragma once
+
+#include <Kokkos_Core.hpp>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "src/base/types.hpp"
+
+namespace rockfold::device {
+
+#if KOKKOS_VERSION >= 30700
+namespace math = Kokkos;
+#else
+namespace math = Kokkos::Experimental;
+#endif
+
+using Exec = Kokkos::DefaultExecutionSpace;
+using Memory = Exec::memory_space;
+
+// Kernels run on the processor's own cores, where rows go to SIMD lanes, or on a GPU, where they go to a warp's threads.
+#if defined(KOKKOS_ENABLE_CUDA) || defined(KOKKOS_ENABLE_HIP) || defined(KOKKOS_ENABLE_SYCL)
+#define ROCKFOLD_ON_GPU
+inline constexpr bool on_gpu = true;
+#else
+inline constexpr bool on_gpu = false;
+#endif
+
+template <class T>
+using Array = Kokkos::View<T*, Memory>;
+
+/// A vector quantity of the covers: (p, d) with all x, then all y, then all z, so that neighbouring covers load as one.
+using Field = Kokkos::View<Real * [3], Kokkos::LayoutLeft, Memory>;
+
+using Range = Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>;
+
+template <class T>
+using Unmanaged = Kokkos::View<T*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
+
+template <class T>
+Array<T> allocate(const std::string& label, std::size_t size) {
+  return Array<T>(Kokkos::view_alloc(Kokkos::WithoutInitializing, "rockfold::" + label), size);
+}
+
+inline Field make_field(const std::string& label, Index covers) {
+  return Field("rockfold::" + label, covers);
+}
+
+template <class T>
+Array<T> to_device(const std::string& label, const std::vector<T>& host) {
+  Array<T> result = allocate<T>(label, host.size());
+  Kokkos::deep_copy(result, Unmanaged<T>(const_cast<T*>(host.data()), host.size()));
+  return result;
+}
+
+template <class T>
+std::vector<T> to_host(const Array<T>& array) {
+  std::vector<T> host(array.extent(0));
+  Kokkos::deep_copy(Unmanaged<T>(host.data(), host.size()), array);
+  return host;
+}
+
+inline void copy_to_device(const std::vector<Vec3>& host, const Field& field) {
+  const auto mirror = Kokkos::create_mirror_view(field);
+  for (std::size_t p = 0; p < host.size(); ++p)
+    for (int d = 0; d < 3; ++d) mirror(p, d) = host[p][d];
+  Kokkos::deep_copy(field, mirror);
+}
+
+inline std::vector<Vec3> copy_to_host(const Field& field) {
+  const auto mirror = Kokkos::create_mirror_view(field);
+  Kokkos::deep_copy(mirror, field);
+  std::vector<Vec3> host(field.extent(0));
+  for (std::size_t p = 0; p < host.size(); ++p)
+    for (int d = 0; d < 3; ++d) host[p][d] = mirror(p, d);
+  return host;
+}
+
+}  // namespace rockfold::device

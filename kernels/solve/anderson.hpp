@@ -1,0 +1,35 @@
+// Anderson's acceleration of a fixed-point iteration x ← x + f(x) (Anderson 1965; Walker & Ni 2011, type II): of the last few
+// pairs of changes it forms the combination that would have made f smallest. For the linear, symmetric iteration of the
+// multipliers this is as good as conjugate gradients on them, but does not mind that f is known inexactly.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+#include "src/base/types.hpp"
+
+namespace rockfold::solve {
+
+class Anderson {
+ public:
+  explicit Anderson(std::size_t depth) : depth_(depth) {}
+
+  /// The next x, from x and f(x).
+  std::vector<Real> next(const std::vector<Real>& x, const std::vector<Real>& f);
+
+  /// A new right-hand side: f has moved by a constant. What was learned of its slope stays true.
+  void begin_again() { last_x_.clear(); }
+  /// The slope of f has changed.
+  void forget();
+
+ private:
+  struct Pair {
+    std::vector<Real> dx, df;
+  };
+  std::size_t depth_;
+  std::deque<Pair> pairs_;
+  std::vector<Real> last_x_, last_f_;
+};
+
+}  // namespace rockfold::solve

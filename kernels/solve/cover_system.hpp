@@ -1,0 +1,65 @@
+// The linear system of all physical covers: y = (αK + βM + γ NᵀkN) x, and its solution with fixed points.
+// K: linear elastic stiffness, M: consistent mass, both integrated exactly; N: weights of the fixed points, k their stiffness.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "kernels/solve/cover_vector.hpp"
+#include "kernels/solve/solve_report.hpp"
+#include "src/arrays/cover_arrays.hpp"
+#include "src/arrays/element_arrays.hpp"
+
+namespace rockfold {
+
+/// How the operator's rows are stored, for reports and benchmarks.
+struct OperatorSize {
+  Index stencil_rows = 0;          ///< covers whose couplings are constants of the lattice
+  Index block_rows = 0;            ///< covers whose couplings are stored
+  std::int64_t block_entries = 0;  ///< stored 3×3 blocks, the diagonal ones not counted
+  /// What one application must move: 72 bytes a row for x and y with write-allocate, 84 an entry.
+  double bytes() const {
+    return 72.0 * (double(stencil_rows) + block_rows) + 84.0 * double(block_entries);
+  }
+};
+
+struct SystemCoefficients {
+  Real stiffness = 1;  ///< α
+  Real mass = 0;       ///< β, 1/s²
+  Real springs = 1;    ///< γ
+};
+
+struct SolveOptions {
+  Real tolerance = 1e-8;  ///< ‖r‖ / ‖b‖
+  Index max_iterations = 5000;
+  Real gap_tolerance = 1e-10;  ///< of augmented fixed points, over the largest displacement
+};
+
+class CoverSystem {
+ public:
+  CoverSystem(const CoverArrays& covers, const PieceMoments& moments,
+              const std::vector<ElasticMaterial>& materials, const FixedPoints& fixed = {});
+  ~CoverSystem();
+  CoverSystem(CoverSystem&&) noexcept;
+  CoverSystem& operator=(CoverSystem&&) noexcept;
+
+  Index covers() const;
+  OperatorSize size() const;
+
+  void apply(const SystemCoefficients& c, const CoverVector& x, CoverVector& y) const;
+  std::vector<Vec3> apply(const SystemCoefficients& c, const std::vector<Vec3>& x) const;
+
+  /// Solves (αK + βM + γ NᵀkN) x = b + γ Nᵀ k ū, with multipliers at augmented points, from the x given.
+  SolveReport solve(const SystemCoefficients& c, const std::vector<Vec3>& b, std::vector<Vec3>& x,
+                    const SolveOptions& options = {});
+
+  /// [N] N: the force of each fixed point on the rock that moves by x, after a solve.
+  std::vector<Vec3> reactions(const std::vector<Vec3>& x) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace rockfold

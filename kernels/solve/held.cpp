@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "kernels/solve/held_kernel.hpp"
+
+namespace rockfold::solve {
+namespace {
+
+/// Share of its residual that an inner solve leaves: the multipliers move on before it is worth more.
+constexpr Real inner_reduction = 0.01;
+/// Outer iterations without a smaller gap after which rounding is thought to hold it.
+constexpr int most_stalled = 15;
+/// A gap this small may stop shrinking without being an error: the tolerance of a solve times a generous condition.
+constexpr Real acceptable_gap = 1e-6;
+
+Real largest_sum(const Field& x, const Field& base) {
+  Real largest = 0;
+  if (base.extent(0) == 0) return largest_entry(x);
+  Kokkos::parallel_reduce(
+      "rockfold::solve::largest_displacement",
+      device::Range(0, static_cast<Index>(x.extent(0))), KOKKOS_LAMBDA(const Index p, Real& worst) {
+        for (int d = 0; d < 3; ++d) {
+          const Real size = device::math::fabs(base(p, d) + x(p, d));
+          if (size > worst) worst = size;
+        }
+      },
+      Kokkos::Max<Real>(largest));
+  return std::max(largest, 0.0);
+}
+
+/// λ from λ and springs.force, the change it would take by itself.
+void update_multipliers(HeldSystem& system) {
+  const Springs& springs = system.springs;
+  const Real factor = system.spring_factor;
+  scale_by_stiffness(springs, factor, -0.5, springs.multiplier);
+  const auto flat = [](const Field& field) {
+    std::vector<Real> values;
+    for (const Vec3& v : device::copy_to_host(field)) values.insert(values.end(), v.begin(), v.end());
+    return values;
+  };
+  const std::vector<Real> next =
+      system.acceleration.next(flat(springs.multiplier), flat(springs.force));
+  std::vector<Vec3> values(next.size() / 3);
+  for (std::size_t i = 0; i < next.size(); ++i) values[i / 3][i % 3] = next[i];
+  device::copy_to_device(values, springs.multiplier);
+  scale_by_stiffness(springs, factor, 0.5, springs.multiplier);
+}
+
+bool any_augmented(const Springs& springs) {
+  return springs.any() && largest_entry(springs.augmented) > 0;
+}
+
+}  // namespace
+
+HeldSystem make_held_system(Operator op, Springs springs) {
+  HeldSystem system;
+  system.work = make_pcg_work(op.covers);
+  system.inverse = Blocks("rockfold::solve::inverse_diagonal", op.covers);
+  system.load = device::make_field("solve::load", op.covers);
+  system.op = std::move(op);
+  system.springs = std::move(springs);
+  return system;
+}
+
+void set_combination(HeldSystem& system, const Combination& c, Real spring_factor, bool stiffen) {
+  system.combination = c;
+  system.spring_factor = spring_factor;
+  diagonal_blocks(system.op, c, system.inverse);
+  if (stiffen) stiffen_springs(system.springs, spring_factor, system.inverse);
+  add_spring_diagonal(system.springs, spring_factor, system.inverse);
+  invert_blocks(system.inverse);
+  system.acceleration.forget();
+}
+
+SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, const Field& x,
+                       const Field& base, const HeldOptions& options) {
+  const Springs& springs = system.springs;
+  const Real factor = system.spring_factor;
+  const Apply a = [&](const Field& u, const Field& v) {
+    apply(system.op, system.combination, u, v);
+    apply_springs(springs, factor, u, v);
+  };
+  PcgOptions pcg = options.pcg;
+  SolveReport report;
+  auto solve = [&](Real reduction) {
+    Kokkos::deep_copy(system.load, b);
+    add_spring_load(springs, factor, goal, system.load);
+    pcg.reduction = reduction;
+    const PcgReport done = solve_pcg(system.work, a, system.inverse, system.load, x, pcg);
+    pcg.reference = done.reference;  // one measure for all solves
+    report.iterations += done.iterations;
+    report.residual = done.residual;
+    report.converged = done.converged;
+  };
+  const bool augmented = any_augmented(springs);
+  solve(augmented ? inner_reduction : 0);
+  if (!augmented || !report.converged) return report;
+
+  system.acceleration.begin_again();
+  Real best = std::numeric_limits<Real>::infinity();
+  for (int stalled = 0; report.converged;) {
+    const Real gap = multiplier_change(springs, factor, x, goal, springs.force);
+    report.gap = gap > 0 ? gap / std::max(largest_sum(x, base), largest_entry(goal)) : 0;
+    if (getenv("RFDBG")) printf("outer %d gap %g res %g it %d\n", report.outer, report.gap, report.residual, report.iterations);
+    stalled = gap < 0.9 * best ? 0 : stalled + 1;
+    best = std::min(best, gap);
+    const bool close = report.gap <= options.gap_tolerance;
+    if (close && report.residual <= pcg.tolerance) break;
+    if (!close && (report.outer == options.max_outer || stalled == most_stalled)) {
+      solve(0);
+      report.converged = report.converged && report.gap <= acceptable_gap;
+      break;
+    }
+    ++report.outer;
+    if (!close) update_multipliers(system);
+    solve(close ? 0 : inner_reduction);
+  }
+  return report;
+}
+
+}  // namespace rockfold::solve

@@ -1,0 +1,42 @@
+// A system with essential boundary conditions: (αK + βM + γ NᵀkN) x = b + Nᵀ (γ k goal − λ), and for augmented points
+// multipliers λ such that N x = goal: Uzawa's iteration λ ← λ + γ k (N x − goal) on the augmented Lagrangian (Glowinski & Le
+// Tallec 1989, ch. 3), accelerated, with inexact inner solves. Plain, it creeps where points lie close together.
+#pragma once
+
+#include "kernels/solve/anderson.hpp"
+#include "kernels/solve/pcg_kernel.hpp"
+#include "kernels/solve/solve_report.hpp"
+#include "kernels/solve/springs_kernel.hpp"
+
+namespace rockfold::solve {
+
+/// αK + βM + γ NᵀkN with its preconditioner.
+struct HeldSystem {
+  Operator op;
+  Springs springs;
+  PcgWork work;
+  Combination combination;
+  Real spring_factor = 1;
+  Blocks inverse;  ///< inverted diagonal blocks
+  Field load;      ///< b with the springs' part
+  /// What the multipliers' iteration has learned; it stays true from step to step. As deep as pays: each outer iteration costs
+  /// some ten applications, a pair costs two vectors of the fixed points.
+  Anderson acceleration{20};
+};
+HeldSystem make_held_system(Operator op, Springs springs);
+
+/// Chooses α, β, γ; with `stiffen`, also the stiffness of augmented points that suits them.
+void set_combination(HeldSystem& system, const Combination& c, Real spring_factor, bool stiffen);
+
+struct HeldOptions {
+  PcgOptions pcg;
+  Real gap_tolerance = 1e-10;  ///< largest gap / max(largest displacement, largest goal)
+  int max_outer = 50;
+};
+
+/// x: start and result. `base`: what x is an increment to, for the size of displacements (empty: none). The multipliers
+/// start from what they are and stay for the next solve.
+SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, const Field& x,
+                       const Field& base, const HeldOptions& options);
+
+}  // namespace rockfold::solve

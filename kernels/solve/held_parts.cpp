@@ -1,0 +1,199 @@
+#include "kernels/solve/held_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "src/base/error.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+namespace {
+
+using Mat6 = std::array<std::array<Real, 6>, 6>;
+
+/// Union-find over covers; the root of a part is its smallest cover.
+class Parts {
+ public:
+  explicit Parts(Index covers) : parent_(covers) { std::iota(parent_.begin(), parent_.end(), 0); }
+  Index root(Index p) {
+    while (parent_[p] != p) p = parent_[p] = parent_[parent_[p]];
+    return p;
+  }
+  void join(Index a, Index b) {
+    a = root(a), b = root(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+Parts join_through_elements(const CoverArrays& covers) {
+  Parts parts(covers.cover_count());
+  for (std::size_t i = 0; i < covers.regular_cover.size(); ++i)
+    parts.join(covers.regular_cover[i], covers.regular_cover[i / 8 * 8]);
+  for (std::size_t i = 0; i < covers.element_cover.size(); ++i)
+    parts.join(covers.element_cover[i], covers.element_cover[i / 4 * 4]);
+  return parts;
+}
+
+/// What the rigid motions of a part are measured in: translation and rotation × size about the centre.
+struct Frame {
+  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  void add(const Vec3& x) {
+    for (int d = 0; d < 3; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
+  }
+  Vec3 centre() const { return 0.5 * (low + high); }
+  Real size() const { return 0.5 * norm(high - low); }
+};
+
+/// Σ over fixed components of the outer product of what a rigid motion (t, ω·size) does to that component.
+struct Holding {
+  Mat6 gram{};
+  bool any = false;
+  void add(const Vec3& arm, int component) {
+    Vec3 axis{};
+    axis[component] = 1;
+    const Vec3 turn = cross(arm, axis);  // axis · (ω × arm) = ω · (arm × axis)
+    const std::array<Real, 6> row{axis[0], axis[1], axis[2], turn[0], turn[1], turn[2]};
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j) gram[i][j] += row[i] * row[j];
+    any = true;
+  }
+};
+
+void rotate(Mat6& a, Mat6& v, int p, int q) {
+  const Real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
+  const Real t = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
+  const Real c = 1 / std::sqrt(t * t + 1), s = t * c;
+  for (int k = 0; k < 6; ++k)
+    std::tie(a[k][p], a[k][q]) =
+        std::pair{c * a[k][p] - s * a[k][q], s * a[k][p] + c * a[k][q]};
+  for (int k = 0; k < 6; ++k)
+    std::tie(a[p][k], a[q][k]) =
+        std::pair{c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]};
+  for (int k = 0; k < 6; ++k)
+    std::tie(v[k][p], v[k][q]) =
+        std::pair{c * v[k][p] - s * v[k][q], s * v[k][p] + c * v[k][q]};
+}
+
+/// Eigenvectors (columns of v) of a symmetric matrix, which becomes its eigenvalues (Jacobi's method).
+Mat6 diagonalise(Mat6& a) {
+  Mat6 v{};
+  for (int i = 0; i < 6; ++i) v[i][i] = 1;
+  for (int sweep = 0; sweep < 30; ++sweep)
+    for (int p = 0; p < 6; ++p)
+      for (int q = p + 1; q < 6; ++q)
+        if (std::abs(a[p][q]) > 1e-17 * (std::abs(a[p][p]) + std::abs(a[q][q]))) rotate(a, v, p, q);
+  return v;
+}
+
+std::string direction(Vec3 v) {
+  v = normalized(v);
+  std::string text = "(";
+  for (int d = 0; d < 3; ++d) {
+    const Real rounded = std::round(1000 * v[d]) / 1000;
+    std::string number = std::to_string(rounded == 0 ? 0.0 : rounded);
+    number.resize(number.size() - 3);
+    text += (d > 0 ? ", " : "") + number;
+  }
+  return text + ")";
+}
+
+std::string describe_motion(const Vec3& shift, const Vec3& turn) {
+  const bool moves = norm(shift) > 1e-6, turns = norm(turn) > 1e-6;
+  if (!turns) return "translation along " + direction(shift);
+  return "rotation about " + direction(turn) +
+         (moves ? " with translation along " + direction(shift) : "");
+}
+
+/// Free motions: eigenvectors whose eigenvalue is nothing but rounding (the trace counts fixed components).
+std::vector<std::string> free_motions(Holding holding) {
+  Real trace = 0;
+  for (int i = 0; i < 6; ++i) trace += holding.gram[i][i];
+  const Mat6 vectors = diagonalise(holding.gram);
+  std::vector<std::string> motions;
+  for (int k = 0; k < 6; ++k)
+    if (holding.gram[k][k] <= 1e-12 * trace)
+      motions.push_back(describe_motion({vectors[0][k], vectors[1][k], vectors[2][k]},
+                                        {vectors[3][k], vectors[4][k], vectors[5][k]}));
+  return motions;
+}
+
+std::map<Index, std::set<Index>> blocks_of_parts(const CoverArrays& covers, Parts& parts) {
+  std::map<Index, std::set<Index>> blocks;
+  for (Index r = 0; r < covers.regular_count(); ++r)
+    blocks[parts.root(covers.regular_cover[8 * r])].insert(covers.regular_block[r]);
+  for (Index e = 0; e < covers.cut_count(); ++e)
+    for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
+      blocks[parts.root(covers.element_cover[4 * e])].insert(covers.piece_block[q]);
+  return blocks;
+}
+
+Vec3 position_of_point(const CoverArrays& covers, const MaterialPoints& points, std::size_t n) {
+  Vec3 x{};
+  for (int a = 0; a < 4; ++a) {
+    const Index node = covers.cover_node[points.cover[n][a]];
+    x += points.weight[n][a] * covers.lattice.node_position(covers.lattice.node_ijk(node));
+  }
+  return x;
+}
+
+}  // namespace
+
+std::vector<LoosePart> find_loose_parts(const CoverArrays& covers, const FixedPoints& fixed) {
+  Parts parts = join_through_elements(covers);
+  const auto blocks = blocks_of_parts(covers, parts);
+  std::map<Index, Frame> frames;
+  for (Index p = 0; p < covers.cover_count(); ++p)
+    frames[parts.root(p)].add(
+        covers.lattice.node_position(covers.lattice.node_ijk(covers.cover_node[p])));
+
+  std::map<Index, Holding> holdings;
+  for (std::size_t n = 0; n < fixed.points.size(); ++n) {
+    const Index part = parts.root(fixed.points.cover[n][0]);
+    const Frame& frame = frames[part];
+    const Vec3 arm = (1 / frame.size()) *
+                     (position_of_point(covers, fixed.points, n) - frame.centre());
+    for (int d = 0; d < 3; ++d)
+      if (fixed.component[n][d]) holdings[part].add(arm, d);
+  }
+
+  std::vector<LoosePart> loose;
+  for (const auto& [part, ids] : blocks) {
+    LoosePart found{{ids.begin(), ids.end()}, {}};
+    const Holding& holding = holdings[part];
+    if (holding.any) found.motions = free_motions(holding);
+    if (!holding.any || !found.motions.empty()) loose.push_back(found);
+  }
+  return loose;
+}
+
+void require_held(const CoverArrays& covers, const FixedPoints& fixed) {
+  const std::vector<LoosePart> loose = find_loose_parts(covers, fixed);
+  if (loose.empty()) return;
+  constexpr std::size_t most = 5;  // blocks and parts named
+  std::string message = "static analysis: " + std::to_string(loose.size()) +
+                        (loose.size() == 1 ? " part is" : " parts are") +
+                        " free to move as a rigid body:";
+  for (std::size_t i = 0; i < std::min(most, loose.size()); ++i) {
+    const auto& blocks = loose[i].blocks;
+    message += i == 0 ? " " : "; ";
+    message += blocks.size() == 1 ? "block " : "blocks ";
+    for (std::size_t b = 0; b < std::min(most, blocks.size()); ++b)
+      message += (b > 0 ? ", " : "") + std::to_string(blocks[b] + 1);
+    if (blocks.size() > most) message += ", …";
+    if (loose[i].motions.empty()) message += " (nothing holds it)";
+    for (std::size_t m = 0; m < loose[i].motions.size(); ++m)
+      message += (m == 0 ? " (" : ", ") + loose[i].motions[m] +
+                 (m + 1 == loose[i].motions.size() ? ")" : "");
+  }
+  if (loose.size() > most) message += "; …";
+  throw Error(ErrorKind::analysis, message + ". Fix points of it, or use a dynamic analysis");
+}
+
+}  // namespace rockfold

@@ -1,0 +1,179 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kernels/solve/pcg_kernel.hpp"
+
+namespace rockfold::solve {
+namespace {
+
+using device::Sums;
+
+/// Places in PcgWork::scalar. The first three go to the host.
+enum Scalar { squared_residual, direction_energy, result, residual_energy, alpha, beta, scalars };
+
+KOKKOS_INLINE_FUNCTION Real dot_row(const Field& x, const Field& y, Index p) {
+  return x(p, 0) * y(p, 0) + x(p, 1) * y(p, 1) + x(p, 2) * y(p, 2);
+}
+
+/// z = D⁻¹ r for one row.
+KOKKOS_INLINE_FUNCTION void precondition_row(const Blocks& d, const Real* r, Index p, Real* z) {
+  z[0] = d(p, 0) * r[0] + d(p, 3) * r[1] + d(p, 5) * r[2];
+  z[1] = d(p, 3) * r[0] + d(p, 1) * r[1] + d(p, 4) * r[2];
+  z[2] = d(p, 5) * r[0] + d(p, 4) * r[1] + d(p, 2) * r[2];
+}
+
+Index rows(const PcgWork& work) { return static_cast<Index>(work.r.extent(0)); }
+
+/// The one transfer of an iteration.
+void fetch_scalars(const PcgWork& work) { Kokkos::deep_copy(work.host_scalar, work.scalar); }
+
+/// r = b − A x, z = D⁻¹ r, p = z; returns ‖r‖.
+Real start(const PcgWork& work, const Apply& a, const Blocks& inverse, const Field& b,
+           const Field& x) {
+  a(x, work.q);
+  const PcgWork w = work;
+  device::sum_then<2>(
+      "rockfold::solve::pcg_start", rows(w), w.partial,
+      KOKKOS_LAMBDA(const Index i, Sums<2>& sum) {
+        Real r[3], z[3];
+        for (int d = 0; d < 3; ++d) r[d] = b(i, d) - w.q(i, d);
+        precondition_row(inverse, r, i, z);
+        for (int d = 0; d < 3; ++d) {
+          w.r(i, d) = r[d];
+          w.p(i, d) = z[d];
+          sum.value[0] += r[d] * r[d];
+          sum.value[1] += r[d] * z[d];
+        }
+      },
+      KOKKOS_LAMBDA(const Sums<2>& sum) {
+        w.scalar(squared_residual) = sum.value[0];
+        w.scalar(residual_energy) = sum.value[1];
+      });
+  fetch_scalars(work);
+  return std::sqrt(work.host_scalar(squared_residual));
+}
+
+/// α = r·z / p·q.
+void find_step(const PcgWork& work) {
+  const PcgWork w = work;
+  device::sum_then<1>(
+      "rockfold::solve::pcg_dot", rows(w), w.partial,
+      KOKKOS_LAMBDA(const Index i, Sums<1>& sum) { sum.value[0] += dot_row(w.p, w.q, i); },
+      KOKKOS_LAMBDA(const Sums<1>& sum) {
+        w.scalar(direction_energy) = sum.value[0];
+        w.scalar(alpha) = w.scalar(residual_energy) / sum.value[0];
+      });
+}
+
+/// x += α p, r −= α q, z = D⁻¹ r, β = new r·z / old r·z.
+void take_step(const PcgWork& work, const Blocks& inverse, const Field& x) {
+  const PcgWork w = work;
+  device::sum_then<2>(
+      "rockfold::solve::pcg_update", rows(w), w.partial,
+      KOKKOS_LAMBDA(const Index i, Sums<2>& sum) {
+        const Real step = w.scalar(alpha);
+        Real r[3], z[3];
+        for (int d = 0; d < 3; ++d) {
+          x(i, d) += step * w.p(i, d);
+          r[d] = w.r(i, d) - step * w.q(i, d);
+        }
+        precondition_row(inverse, r, i, z);
+        for (int d = 0; d < 3; ++d) {
+          w.r(i, d) = r[d];
+          w.z(i, d) = z[d];
+          sum.value[0] += r[d] * r[d];
+          sum.value[1] += r[d] * z[d];
+        }
+      },
+      KOKKOS_LAMBDA(const Sums<2>& sum) {
+        w.scalar(beta) = sum.value[1] / w.scalar(residual_energy);
+        w.scalar(residual_energy) = sum.value[1];
+        w.scalar(squared_residual) = sum.value[0];
+      });
+}
+
+/// p = z + β p.
+void turn(const PcgWork& work) {
+  const PcgWork w = work;
+  Kokkos::parallel_for(
+      "rockfold::solve::pcg_direction", device::Range(0, rows(w)), KOKKOS_LAMBDA(const Index i) {
+        const Real share = w.scalar(beta);
+        for (int d = 0; d < 3; ++d) w.p(i, d) = w.z(i, d) + share * w.p(i, d);
+      });
+}
+
+/// Iterates until the recurrence's residual is at most `target`. Returns that residual; NaN where A or b are not fit.
+Real iterate(const PcgWork& work, const Apply& a, const Blocks& inverse, const Field& x,
+             Real target, Index max_iterations, Index& iterations) {
+  while (iterations < max_iterations) {
+    a(work.p, work.q);
+    find_step(work);
+    take_step(work, inverse, x);
+    fetch_scalars(work);
+    ++iterations;
+    const Real residual = std::sqrt(work.host_scalar(squared_residual));
+    // A direction without energy: A is singular there (or not positive), or numbers have left their range.
+    if (!(work.host_scalar(direction_energy) > 0) || !std::isfinite(residual))
+      return std::numeric_limits<Real>::quiet_NaN();
+    if (residual <= target) return residual;
+    turn(work);
+  }
+  return std::numeric_limits<Real>::infinity();
+}
+
+}  // namespace
+
+PcgWork make_pcg_work(Index covers) {
+  PcgWork work;
+  work.r = device::make_field("solve::pcg_r", covers);
+  work.z = device::make_field("solve::pcg_z", covers);
+  work.p = device::make_field("solve::pcg_p", covers);
+  work.q = device::make_field("solve::pcg_q", covers);
+  work.partial = device::allocate<Real>("solve::pcg_partial", 2 * device::chunk_count(covers));
+  work.scalar = Array<Real>("rockfold::solve::pcg_scalar", scalars);
+  work.host_scalar = Kokkos::create_mirror_view(work.scalar);
+  return work;
+}
+
+Real dot(const PcgWork& work, const Field& x, const Field& y) {
+  const auto scalar = work.scalar;
+  device::sum_then<1>(
+      "rockfold::solve::dot", static_cast<Index>(x.extent(0)), work.partial,
+      KOKKOS_LAMBDA(const Index i, Sums<1>& sum) { sum.value[0] += dot_row(x, y, i); },
+      KOKKOS_LAMBDA(const Sums<1>& sum) { scalar(result) = sum.value[0]; });
+  fetch_scalars(work);
+  return work.host_scalar(result);
+}
+
+PcgReport solve_pcg(const PcgWork& work, const Apply& a, const Blocks& inverse, const Field& b,
+                    const Field& x, const PcgOptions& options) {
+  PcgReport report;
+  report.reference = std::max(std::sqrt(dot(work, b, b)), options.reference);
+  if (report.reference == 0) {  // nothing pulls: the answer is rest
+    Kokkos::deep_copy(x, 0.0);
+    report.converged = true;
+    return report;
+  }
+  Real residual = start(work, a, inverse, b, x);
+  // Below the rounding of b alone a residual means nothing.
+  const Real floor = std::numeric_limits<Real>::epsilon() * report.reference;
+  const Real target = options.reduction > 0 ? std::max(options.reduction * residual, floor)
+                                            : options.tolerance * report.reference;
+  // The recurrence drifts from the true residual: that is measured anew, and the search restarted where it had drifted.
+  Real before = std::numeric_limits<Real>::infinity();
+  while (!(residual <= target) && report.iterations < options.max_iterations) {
+    if (!(residual < 0.5 * before)) break;  // a restart that gains nothing: rounding, or NaN
+    before = residual;
+    if (std::isnan(iterate(work, a, inverse, x, target, options.max_iterations, report.iterations))) {
+      residual = std::numeric_limits<Real>::quiet_NaN();
+      break;
+    }
+    residual = start(work, a, inverse, b, x);
+  }
+  report.residual = residual / report.reference;
+  report.converged = residual <= target;
+  return report;
+}
+
+}  // namespace rockfold::solve

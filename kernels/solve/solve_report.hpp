@@ -1,0 +1,16 @@
+#pragma once
+
+#include "src/base/types.hpp"
+
+namespace rockfold {
+
+/// How a solve went. Whoever solves looks at `converged`: nothing is accepted silently.
+struct SolveReport {
+  Index iterations = 0;  ///< of conjugate gradients, over all outer iterations
+  Index outer = 0;       ///< updates of the multipliers
+  Real residual = 0;     ///< true ‖b − A x‖ / ‖b‖ of the last solve; NaN where numbers left their range
+  Real gap = 0;          ///< largest distance of an augmented fixed point from its place / largest displacement
+  bool converged = true; ///< residual within the tolerance, and gap too or as far down as rounding lets it go
+};
+
+}  // namespace rockfold

@@ -1,0 +1,211 @@
+#include "kernels/solve/springs_kernel.hpp"
+
+#include <algorithm>
+
+namespace rockfold::solve {
+namespace {
+
+/// Inverts points → covers: covers ascending, entries of a cover ascending.
+void build_rows(const MaterialPoints& points, Index covers, Springs& springs) {
+  std::vector<Index> begin(static_cast<std::size_t>(covers) + 1, 0);
+  for (const auto& four : points.cover)
+    for (Index p : four) ++begin[p + 1];
+  std::vector<Index> row, row_begin{0};
+  for (Index p = 0; p < covers; ++p) {
+    if (begin[p + 1] > 0) {
+      row.push_back(p);
+      row_begin.push_back(row_begin.back() + begin[p + 1]);
+    }
+    begin[p + 1] += begin[p];
+  }
+  std::vector<Index> entry(4 * points.size());
+  for (std::size_t n = 0; n < points.size(); ++n)
+    for (int a = 0; a < 4; ++a)
+      entry[begin[points.cover[n][a]]++] = static_cast<Index>(4 * n + a);
+  springs.row = device::to_device("solve::spring_row", row);
+  springs.row_begin = device::to_device("solve::spring_row_begin", row_begin);
+  springs.row_entry = device::to_device("solve::spring_row_entry", entry);
+}
+
+device::Range points_of(const Springs& springs) { return {0, springs.points.count}; }
+
+}  // namespace
+
+DevicePoints upload(const MaterialPoints& points) {
+  std::vector<Index> cover;
+  std::vector<Real> weight;
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    cover.insert(cover.end(), points.cover[n].begin(), points.cover[n].end());
+    weight.insert(weight.end(), points.weight[n].begin(), points.weight[n].end());
+  }
+  return {static_cast<Index>(points.size()), device::to_device("solve::point_cover", cover),
+          device::to_device("solve::point_weight", weight)};
+}
+
+void interpolate(const DevicePoints& points, const Field& x, const Field& value) {
+  Kokkos::parallel_for(
+      "rockfold::solve::interpolate", device::Range(0, points.count),
+      KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d) value(n, d) = interpolate_one(points, n, d, x);
+      });
+}
+
+Springs build_springs(const FixedPoints& fixed, Index covers) {
+  const std::size_t count = fixed.points.size();
+  const Index n = static_cast<Index>(count);
+  std::vector<Vec3> stiffness(count), augmented(count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (int d = 0; d < 3; ++d) {
+      stiffness[i][d] = fixed.component[i][d] ? fixed.stiffness[i] : 0;
+      augmented[i][d] = fixed.component[i][d] && fixed.augmented[i];
+    }
+  Springs springs;
+  springs.points = upload(fixed.points);
+  springs.given_stiffness = device::make_field("solve::given_stiffness", n);
+  springs.stiffness = device::make_field("solve::stiffness", n);
+  springs.augmented = device::make_field("solve::augmented", n);
+  springs.multiplier = device::make_field("solve::multiplier", n);
+  springs.target = device::make_field("solve::target", n);
+  springs.force = device::make_field("solve::spring_force", n);
+  springs.share = device::allocate<Real>("solve::share", 4 * count);
+  device::copy_to_device(stiffness, springs.given_stiffness);
+  device::copy_to_device(stiffness, springs.stiffness);
+  device::copy_to_device(augmented, springs.augmented);
+  device::copy_to_device(fixed.value, springs.target);
+  build_rows(fixed.points, covers, springs);
+  return springs;
+}
+
+void scatter(const Springs& springs, Real scale, const Field& value, const Field& y) {
+  const auto row = springs.row, begin = springs.row_begin, entry = springs.row_entry;
+  const auto weight = springs.points.weight;
+  Kokkos::parallel_for(
+      "rockfold::solve::scatter", device::Range(0, static_cast<Index>(row.extent(0))),
+      KOKKOS_LAMBDA(const Index t) {
+        Real sum[3] = {0, 0, 0};
+        for (Index i = begin(t); i < begin(t + 1); ++i)
+          for (int d = 0; d < 3; ++d) sum[d] += weight(entry(i)) * value(entry(i) / 4, d);
+        for (int d = 0; d < 3; ++d) y(row(t), d) += scale * sum[d];
+      });
+}
+
+void apply_springs(const Springs& springs, Real factor, const Field& x, const Field& y) {
+  if (!springs.any()) return;
+  const Springs s = springs;
+  Kokkos::parallel_for(
+      "rockfold::solve::stretch", points_of(springs), KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d)
+          s.force(n, d) = s.stiffness(n, d) * interpolate_one(s.points, n, d, x);
+      });
+  scatter(springs, factor, springs.force, y);
+}
+
+void add_spring_load(const Springs& springs, Real factor, const Field& goal, const Field& b) {
+  if (!springs.any()) return;
+  const Springs s = springs;
+  Kokkos::parallel_for(
+      "rockfold::solve::spring_load", points_of(springs), KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d)
+          s.force(n, d) = factor * s.stiffness(n, d) * goal(n, d) - s.multiplier(n, d);
+      });
+  scatter(springs, 1, springs.force, b);
+}
+
+void add_spring_diagonal(const Springs& springs, Real factor, const Blocks& block) {
+  const Springs s = springs;
+  Kokkos::parallel_for(
+      "rockfold::solve::spring_diagonal",
+      device::Range(0, static_cast<Index>(springs.row.extent(0))), KOKKOS_LAMBDA(const Index t) {
+        for (Index i = s.row_begin(t); i < s.row_begin(t + 1); ++i) {
+          const Real w = s.points.weight(s.row_entry(i));
+          for (int d = 0; d < 3; ++d)
+            block(s.row(t), d) += factor * w * w * s.stiffness(s.row_entry(i) / 4, d);
+        }
+      });
+}
+
+void stiffen_springs(const Springs& springs, Real factor, const Blocks& block) {
+  if (!springs.any()) return;
+  const Springs s = springs;
+  // A cover shares its diagonal (mean of x, y, z) among its points by their squared weights.
+  Kokkos::parallel_for(
+      "rockfold::solve::share_diagonal",
+      device::Range(0, static_cast<Index>(springs.row.extent(0))), KOKKOS_LAMBDA(const Index t) {
+        const Index begin = s.row_begin(t), end = s.row_begin(t + 1), p = s.row(t);
+        Real squares = 0;
+        for (Index i = begin; i < end; ++i) {
+          const Real w = s.points.weight(s.row_entry(i));
+          squares += w * w;
+        }
+        const Real mean = (block(p, 0) + block(p, 1) + block(p, 2)) / 3;
+        for (Index i = begin; i < end; ++i) {
+          const Real w = s.points.weight(s.row_entry(i));
+          s.share(s.row_entry(i)) = squares > 0 ? w * w / squares * mean : 0;
+        }
+      });
+  Kokkos::parallel_for(
+      "rockfold::solve::stiffen", points_of(springs), KOKKOS_LAMBDA(const Index n) {
+        Real wanted = 0;
+        for (int a = 0; a < 4; ++a) wanted += 10 / factor * s.share(4 * n + a);
+        for (int d = 0; d < 3; ++d) {
+          const Real given = s.given_stiffness(n, d);
+          s.stiffness(n, d) = s.augmented(n, d) > 0 && wanted > given ? wanted : given;
+        }
+      });
+}
+
+Real multiplier_change(const Springs& springs, Real factor, const Field& x, const Field& goal,
+                       const Field& change) {
+  const Springs s = springs;
+  Real largest = 0;
+  Kokkos::parallel_reduce(
+      "rockfold::solve::multiplier_change", points_of(springs),
+      KOKKOS_LAMBDA(const Index n, Real& worst) {
+        for (int d = 0; d < 3; ++d) {
+          change(n, d) = 0;
+          if (!(s.augmented(n, d) > 0)) continue;
+          const Real gap = interpolate_one(s.points, n, d, x) - goal(n, d);
+          change(n, d) = device::math::sqrt(factor * s.stiffness(n, d)) * gap;
+          const Real size = device::math::fabs(gap);
+          if (!(size <= worst)) worst = size;
+        }
+      },
+      Kokkos::Max<Real>(largest));
+  return std::max(largest, 0.0);
+}
+
+void scale_by_stiffness(const Springs& springs, Real factor, Real power, const Field& values) {
+  const Springs s = springs;
+  Kokkos::parallel_for(
+      "rockfold::solve::scale_by_stiffness", points_of(springs), KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d)
+          if (s.augmented(n, d) > 0)
+            values(n, d) *= device::math::pow(factor * s.stiffness(n, d), power);
+      });
+}
+
+void spring_reactions(const Springs& springs, const Field& x, const Field& goal,
+                      const Field& reaction) {
+  const Springs s = springs;
+  Kokkos::parallel_for(
+      "rockfold::solve::reactions", points_of(springs), KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d) {
+          const Real gap = interpolate_one(s.points, n, d, x) - goal(n, d);
+          reaction(n, d) = s.augmented(n, d) > 0 ? -s.multiplier(n, d) : -s.stiffness(n, d) * gap;
+        }
+      });
+}
+
+Real largest_entry(const Field& x) {
+  Real largest = 0;
+  Kokkos::parallel_reduce(
+      "rockfold::solve::largest_entry", device::Range(0, static_cast<Index>(x.extent(0))),
+      KOKKOS_LAMBDA(const Index p, Real& worst) {
+        for (int d = 0; d < 3; ++d)
+          if (!(device::math::fabs(x(p, d)) <= worst)) worst = device::math::fabs(x(p, d));
+      },
+      Kokkos::Max<Real>(largest));
+  return std::max(largest, 0.0);
+}
+
+}  // namespace rockfold::solve

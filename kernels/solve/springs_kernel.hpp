@@ -1,0 +1,84 @@
+// Essential boundary conditions as springs between points of the material and where they ought to be (thesis 4.3):
+// penalty alone, or with a multiplier for each point and component (augmented Lagrangian).
+//
+// With N the weights of a point, k its stiffness, u = N x and u* its target, a point pulls with k (u − u*) + λ. Springs are
+// applied beside the rows of the operator, not written into them: values may change without re-assembly.
+#pragma once
+
+#include "kernels/device/device_kernel.hpp"
+#include "kernels/device/sums_kernel.hpp"
+#include "kernels/solve/operator_kernel.hpp"
+
+namespace rockfold::solve {
+
+/// Material points on the device.
+struct DevicePoints {
+  Index count = 0;
+  Array<Index> cover;   ///< [N][4]
+  Array<Real> weight;   ///< [N][4]
+};
+DevicePoints upload(const MaterialPoints& points);
+
+/// value(n, d) = Σ_a weight · x.
+void interpolate(const DevicePoints& points, const Field& x, const Field& value);
+
+KOKKOS_INLINE_FUNCTION Real interpolate_one(const DevicePoints& points, Index n, int d,
+                                            const Field& x) {
+  Real sum = 0;
+  for (int a = 0; a < 4; ++a) sum += points.weight(4 * n + a) * x(points.cover(4 * n + a), d);
+  return sum;
+}
+
+struct Springs {
+  DevicePoints points;
+  Field given_stiffness;  ///< (n, d) N/m as the model asks, 0 where a component is free
+  Field stiffness;        ///< (n, d) N/m in use: raised for augmented points in stiff or heavy surroundings
+  Field augmented;        ///< (n, d) 1 where a multiplier works
+  Field multiplier;       ///< (n, d) N
+  Field target;           ///< (n, d) m, prescribed displacement
+  Field force;            ///< (n, d) work space
+  Array<Real> share;      ///< [N][4] work space
+
+  // The transpose: which points act on a cover, so that each cover is written by one thread.
+  Array<Index> row;        ///< [T] covers touched, ascending
+  Array<Index> row_begin;  ///< [T+1]
+  Array<Index> row_entry;  ///< 4·n + a
+
+  bool any() const { return points.count > 0; }
+};
+
+Springs build_springs(const FixedPoints& fixed, Index covers);
+
+/// y += scale · Nᵀ value.
+void scatter(const Springs& springs, Real scale, const Field& value, const Field& y);
+
+/// y += factor · Nᵀ k N x.
+void apply_springs(const Springs& springs, Real factor, const Field& x, const Field& y);
+
+/// b += Nᵀ (factor · k u* − λ), u* = goal(n, d).
+void add_spring_load(const Springs& springs, Real factor, const Field& goal, const Field& b);
+
+/// The diagonal blocks of factor · Nᵀ k N, added to d.
+void add_spring_diagonal(const Springs& springs, Real factor, const Blocks& d);
+
+/// Raises the stiffness of augmented points to ten times the diagonal that the point has to hold: d are the diagonal
+/// blocks of the operator without springs. Below that (short time steps: heavy; stiff rock) the multipliers would
+/// converge slowly. What they converge to does not depend on it.
+void stiffen_springs(const Springs& springs, Real factor, const Blocks& d);
+
+/// change(n, d) = √(factor · k) (N x − goal) at augmented points, 0 elsewhere: the next change of the multipliers in the scale
+/// in which their iteration is symmetric. Returns the largest |N x − goal|, m.
+Real multiplier_change(const Springs& springs, Real factor, const Field& x, const Field& goal,
+                       const Field& change);
+
+/// values *= (factor · k)^power at augmented points.
+void scale_by_stiffness(const Springs& springs, Real factor, Real power, const Field& values);
+
+/// reaction(n, d): the force of each point on the rock, −λ or −k (N x − goal), N.
+void spring_reactions(const Springs& springs, const Field& x, const Field& goal,
+                      const Field& reaction);
+
+/// max |x|, and NaN if any entry is.
+Real largest_entry(const Field& x);
+
+}  // namespace rockfold::solve

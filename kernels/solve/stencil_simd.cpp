@@ -1,0 +1,39 @@
+#include "kernels/solve/stencil_simd.hpp"
+
+// Function versions are chosen when the program starts, before the sanitizers are ready: not both.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && \
+    !defined(__SANITIZE_ADDRESS__)
+#define ROCKFOLD_SIMD_VERSIONS __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define ROCKFOLD_SIMD_VERSIONS
+#endif
+
+namespace rockfold::solve {
+
+void stencil_start(Index length, Real scale, const Components& x, Real* const* y) {
+  for (int i = 0; i < 3; ++i)
+    for (Index k = 0; k < length; ++k) y[i][k] = scale * x.x[i][k];
+}
+
+ROCKFOLD_SIMD_VERSIONS
+void stencil_add(Index length, const Real* c, const Components& x, const Components& plus,
+                 const Components& minus, Real* const* y) {
+  const Real *x0 = x.x[0], *x1 = x.x[1], *x2 = x.x[2];
+  const Real *p0 = plus.x[0], *p1 = plus.x[1], *p2 = plus.x[2];
+  const Real *m0 = minus.x[0], *m1 = minus.x[1], *m2 = minus.x[2];
+  Real* __restrict y0 = y[0];
+  Real* __restrict y1 = y[1];
+  Real* __restrict y2 = y[2];
+  const Real c0 = c[0], c1 = c[1], c2 = c[2], c3 = c[3], c4 = c[4], c5 = c[5], c6 = c[6], c7 = c[7],
+             c8 = c[8];
+  for (Index k = 0; k < length; ++k) {
+    const Real t0 = (p0[k] - x0[k]) + (m0[k] - x0[k]);
+    const Real t1 = (p1[k] - x1[k]) + (m1[k] - x1[k]);
+    const Real t2 = (p2[k] - x2[k]) + (m2[k] - x2[k]);
+    y0[k] += c0 * t0 + c1 * t1 + c2 * t2;
+    y1[k] += c3 * t0 + c4 * t1 + c5 * t2;
+    y2[k] += c6 * t0 + c7 * t1 + c8 * t2;
+  }
+}
+
+}  // namespace rockfold::solve

@@ -1,0 +1,77 @@
+// The motion of the rock: statics, and Newmark's method in time (thesis 4.4, Eq. 4-19 … 4-24).
+//
+// The thesis solves (K + 4M/Δt²) Δd = F + M (4v/Δt + a) with K d carried along in F. Here the whole residual stands on the
+// right in every step,
+//   (K + M/(βΔt²)) Δd = F − K d + M (v/(βΔt) + (1/(2β) − 1) a),
+// so that no error of one step's solution drifts into the next. With β = 1/4, γ = 1/2 this is the thesis' scheme (average
+// acceleration). The first acceleration follows from M a = F − K d: with a = 0 instead, free fall would lose gΔt/2 of speed.
+//
+// Velocity handed to the next step: `dynamic_ratio` times what the step ended with. At 0 the acceleration is dropped too
+// (quasi-static): (K + 4M/Δt²) Δd = F − K d makes the error of a mode of frequency ω shrink by 4/(4 + ω²Δt²) a step, always
+// towards the static answer. With the acceleration kept the factor would be (4 − ω²Δt²)/(4 + ω²Δt²): long steps would swing
+// about the answer for ever.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "kernels/solve/cover_system.hpp"
+#include "kernels/update/tracked_points.hpp"
+
+namespace rockfold {
+
+struct MotionSetup {
+  const CoverArrays& covers;
+  const PieceMoments& moments;
+  const std::vector<ElasticMaterial>& materials;
+  const FixedPoints& fixed;
+  Vec3 gravity{};                   ///< m/s²
+  MaterialPoints loaded{};          ///< points that forces act on
+  std::vector<Vec3> forces{};       ///< [loaded.size()] N
+  Real beta = 0.25, gamma = 0.5;    ///< Newmark's
+  Real dynamic_ratio = 1;
+  SolveOptions solver{};
+};
+
+class Motion {
+ public:
+  explicit Motion(const MotionSetup& setup);
+  ~Motion();
+  Motion(Motion&&) noexcept;
+  Motion& operator=(Motion&&) noexcept;
+
+  /// Replaces displacement and velocity (at rest in place to start with); before start().
+  void set_motion(const StateArrays& state);
+
+  /// The displacement in equilibrium with the loads; the time becomes 1, all of the load.
+  SolveReport solve_static();
+
+  /// The acceleration at t = 0. Fixed points are held against accelerating as steps of length dt will hold them.
+  SolveReport start(Real dt);
+  /// Hands the velocity on, then takes `substeps` steps of length dt / substeps. Stops at the first that does not converge, and,
+  /// where `watched` is given, at the first that moves one of its points by more than `limit` m: largest_increment().
+  SolveReport step(Real dt, int substeps = 1, const TrackedPoints* watched = nullptr, Real limit = 0);
+  Real largest_increment() const;
+
+  /// Remembers the present state, and goes back to it.
+  void save();
+  void restore();
+
+  Real time() const;
+  StateArrays state() const;
+  PointMotion at(const TrackedPoints& points) const;
+  /// [6R + E] in the element numbering of CoverArrays.
+  std::vector<std::array<Real, 6>> element_stress() const;
+  /// [fixed points] N, on the rock.
+  std::vector<Vec3> reactions() const;
+  /// potential is that of gravity and point loads, 0 at t = 0; dissipated also counts the work of moving supports.
+  Energy energy() const;
+
+  struct Data;
+
+ private:
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace rockfold

@@ -1,0 +1,79 @@
+#include "kernels/update/motion_kernel.hpp"
+
+namespace rockfold {
+namespace update {
+
+using device::to_device;
+
+ElementTable make_element_table(const CoverArrays& covers,
+                                const std::vector<ElasticMaterial>& materials) {
+  return {covers.regular_count(),
+          covers.cut_count(),
+          to_device("update::regular_cover", covers.regular_cover),
+          to_device("update::regular_material", covers.regular_material),
+          to_device("update::element_cover", covers.element_cover),
+          to_device("update::element_material", covers.element_material),
+          to_device("update::element_tet", covers.element_tet),
+          to_device("update::tets",
+                    std::vector<solve::TetTable>{solve::make_tet_table(covers.lattice)}),
+          to_device("update::elastic", solve::make_elastic(materials))};
+}
+
+namespace {
+
+using Stresses = std::vector<std::array<Real, 6>>;
+
+Stresses fetch(const Array<Real>& flat) {
+  Stresses result(flat.extent(0) / 6);
+  Kokkos::deep_copy(
+      device::Unmanaged<Real>(result.empty() ? nullptr : result.front().data(), flat.extent(0)),
+      flat);
+  return result;
+}
+
+void stress_of_points(const ElementTable& table, const Field& d, const TrackedPoints::Data& at) {
+  const auto element = at.element;
+  const auto stress = at.stress;
+  Kokkos::parallel_for(
+      "rockfold::update::point_stress", device::Range(0, at.points.count),
+      KOKKOS_LAMBDA(const Index n) { stress_of_element(table, d, element(n), &stress(6 * n)); });
+}
+
+}  // namespace
+}  // namespace update
+
+TrackedPoints::TrackedPoints(const MaterialPoints& points)
+    : data_(new Data{solve::upload(points), device::to_device("update::element", points.element),
+                     device::make_field("update::value", static_cast<Index>(points.size())),
+                     device::allocate<Real>("update::stress", 6 * points.size())}) {}
+TrackedPoints::~TrackedPoints() = default;
+TrackedPoints::TrackedPoints(TrackedPoints&&) noexcept = default;
+TrackedPoints& TrackedPoints::operator=(TrackedPoints&&) noexcept = default;
+
+PointMotion Motion::at(const TrackedPoints& points) const {
+  const auto& now = data_->now;
+  const auto& at = points.data();
+  auto value = [&](const device::Field& field) {
+    solve::interpolate(at.points, field, at.value);
+    return device::copy_to_host(at.value);
+  };
+  PointMotion motion{value(now.displacement), value(now.velocity), value(now.acceleration), {}};
+  update::stress_of_points(data_->elements, now.displacement, at);
+  motion.stress = update::fetch(at.stress);
+  return motion;
+}
+
+std::vector<std::array<Real, 6>> Motion::element_stress() const {
+  const update::ElementTable table = data_->elements;
+  const auto d = data_->now.displacement;
+  const auto stress = device::allocate<Real>("update::element_stress",
+                                             6 * static_cast<std::size_t>(table.count()));
+  Kokkos::parallel_for(
+      "rockfold::update::element_stress", device::Range(0, table.count()),
+      KOKKOS_LAMBDA(const Index e) {
+        update::stress_of_element(table, d, e, &stress(6 * static_cast<std::size_t>(e)));
+      });
+  return update::fetch(stress);
+}
+
+}  // namespace rockfold

@@ -1,0 +1,132 @@
+#include "src/answers.hpp"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "generated/version.hpp"
+#include "src/examples.hpp"
+#include "src/output_path.hpp"
+#include "src/report/documents.hpp"
+#include "src/report/summary.hpp"
+#include "src/report/table.hpp"
+
+namespace rockfold {
+
+namespace {
+
+constexpr std::size_t demo_keyblocks = 10;
+
+RunReport run_report(const Answer& answer) {
+  return {answer.model, answer.blocks, *answer.covers, *answer.run, answer.keyblocks};
+}
+
+Json answer_document(const Answer& answer) {
+  const DocumentHead head{command_name(answer.options.command), answer.model.title,
+                          answer.options.seed};
+  if (answer.run) return run_document(head, run_report(answer));
+  if (answer.keyblocks) return support_document(head, answer.blocks, *answer.keyblocks);
+  return cut_document(head, answer.model, answer.totals, answer.blocks);
+}
+
+std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
+  const bool demo = answer.options.command == Command::demo;
+  std::string text = (answer.model.title.empty() ? answer.model.path : answer.model.title) + "\n\n";
+  text += cut_summary(answer.totals, answer.blocks);
+  const auto most = demo ? demo_keyblocks : all_keyblocks;
+  if (answer.keyblocks)
+    text.append("\n").append(support_summary(*answer.keyblocks, answer.blocks, most));
+  if (answer.run) text.append("\n").append(run_summary(run_report(answer)));
+  text.append("\n").append(fact("result", answer.path + "  (rockfold info, or ParaView)"));
+  if (demo) text += fact("model", "rockfold examples slope  writes slope.toml");
+  return text + fact("time", fmt::format("{:.2f} s", seconds.back().second));
+}
+
+void print_document(Json document, const std::vector<std::string>& warnings,
+                    const PhaseSeconds& seconds) {
+  finish_document(document, warnings, seconds);
+  write_document(stdout, document);
+}
+
+void put(const std::string& text) {
+  std::fputs(text.c_str(), stdout);
+}
+
+Json examples_document() {
+  Json list = Json::array();
+  for (const auto& example : examples())
+    list.push_back({{"name", example.name}, {"summary", example.summary}});
+  return list;
+}
+
+std::string examples_text() {
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& example : examples())
+    rows.push_back({std::string(example.name), std::string(example.summary)});
+  return table_text({{"name", "", true}, {"shows", "", true}}, rows) +
+         "\n  rockfold examples NAME  writes NAME.toml\n";
+}
+
+}  // namespace
+
+void print_answer(const Answer& answer, Terminal& terminal, const PhaseSeconds& seconds) {
+  if (answer.options.json)
+    print_document(answer_document(answer), terminal.warnings(), seconds);
+  else if (!answer.options.quiet)
+    put(answer_text(answer, seconds));
+}
+
+void print_check(const Options& options, const Model& model) {
+  if (options.json)
+    print_document(check_document({"check", model.title, options.seed}, model), {}, {});
+  else if (!options.quiet)
+    put(check_summary(model));
+}
+
+void print_info(const Options& options, const ResultInfo& info) {
+  if (options.json)
+    print_document(info_document(info, options.input), {}, {});
+  else
+    put(info_summary(info, options.input));
+}
+
+int hand_out_examples(const Options& options) {
+  Json document = head_json({"examples", "", options.seed});
+  std::string text;
+  if (options.input.empty()) {
+    document["examples"] = examples_document();
+    text = examples_text();
+  } else {
+    const auto& example = find_example(options.input);
+    const std::string file = std::string(example.name) + ".toml";
+    write_new_file(file, std::string(example.text));
+    document["written"] = file;
+    if (!options.quiet) text = fmt::format("{}: {}\n", file, example.summary);
+  }
+  if (options.json)
+    print_document(document, {}, {});
+  else
+    put(text);
+  return 0;
+}
+
+ResultHeader result_header(const Options& options) {
+  return {command_name(options.command), version, commit};
+}
+
+void keep_states(ResultWriter& writer, Terminal& terminal) {
+  if (writer.state_count() == 0) return;
+  writer.finish();
+  terminal.warn(fmt::format("the analysis failed; {} holds the {} states before", writer.path(),
+                            writer.state_count()));
+}
+
+void add_run_seconds(PhaseClock& clock, const RunResult& run) {
+  clock.add("contact", 0.0);
+  clock.add("assemble", run.seconds.assemble);
+  clock.add("solve", run.seconds.solve);
+  clock.add("output", run.seconds.output);
+}
+
+}  // namespace rockfold

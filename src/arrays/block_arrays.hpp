@@ -1,0 +1,71 @@
+// The blocks that the cutting made, as flat arrays rounded to double: what block theory, reports and result
+// files read. Written by host/flatten only.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "src/base/types.hpp"
+
+namespace rockfold {
+
+/// Where a face of a block comes from.
+struct FaceOrigin {
+  enum class Kind : std::uint8_t { joint, solid_face };
+  Kind kind = Kind::joint;
+  std::string name;  ///< "J1" for a joint or joint set, "rock.zmin" for a face of a solid
+  Index joint_material = none;  ///< into Model::joint_materials; none for a solid's face
+  Index solid = none;           ///< into Model::solids; none for a joint
+  Index solid_face = none;      ///< into face_names(shape)
+  bool continues = false;       ///< the rock goes on beyond: neither free nor removable
+};
+
+/// B blocks with F faces, L loops, C loop corners and V vertices; I interfaces.
+///
+/// Faces are maximal connected coplanar polygons of one origin; loop 0 of a face is its outer boundary, the
+/// others are holes. Corners run counter-clockwise seen from outside the block (holes clockwise).
+/// Example: a unit cube cut by nothing: B = 1, F = 6, L = 6, C = 24, V = 8, I = 0,
+/// face_begin = {0, 6}, loop_begin = {0, 1, …, 6}, corner_begin = {0, 4, …, 24}.
+/// Blocks are ordered by centroid (z, then y, then x, ascending); id in reports = index + 1.
+struct BlockArrays {
+  // blocks
+  std::vector<Index> face_begin;     ///< [B+1]
+  std::vector<Index> vertex_begin;   ///< [B+1] each block has vertices of its own
+  std::vector<Real> volume;          ///< [B] m³
+  std::vector<Vec3> centroid;        ///< [B] m
+  std::vector<Index> edge_count;     ///< [B]
+  std::vector<Index> shell_count;    ///< [B] boundary components: 1 + cavities
+  std::vector<Index> genus;          ///< [B] summed over shells
+  std::vector<std::uint8_t> convex;  ///< [B]
+  std::vector<std::uint8_t> finite;  ///< [B] touches no `continues` face
+  std::vector<Index> material;       ///< [B] into Model::materials (of the largest part)
+
+  // faces
+  std::vector<Index> loop_begin;   ///< [F+1]
+  std::vector<Vec3> face_normal;   ///< [F] unit, outward
+  std::vector<Real> face_area;     ///< [F] m²
+  std::vector<Index> face_origin;  ///< [F] into origins
+  std::vector<std::uint8_t>
+      face_up;  ///< [F] 1 if the outward normal is the plane's own (canonical) normal
+  std::vector<Index> face_plane;  ///< [F] id of the plane; equal ids = one plane of the cutting
+
+  // loops and vertices
+  std::vector<Index> corner_begin;   ///< [L+1]
+  std::vector<Index> corner_vertex;  ///< [C] < V
+  std::vector<Vec3> vertex;          ///< [V] m
+
+  /// Two faces of two blocks that share an area of one joint: block theory's contacts.
+  struct Interface {
+    Index block[2] = {none, none};  ///< block[0] < block[1]
+    Index face[2] = {none, none};   ///< face of each, global face index
+    Real area = 0;                  ///< m²
+  };
+  std::vector<Interface> interfaces;  ///< [I] ordered by block[0], face[0], block[1]
+
+  std::vector<FaceOrigin> origins;
+
+  Index block_count() const { return static_cast<Index>(volume.size()); }
+};
+
+}  // namespace rockfold

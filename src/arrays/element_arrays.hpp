@@ -1,0 +1,39 @@
+// What integration makes of covers, and what the solver needs besides them. See cover_arrays.hpp for E, Q, R, P.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "src/base/types.hpp"
+
+namespace rockfold {
+
+/// Linear isotropic elasticity and density of a material.
+struct ElasticMaterial {
+  Real density = 0;        ///< kg/m³
+  Real young_modulus = 0;  ///< Pa
+  Real poisson_ratio = 0;
+};
+
+/// Integrals over each convex piece, about the centre of its lattice cell.
+/// Example: a cube of side 2 centred there: volume 8, first {0,0,0}, second {8/3,8/3,8/3,0,0,0}.
+struct PieceMoments {
+  std::vector<Real> volume;                 ///< [Q] ∫dV, m³
+  std::vector<Vec3> first;                  ///< [Q] ∫x_i dV, m⁴
+  std::vector<std::array<Real, 6>> second;  ///< [Q] ∫x_i x_j dV for xx yy zz xy yz zx, m⁵
+};
+
+/// The motion of the physical covers (order 0: the displacement of each cover's node).
+struct StateArrays {
+  Real time = 0;                   ///< s
+  std::vector<Vec3> displacement;  ///< [P] m
+  std::vector<Vec3> velocity;      ///< [P] m/s
+  std::vector<Vec3> acceleration;  ///< [P] m/s²
+};
+
+/// J; `contact` stays 0 until contact exists. dissipated = work done by loads − change of the others.
+struct Energy {
+  Real kinetic = 0, strain = 0, potential = 0, contact = 0, dissipated = 0;
+};
+
+}  // namespace rockfold

@@ -1,0 +1,155 @@
+#include "src/command_line.hpp"
+
+#include <charconv>
+#include <limits>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "generated/version.hpp"
+#include "src/base/error.hpp"
+#include "src/help_text.hpp"
+#include "src/model/nearest.hpp"
+
+namespace rockfold {
+
+namespace {
+
+constexpr int most_threads = 4096;  // above any machine of today; catches a mistyped number
+
+[[noreturn]] void reject(const std::string& what) {
+  throw Error(ErrorKind::usage, what);
+}
+
+std::uint64_t whole_number(const std::string& option, const std::string& text, std::uint64_t least,
+                           std::uint64_t most) {
+  std::uint64_t value = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failure != std::errc{} || end != text.data() + text.size() || value < least || value > most)
+    reject(fmt::format("{}: '{}' is no whole number from {} to {}", option, text, least, most));
+  return value;
+}
+
+/// Every option may stand before or after the command.
+void add_common_options(CLI::App& app, Options& options) {
+  app.set_help_flag("--help,-h");
+  app.add_flag("--json", options.json);
+  app.add_flag("--quiet,-q", options.quiet);
+  app.add_option_function<std::string>("--threads", [&options](const std::string& text) {
+    options.threads = static_cast<int>(whole_number("--threads", text, 1, most_threads));
+  });
+  app.add_option_function<std::string>("--seed", [&options](const std::string& text) {
+    options.seed = whole_number("--seed", text, 0, std::numeric_limits<std::uint64_t>::max());
+  });
+  app.add_option_function<std::vector<std::string>>(
+         "--set",
+         [&options](const std::vector<std::string>& more) {
+           options.overrides.insert(options.overrides.end(), more.begin(), more.end());
+         })
+      ->type_size(1)
+      ->allow_extra_args(false);
+}
+
+void add_commands(CLI::App& app, Options& options) {
+  for (const auto& help : command_helps()) {
+    auto* sub = app.add_subcommand(help.name, help.brief);
+    sub->allow_extras();
+    if (*help.input) sub->add_option("input", options.input);
+    if (writes_results(help.command)) sub->add_option("-o,--output", options.output);
+    add_common_options(*sub, options);
+    sub->callback([&options, &help] { options.command = help.command; });
+  }
+}
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const auto& help : command_helps()) names.push_back(help.name);
+  return names;
+}
+
+[[noreturn]] void reject_command(const std::string& word) {
+  reject(fmt::format("unknown command '{}'{}", word,
+                     suggestion(word, command_names(), "the commands are")));
+}
+
+[[noreturn]] void reject_argument(const CLI::App& command, const std::string& word) {
+  if (word.size() < 2 || word[0] != '-')
+    reject(fmt::format("unexpected argument '{}' after '{}'", word, command.get_name()));
+  std::vector<std::string> names;
+  for (const auto* option : command.get_options())
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+  const auto typed = word.substr(0, word.find('='));
+  reject(fmt::format("unknown option '{}'{}", typed, suggestion(typed, names, "the options are")));
+}
+
+/// CLI11 leaves over what it does not know; these are the messages for it.
+void reject_unknown(const CLI::App& app) {
+  const auto given = app.get_subcommands();
+  if (given.empty()) {
+    for (const auto& word : app.remaining())
+      if (word.empty() || word[0] != '-') reject_command(word);
+    for (const auto& word : app.remaining()) reject_argument(app, word);
+    reject("no command given" + suggestion("", command_names(), "the commands are"));
+  }
+  if (given.size() > 1)
+    reject(fmt::format("two commands given: '{}' and '{}'", given[0]->get_name(),
+                       given[1]->get_name()));
+  for (const auto& word : app.remaining()) reject_argument(app, word);
+  for (const auto& word : given[0]->remaining()) reject_argument(*given[0], word);
+}
+
+void require_input(const Options& options) {
+  const auto& help = command_help(options.command);
+  if (options.input.empty() && *help.input && *help.input != '[')
+    reject(fmt::format("no file given: rockfold {} {}", help.name, help.input));
+}
+
+std::string help_asked(const CLI::App& app) {
+  const auto given = app.get_subcommands();
+  if (given.empty()) return program_help();
+  for (const auto& help : command_helps())
+    if (given.back()->get_name() == help.name) return command_help_text(help);
+  return program_help();
+}
+
+}  // namespace
+
+std::string command_name(Command command) {
+  return command_help(command).name;
+}
+
+bool wants_json(int argc, const char* const* argv) {
+  for (int i = 1; i < argc; ++i) {
+    if (std::string_view(argv[i]) == "--") return false;
+    if (std::string_view(argv[i]) == "--json") return true;
+  }
+  return false;
+}
+
+Options parse_command_line(int argc, const char* const* argv) {
+  Options options;
+  CLI::App app("", "rockfold");
+  app.allow_extras();
+  app.require_subcommand(0);
+  add_common_options(app, options);
+  app.set_version_flag("--version,-V", fmt::format("rockfold {} ({})\n", version, commit));
+  add_commands(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    throw Notice{help_asked(app)};
+  } catch (const CLI::CallForVersion& version_asked) {
+    throw Notice{version_asked.what()};
+  } catch (const CLI::ArgumentMismatch& error) {
+    reject(std::string(error.what()).substr(0, std::string(error.what()).find(':')) +
+           " needs a value");
+  } catch (const CLI::ParseError& error) {
+    reject(error.what());
+  }
+  reject_unknown(app);
+  require_input(options);
+  return options;
+}
+
+}  // namespace rockfold

@@ -1,0 +1,158 @@
+#include "src/io/native_arrays.hpp"
+
+#include <numeric>
+
+namespace rockfold {
+namespace {
+
+using hdf5::File;
+
+template <typename T>
+std::int64_t count(const std::vector<T>& of) {
+  return static_cast<std::int64_t>(of.size());
+}
+
+/// One member of each entry of a table as an array.
+template <typename Table, typename Get>
+auto column(const Table& table, Get get) {
+  std::vector<std::decay_t<decltype(get(table.front()))>> values;
+  values.reserve(table.size());
+  for (const auto& entry : table) values.push_back(get(entry));
+  return values;
+}
+
+template <typename Table>
+void write_name_column(File& file, const std::string& path, const Table& table) {
+  file.write_names(path, column(table, [](const auto& entry) { return entry.name; }));
+}
+
+void write_origins(File& file, const std::vector<FaceOrigin>& origins) {
+  const std::string group = "/rockfold/origins/";
+  write_name_column(file, group + "name", origins);
+  file.write(group + "kind", column(origins, [](const FaceOrigin& o) {
+               return static_cast<std::uint8_t>(o.kind);
+             }));
+  file.write(group + "joint_material",
+             column(origins, [](const FaceOrigin& o) { return o.joint_material; }));
+  file.write(group + "solid", column(origins, [](const FaceOrigin& o) { return o.solid; }));
+  file.write(group + "solid_face",
+             column(origins, [](const FaceOrigin& o) { return o.solid_face; }));
+  file.write(group + "continues", column(origins, [](const FaceOrigin& o) {
+               return static_cast<std::uint8_t>(o.continues);
+             }));
+}
+
+void write_interfaces(File& file, const std::vector<BlockArrays::Interface>& interfaces) {
+  using Pair = std::array<Index, 2>;
+  const std::string group = "/rockfold/interfaces/";
+  file.write(group + "block", column(interfaces, [](const auto& i) {
+               return Pair{i.block[0], i.block[1]};
+             }));
+  file.write(group + "face", column(interfaces, [](const auto& i) {
+               return Pair{i.face[0], i.face[1]};
+             }));
+  file.write(group + "area", column(interfaces, [](const auto& i) { return i.area; }));
+}
+
+void write_block_totals(File& file, const BlockArrays& blocks) {
+  const std::string group = "/rockfold/totals";
+  file.set_integers(group, "blocks", {blocks.block_count()});
+  file.set_integers(group, "faces", {count(blocks.face_area)});
+  file.set_integers(group, "vertices", {count(blocks.vertex)});
+  file.set_integers(group, "interfaces", {count(blocks.interfaces)});
+  file.set_real(group, "volume",
+                std::accumulate(blocks.volume.begin(), blocks.volume.end(), Real{0}));
+}
+
+void write_lattice(File& file, const Lattice& lattice) {
+  const std::string group = "/rockfold/lattice/";
+  file.write(group + "origin", std::vector<Real>(lattice.origin.begin(), lattice.origin.end()));
+  file.write(group + "edge", std::vector<Vec3>(lattice.edge.begin(), lattice.edge.end()));
+  file.write(group + "cells", std::vector<Index>(lattice.cells.begin(), lattice.cells.end()));
+}
+
+}  // namespace
+
+void write_origin(File& file, const Model& model, const ResultHeader& header) {
+  file.make_group("/rockfold");
+  file.set_text("/rockfold", "format", "rockfold result");
+  file.set_integers("/rockfold", "format_version", {result_format_version});
+  file.set_text("/rockfold", "title", model.title);
+  file.set_text("/rockfold", "command", header.command);
+  file.set_text("/rockfold", "version", header.version);
+  file.set_text("/rockfold", "commit", header.commit);
+  file.set_text("/rockfold", "units",
+                "SI: m, kg, s, N, Pa, J; angles in degrees; x east, y north, z up");
+  file.write_text("/rockfold/model", model.text);
+  write_name_column(file, "/rockfold/materials/name", model.materials);
+  write_name_column(file, "/rockfold/joint_materials/name", model.joint_materials);
+}
+
+void write_block_arrays(File& file, const BlockArrays& blocks) {
+  const std::string group = "/rockfold/blocks/";
+  file.write(group + "face_begin", blocks.face_begin);
+  file.write(group + "vertex_begin", blocks.vertex_begin);
+  file.write(group + "volume", blocks.volume);
+  file.write(group + "centroid", blocks.centroid);
+  file.write(group + "edge_count", blocks.edge_count);
+  file.write(group + "shell_count", blocks.shell_count);
+  file.write(group + "genus", blocks.genus);
+  file.write(group + "convex", blocks.convex);
+  file.write(group + "finite", blocks.finite);
+  file.write(group + "material", blocks.material);
+  file.write(group + "loop_begin", blocks.loop_begin);
+  file.write(group + "face_normal", blocks.face_normal);
+  file.write(group + "face_area", blocks.face_area);
+  file.write(group + "face_origin", blocks.face_origin);
+  file.write(group + "face_up", blocks.face_up);
+  file.write(group + "face_plane", blocks.face_plane);
+  write_interfaces(file, blocks.interfaces);
+  write_origins(file, blocks.origins);
+  write_block_totals(file, blocks);
+}
+
+void write_block_theory(File& file, const BlockFields& fields) {
+  const std::string group = "/rockfold/block_theory/";
+  file.write(group + "class", fields.block_class);
+  file.write(group + "batch", fields.batch);
+  file.write(group + "mode", fields.mode);
+  file.write(group + "factor_of_safety", fields.factor_of_safety);
+  file.write(group + "sliding_force", fields.sliding_force);
+  file.write(group + "support_force", fields.support_force);
+  file.write(group + "direction", fields.direction);
+}
+
+void write_cover_arrays(File& file, const CoverArrays& covers) {
+  write_lattice(file, covers.lattice);
+  const std::string group = "/rockfold/covers/";
+  file.write(group + "cover_node", covers.cover_node);
+  file.write(group + "regular_cell", covers.regular_cell);
+  file.write_wide(group + "regular_cover", covers.regular_cover, 8);
+  file.write(group + "regular_material", covers.regular_material);
+  file.write(group + "regular_block", covers.regular_block);
+  file.write(group + "element_cell", covers.element_cell);
+  file.write(group + "element_tet", covers.element_tet);
+  file.write_wide(group + "element_cover", covers.element_cover, 4);
+  file.write(group + "element_material", covers.element_material);
+  file.write(group + "piece_begin", covers.piece_begin);
+  file.write(group + "piece_block", covers.piece_block);
+  file.write(group + "triangle_begin", covers.triangle_begin);
+  file.write_wide(group + "triangle_vertex", covers.triangle_vertex, 3);
+  file.write(group + "vertex_begin", covers.vertex_begin);
+  file.write_wide(group + "vertex_xyz", covers.vertex_xyz, 3);
+  file.set_integers("/rockfold/totals", "physical_covers", {covers.cover_count()});
+  file.set_integers("/rockfold/totals", "elements", {covers.element_count()});
+  file.set_integers("/rockfold/totals", "pieces",
+                    {std::int64_t{6} * covers.regular_count() + covers.piece_count()});
+}
+
+void append_state(File& file, Index step, const StateArrays& state) {
+  const std::string group = "/rockfold/states/";
+  file.append(group + "step", std::span<const Index>(&step, 1));
+  file.append_entry<Vec3>(group + "displacement", state.displacement);
+  file.append_entry<Vec3>(group + "velocity", state.velocity);
+  file.append_entry<Vec3>(group + "acceleration", state.acceleration);
+  file.append(group + "time", std::span<const Real>(&state.time, 1));
+}
+
+}  // namespace rockfold

@@ -1,0 +1,323 @@
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "src/io/block_mesh.hpp"
+#include "src/io/element_mesh.hpp"
+#include "src/io/native_arrays.hpp"
+#include "src/io/result_file.hpp"
+#include "src/io/vtkhdf.hpp"
+#include "src/io/xdmf.hpp"
+
+namespace rockfold {
+namespace {
+
+using hdf5::File;
+using vtkhdf::Grid;
+
+const std::string state_times = "/rockfold/states/time";
+
+void expect(bool holds, const char* what) {
+  if (!holds) throw std::invalid_argument(std::string("ResultWriter: ") + what);
+}
+
+[[noreturn]] void fail(const std::string& path, const std::string& what) {
+  throw Error(ErrorKind::io, what, Place{path, 0, 0, {}});
+}
+
+/// Single precision: what viewers draw need not be better.
+template <typename T, std::size_t n>
+std::vector<std::array<float, n>> single(std::span<const std::array<T, n>> values) {
+  std::vector<std::array<float, n>> out(values.size());
+  for (std::size_t i = 0; i < out.size(); ++i)
+    for (std::size_t d = 0; d < n; ++d) out[i][d] = static_cast<float>(values[i][d]);
+  return out;
+}
+
+/// values[index[i]] for each i, as float or with ids from 1 where T is Index.
+template <typename To, typename From>
+std::vector<To> gather(const std::vector<From>& values, const std::vector<Index>& index,
+                       To shift = 0) {
+  std::vector<To> out(index.size());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = static_cast<To>(values[index[i]]) + shift;
+  return out;
+}
+
+/// Bytes on their way to the disk survive a crash of the machine after this.
+void synchronize(const std::string& path, const std::string& shown_as) {
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool done = file >= 0 && fsync(file) == 0;
+  const int error = errno;
+  if (file >= 0) close(file);
+  if (!done && error != EINVAL && error != EROFS)
+    fail(shown_as, std::string("cannot write: ") + std::strerror(error));
+}
+
+void rename_file(const std::string& from, const std::string& to) {
+  if (std::rename(from.c_str(), to.c_str()) != 0)
+    fail(to, std::string("cannot rename the finished file: ") + std::strerror(errno));
+}
+
+void write_text_file(const std::string& path, const std::string& partial, const std::string& text) {
+  std::ofstream out(partial, std::ios::binary);
+  out << text;
+  out.close();
+  if (out) return rename_file(partial, path);
+  const int error = errno;
+  std::remove(partial.c_str());
+  fail(path, std::string("cannot write: ") + std::strerror(error));
+}
+
+}  // namespace
+
+struct ResultWriter::Implementation {
+  std::string path, partial;
+  bool finished = false;
+  bool damaged = false;  ///< a state was written in part
+  bool with_stress = false;
+  bool with_blocks = false;
+  std::size_t block_vertices = 0, covers = 0, elements = 0;
+  std::vector<Index> joint_vertex;  ///< [points of Joints] into BlockArrays::vertex
+  ElementMesh mesh;                 ///< `cover`, `weight` and `element` alone are kept
+  std::vector<Grid> grids;
+  std::vector<Real> times;
+
+  File extend() const { return {partial, File::Mode::extend, path}; }
+  std::int64_t bytes_of(const ResultState& state) const;
+  void append_grids(File& file, const ResultState& state, std::int64_t number);
+  void write_block_grid(File& file, const BlockArrays& blocks, const BlockFields& fields,
+                        const PolygonMesh& mesh);
+  void write_joint_grid(File& file, const BlockArrays& blocks, const PolygonMesh& mesh);
+};
+
+ResultWriter::ResultWriter(std::string path, const Model& model, const ResultHeader& header)
+    : implementation_(std::make_unique<Implementation>()) {
+  auto& my = *implementation_;
+  my.partial = path + ".partial-" + std::to_string(getpid());
+  my.path = std::move(path);
+  if (std::filesystem::is_directory(my.path)) fail(my.path, "cannot write: it is a folder");
+  std::remove(my.partial.c_str());
+  try {
+    File file(my.partial, File::Mode::create, my.path);
+    vtkhdf::write_root(file);
+    write_origin(file, model, header);
+    file.close();
+  } catch (...) {
+    std::remove(my.partial.c_str());
+    throw;
+  }
+}
+
+ResultWriter::~ResultWriter() {
+  if (!implementation_->finished) std::remove(implementation_->partial.c_str());
+}
+
+void ResultWriter::Implementation::write_block_grid(File& file, const BlockArrays& blocks,
+                                                    const BlockFields& fields,
+                                                    const PolygonMesh& faces) {
+  Grid grid = vtkhdf::write_polygons(file, "Blocks", static_cast<int>(grids.size()), blocks.vertex,
+                                     faces.polygon_begin, faces.polygon_vertex);
+  const std::vector<Index> block = gather<Index>(block_of_face(blocks), faces.polygon_face);
+  vtkhdf::write_cell_field(file, grid, "block",
+                           gather<Index>(block_of_face(blocks), faces.polygon_face, 1));
+  vtkhdf::write_cell_field(file, grid, "origin",
+                           gather<Index>(blocks.face_origin, faces.polygon_face, 1));
+  vtkhdf::write_cell_field(file, grid, "material", gather<Index>(blocks.material, block, 1));
+  vtkhdf::write_cell_field(file, grid, "finite", gather<std::uint8_t>(blocks.finite, block));
+  vtkhdf::write_cell_field(file, grid, "volume", gather<float>(blocks.volume, block));
+  if (!fields.block_class.empty()) {
+    vtkhdf::write_cell_field(file, grid, "class", gather<std::uint8_t>(fields.block_class, block));
+    vtkhdf::write_cell_field(file, grid, "batch", gather<Index>(fields.batch, block));
+    vtkhdf::write_cell_field(file, grid, "mode", gather<std::uint8_t>(fields.mode, block));
+    vtkhdf::write_cell_field(file, grid, "factor_of_safety",
+                             gather<float>(fields.factor_of_safety, block));
+    vtkhdf::write_cell_field(file, grid, "sliding_force",
+                             gather<float>(fields.sliding_force, block));
+    vtkhdf::write_cell_field(file, grid, "support_force",
+                             gather<float>(fields.support_force, block));
+  }
+  grids.push_back(std::move(grid));
+}
+
+/// Only the vertices that joints use are points of theirs.
+void ResultWriter::Implementation::write_joint_grid(File& file, const BlockArrays& blocks,
+                                                    const PolygonMesh& joints) {
+  std::vector<Index> point(blocks.vertex.size(), none), connectivity;
+  connectivity.reserve(joints.polygon_vertex.size());
+  for (const Index v : joints.polygon_vertex) {
+    if (point[v] == none) {
+      point[v] = static_cast<Index>(joint_vertex.size());
+      joint_vertex.push_back(v);
+    }
+    connectivity.push_back(point[v]);
+  }
+  std::vector<Vec3> points;
+  for (const Index v : joint_vertex) points.push_back(blocks.vertex[v]);
+  Grid grid = vtkhdf::write_polygons(file, "Joints", static_cast<int>(grids.size()), points,
+                                     joints.polygon_begin, connectivity);
+  vtkhdf::write_cell_field(file, grid, "joint",
+                           gather<Index>(blocks.face_origin, joints.polygon_face, 1));
+  vtkhdf::write_cell_field(file, grid, "block",
+                           gather<Index>(block_of_face(blocks), joints.polygon_face, 1));
+  grids.push_back(std::move(grid));
+}
+
+void ResultWriter::write_blocks(const BlockArrays& blocks, const BlockFields& fields) {
+  auto& my = *implementation_;
+  expect(!my.finished && !my.with_blocks && my.times.empty(),
+         "write_blocks comes once, before states");
+  expect(fields.block_class.empty() || fields.block_class.size() == blocks.volume.size(),
+         "BlockFields are not [B]");
+  File file = my.extend();
+  const PolygonMesh faces = face_polygons(blocks);
+  write_block_arrays(file, blocks);
+  if (!fields.block_class.empty()) write_block_theory(file, fields);
+  if (faces.size() > 0) my.write_block_grid(file, blocks, fields, faces);
+  const PolygonMesh joints = joint_polygons(blocks, faces);
+  if (joints.size() > 0) my.write_joint_grid(file, blocks, joints);
+  const bool same =
+      faces.size() > 0 && faces.polygon_vertex == blocks.corner_vertex;  // no face was triangulated
+  const std::string native = "/rockfold/blocks/", drawn = "/VTKHDF/Blocks/";
+  if (faces.size() > 0)
+    file.hard_link(drawn + "Points", native + "vertex");
+  else
+    file.write(native + "vertex", blocks.vertex);
+  if (same) {
+    file.hard_link(drawn + "Polygons/Offsets", native + "corner_begin");
+    file.hard_link(drawn + "Polygons/Connectivity", native + "corner_vertex");
+  } else {
+    file.write(native + "corner_begin", blocks.corner_begin);
+    file.write(native + "corner_vertex", blocks.corner_vertex);
+  }
+  file.close();
+  my.with_blocks = true;
+  my.block_vertices = blocks.vertex.size();
+}
+
+void ResultWriter::write_elements(const CoverArrays& covers) {
+  auto& my = *implementation_;
+  expect(!my.finished && my.covers == 0 && my.times.empty(),
+         "write_elements comes once, before states");
+  File file = my.extend();
+  my.mesh = make_element_mesh(covers);
+  write_cover_arrays(file, covers);
+  if (!my.mesh.tetrahedron.empty()) {
+    Grid grid =
+        vtkhdf::write_tetrahedra(file, "Elements", static_cast<int>(my.grids.size()), my.mesh);
+    const auto from_one = [](std::vector<Index> ids) {
+      for (Index& id : ids) ++id;
+      return ids;
+    };
+    vtkhdf::write_cell_field(file, grid, "element", from_one(my.mesh.element));
+    vtkhdf::write_cell_field(file, grid, "block", from_one(my.mesh.block));
+    vtkhdf::write_cell_field(file, grid, "material", from_one(my.mesh.material));
+    my.grids.push_back(std::move(grid));
+  }
+  file.close();
+  my.covers = covers.cover_node.size();
+  my.elements = static_cast<std::size_t>(covers.element_count());
+  my.mesh.tetrahedron = {};
+  my.mesh.block = my.mesh.material = {};
+  my.mesh.point = {};
+}
+
+/// All that a state adds to the file, with room for the entries in HDF5's own tables.
+std::int64_t ResultWriter::Implementation::bytes_of(const ResultState& state) const {
+  const auto points = 2 * (block_vertices + joint_vertex.size() + mesh.cover.size());
+  const std::int64_t native = static_cast<std::int64_t>(3 * covers * sizeof(Vec3));
+  return native + vtkhdf::state_bytes(points, 3) +
+         (state.stress.empty() ? 0 : vtkhdf::state_bytes(mesh.element.size(), 6));
+}
+
+void ResultWriter::Implementation::append_grids(File& file, const ResultState& state,
+                                                std::int64_t number) {
+  const auto displacement = single(state.block_displacement),
+             velocity = single(state.block_velocity);
+  for (Grid& grid : grids) {
+    if (grid.name == "Elements") {
+      vtkhdf::append_point_field(file, grid, "displacement", number,
+                                 interpolate(mesh, state.covers.displacement));
+      vtkhdf::append_point_field(file, grid, "velocity", number,
+                                 interpolate(mesh, state.covers.velocity));
+      if (!state.stress.empty()) {
+        std::vector<std::array<float, 6>> stress(mesh.element.size());
+        for (std::size_t t = 0; t < stress.size(); ++t)
+          for (int i = 0; i < 6; ++i)
+            stress[t][i] = static_cast<float>(state.stress[mesh.element[t]][i]);
+        vtkhdf::append_cell_field(file, grid, "stress", number, stress);
+      }
+      continue;
+    }
+    const bool joints = grid.name == "Joints";
+    const auto of_joints = [&](const auto& values) {
+      std::vector<std::array<float, 3>> out;
+      for (const Index v : joint_vertex) out.push_back(values[v]);
+      return out;
+    };
+    vtkhdf::append_point_field(file, grid, "displacement", number,
+                               joints ? of_joints(displacement) : displacement);
+    vtkhdf::append_point_field(file, grid, "velocity", number,
+                               joints ? of_joints(velocity) : velocity);
+  }
+}
+
+void ResultWriter::add_state(const ResultState& state) {
+  auto& my = *implementation_;
+  expect(!my.finished && my.with_blocks && my.covers > 0,
+         "add_state comes after write_blocks and write_elements");
+  expect(state.block_displacement.size() == my.block_vertices &&
+             state.block_velocity.size() == my.block_vertices,
+         "block displacement and velocity are not [V]");
+  expect(state.covers.displacement.size() == my.covers &&
+             state.covers.velocity.size() == my.covers &&
+             state.covers.acceleration.size() == my.covers,
+         "the state is not [P]");
+  expect(state.stress.empty() || state.stress.size() == my.elements, "stress is not [6R+E]");
+  expect(my.times.empty() ||
+             (state.covers.time >= my.times.back() && my.with_stress == !state.stress.empty()),
+         "time runs backwards, or stress comes and goes");
+  if (my.damaged) fail(my.path, "cannot write: an earlier state was written in part");
+  File file = my.extend();
+  file.reserve(my.bytes_of(state));
+  my.damaged = true;
+  const auto number = static_cast<std::int64_t>(my.times.size());
+  append_state(file, state.step, state.covers);
+  my.append_grids(file, state, number);
+  vtkhdf::append_step(file, my.grids, state_times, number);
+  file.close();
+  my.damaged = false;
+  my.with_stress = !state.stress.empty();
+  my.times.push_back(state.covers.time);
+}
+
+void ResultWriter::finish() {
+  auto& my = *implementation_;
+  expect(!my.finished, "finish comes once");
+  if (my.damaged) fail(my.path, "cannot be finished: a state was written in part");
+  synchronize(my.partial, my.path);
+  rename_file(my.partial, my.path);
+  my.finished = true;
+  const std::filesystem::path path(my.path);
+  synchronize(path.has_parent_path() ? path.parent_path().string() : ".", my.path);
+  if (my.grids.empty()) return;
+  const std::string xdmf = std::filesystem::path(path).replace_extension(".xdmf").string();
+  write_text_file(xdmf, xdmf + ".partial-" + std::to_string(getpid()),
+                  xdmf_text(path.filename().string(), my.grids, my.times));
+}
+
+const std::string& ResultWriter::path() const {
+  return implementation_->path;
+}
+const std::string& ResultWriter::partial_path() const {
+  return implementation_->partial;
+}
+Index ResultWriter::state_count() const {
+  return static_cast<Index>(implementation_->times.size());
+}
+
+}  // namespace rockfold

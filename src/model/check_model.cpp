@@ -1,0 +1,123 @@
+#include "src/model/check_model.hpp"
+
+#include <set>
+
+namespace rockfold {
+
+namespace {
+
+/// Collects what is missing; the parts below read as the list of needs.
+class Needs {
+ public:
+  explicit Needs(const Model& model) : model_(model) {}
+
+  void solid() {
+    if (model_.solids.empty())
+      missing("solid", "the model has no [[solid]]: there is nothing to cut");
+  }
+
+  /// Materials of the rock: solids that are added.
+  void materials() {
+    if (model_.materials.empty() && !model_.solids.empty())
+      missing("material", "the model has no [[material]], which this command needs");
+  }
+
+  void densities() {
+    for (const Index m : used_materials())
+      if (model_.materials[m].density <= 0) of_material(m, "density", "must be > 0 (kg/m3)");
+  }
+
+  void elastic_constants() {
+    for (const Index m : used_materials())
+      if (model_.materials[m].young_modulus <= 0)
+        of_material(m, "young_modulus", "must be > 0 (Pa)");
+  }
+
+  void joint_materials() {
+    if (model_.joint_materials.empty() && !(model_.joints.empty() && model_.joint_sets.empty()))
+      missing("joint_material",
+              "the model has joints but no [[joint_material]], which this command needs");
+  }
+
+  void driving_force() {
+    if (model_.gravity == Vec3{} && (!model_.support || model_.support->water_pressure == 0))
+      missing("gravity", "is zero and there is no water_pressure: nothing drives the blocks");
+  }
+
+  void cover() {
+    if (!model_.cover) missing("cover", "the model has no [cover], which this command needs");
+  }
+
+  void analysis() {
+    if (!model_.analysis)
+      missing("analysis", "the model has no [analysis], which this command needs");
+  }
+
+  void something_fixed() {
+    if (model_.analysis && model_.analysis->type == AnalysisType::static_ && model_.fixed.empty())
+      missing("fixed", "a static analysis needs a [[fixed]]: nothing holds the rock");
+  }
+
+  std::vector<Diagnostic> found() && { return std::move(found_); }
+
+ private:
+  void missing(const char* key, const char* message) {
+    found_.push_back({{model_.path, 1, 1, key}, message});
+  }
+
+  void of_material(Index m, const std::string& key, const std::string& expected) {
+    Place place = model_.materials[m].place;
+    place.key += "." + key;
+    found_.push_back(
+        {place, "is missing, " + expected + " (in \"" + model_.materials[m].name + "\")"});
+  }
+
+  std::set<Index> used_materials() const {
+    std::set<Index> used;
+    for (const auto& solid : model_.solids)
+      if (solid.add && solid.material != none) used.insert(solid.material);
+    return used;
+  }
+
+  const Model& model_;
+  std::vector<Diagnostic> found_;
+};
+
+void add_rock_needs(Needs& needs) {
+  needs.materials();
+  needs.densities();
+}
+
+void add_support_needs(Needs& needs) {
+  needs.joint_materials();
+  needs.driving_force();
+}
+
+void add_run_needs(Needs& needs) {
+  needs.elastic_constants();
+  needs.cover();
+  needs.analysis();
+  needs.something_fixed();
+}
+
+}  // namespace
+
+std::vector<Diagnostic> missing_for(const Model& model, Purpose purpose) {
+  const bool run =
+      purpose == Purpose::run || (purpose == Purpose::check && model.analysis.has_value());
+  const bool support =
+      purpose == Purpose::support || (purpose != Purpose::cut && model.support.has_value());
+  Needs needs(model);
+  needs.solid();
+  if (support || run) add_rock_needs(needs);
+  if (support) add_support_needs(needs);
+  if (run) add_run_needs(needs);
+  return std::move(needs).found();
+}
+
+void check_for(const Model& model, Purpose purpose) {
+  auto missing = missing_for(model, purpose);
+  if (!missing.empty()) throw Error(ErrorKind::model, std::move(missing));
+}
+
+}  // namespace rockfold

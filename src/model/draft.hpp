@@ -1,0 +1,101 @@
+// A model while it is read, and the readers of its sections. Each reads what is right, reports what
+// is wrong in the draft's diagnostics and goes on; a model with any diagnostic is never handed out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "src/model/diagnostics.hpp"
+#include "src/model/model.hpp"
+#include "src/model/names.hpp"
+#include "src/model/table_reader.hpp"
+
+namespace rockfold {
+
+struct Draft {
+  const Table& root;
+  Diagnostics& out;
+  Model model;
+  Names materials{"material", "material"};
+  Names joint_materials{"joint material", "joint_material"};
+  Names solids{"solid", "solid"};
+  Names joints{"joint",
+               "joint"};  ///< of joints and joint sets together: reports name planes by them
+  Names monitors{"monitor", "monitor"};
+  std::vector<bool> has_shape{};  ///< [solids] its shape could be read
+};
+
+/// Calls `read(reader, number)` for each table of the section [[key]], numbers counting from 1.
+template <class Read>
+void read_entries(Draft& draft, const std::string& key, Read read);
+
+/// Whether the section [key] stands there; if it is a table, `read(reader)` is called.
+template <class Read>
+void read_section(Draft& draft, const std::string& key, Read read);
+
+void read_materials(Draft& draft);
+void read_joint_materials(Draft& draft);
+void read_solids(Draft& draft);      // needs materials
+void read_joint_sets(Draft& draft);  // needs joint materials
+void read_joints(Draft& draft);      // likewise
+void read_cover(Draft& draft);
+void read_fixed(Draft& draft);  // needs solids
+void read_point_loads(Draft& draft);
+void read_monitors(Draft& draft);
+void read_analysis(Draft& draft);
+void read_solver(Draft& draft);
+void read_output(Draft& draft);
+void read_support(Draft& draft);
+
+/// "dip" and "dip_direction" of a table.
+bool read_dip(TableReader& in, DipOrientation& target, Need need = Need::required);
+/// The same numbers as a pair [dip, dip direction].
+bool read_dip_pair(const Value& value, const std::string& path, DipOrientation& target,
+                   Diagnostics& out);
+/// "dip" and "dip_direction", or "normal".
+bool read_orientation(TableReader& in, Orientation& target);
+/// An orientation and "point".
+bool read_plane(TableReader& in, GivenPlane& target);
+
+/// Upward unit normal.
+Vec3 unit_normal(const DipOrientation& orientation);
+
+/// Largest extent of the points that the solids are given by, m; at least 1e-9 times their largest
+/// coordinate.
+Real given_size(const Model& model);
+
+// ---------------------------------------------------------------------------------------------------------------
+
+template <class Read>
+void read_entries(Draft& draft, const std::string& key, Read read) {
+  const auto* section = draft.root.find(key);
+  if (!section) return;
+  if (const auto* entries = std::get_if<Array>(&section->value.data)) {
+    for (std::size_t i = 0; i < entries->size(); ++i) {
+      TableReader in((*entries)[i], key + "[" + std::to_string(i + 1) + "]", draft.out);
+      read(in, static_cast<Index>(i + 1));
+    }
+    return;
+  }
+  const bool table = std::holds_alternative<Table>(section->value.data);
+  draft.out.add(section->value.spot, key,
+                table ? "there may be many of these: write [[" + key + "]], not [" + key + "]"
+                      : "found " + described(section->value) + ", must be a table [[" + key + "]]");
+}
+
+template <class Read>
+void read_section(Draft& draft, const std::string& key, Read read) {
+  const auto* section = draft.root.find(key);
+  if (!section) return;
+  if (std::holds_alternative<Table>(section->value.data)) {
+    TableReader in(section->value, key, draft.out);
+    read(in);
+    return;
+  }
+  const bool many = std::holds_alternative<Array>(section->value.data);
+  draft.out.add(section->value.spot, key,
+                many ? "there can be only one: write [" + key + "], not [[" + key + "]]"
+                     : "found " + described(section->value) + ", must be a table [" + key + "]");
+}
+
+}  // namespace rockfold

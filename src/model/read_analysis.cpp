@@ -1,0 +1,118 @@
+// [analysis], [solver] and [output].
+#include <cmath>
+#include <limits>
+
+#include "src/model/draft.hpp"
+
+namespace rockfold {
+
+namespace {
+
+constexpr Real default_end_time = 1.0;  // s
+
+/// end_time in whole steps: a last step that would be shorter is a whole one, so that the end is
+/// reached. 1e-9: a quotient like 0.3 / 0.1, which no rounding brings to exactly 3, is 3.
+std::optional<Index> whole_steps(TableReader& in, Real end_time, Real time_step) {
+  const Real exact = end_time / time_step;
+  const Real nearest = std::round(exact);
+  const Real steps = std::abs(exact - nearest) <= 1e-9 * nearest ? nearest : std::ceil(exact);
+  constexpr Index most = std::numeric_limits<Index>::max();
+  const std::string of_step = "time_step (" + number_text(time_step) + " s)";
+  if (exact < 1 && nearest < 1) {
+    in.wrong("end_time", "found " + number_text(end_time) + ", must be at least one " + of_step);
+  } else if (steps > most) {
+    in.wrong("end_time", "found " + number_text(end_time) + ": more than " + std::to_string(most) +
+                             " times " + of_step);
+  } else {
+    return static_cast<Index>(steps);
+  }
+  return {};
+}
+
+void read_duration(TableReader& in, Analysis& analysis) {
+  Real end_time = default_end_time;
+  const bool step = in.read("time_step", analysis.time_step, positive("s"), Need::optional) ||
+                    !in.has("time_step");
+  const bool both = in.has("steps") && in.has("end_time");
+  if (both) in.wrong("steps", "give either steps or end_time, not both");
+  const bool end =
+      in.read("end_time", end_time, positive("s"), Need::optional) || !in.has("end_time");
+  if (in.has("steps")) {
+    in.read("steps", analysis.steps, IntegerRange{.low = 1}, Need::optional);
+  } else if (end && step && analysis.type != AnalysisType::static_) {
+    if (const auto steps = whole_steps(in, end_time, analysis.time_step)) analysis.steps = *steps;
+  }
+  if (analysis.type == AnalysisType::static_) analysis.steps = 1;
+}
+
+void read_type(TableReader& in, Analysis& analysis) {
+  const auto type = in.choose("type", {{"static", "quasi_static", "dynamic"}, {}}, Need::optional);
+  constexpr AnalysisType types[] = {AnalysisType::static_, AnalysisType::quasi_static,
+                                    AnalysisType::dynamic};
+  if (type) analysis.type = types[*type];
+}
+
+void read_dynamic_ratio(TableReader& in, Analysis& analysis) {
+  const bool quasi_static = analysis.type == AnalysisType::quasi_static;
+  if (quasi_static) analysis.dynamic_ratio = 0;
+  if (!in.read("dynamic_ratio", analysis.dynamic_ratio, between(0, 1, ""), Need::optional)) return;
+  if (quasi_static && analysis.dynamic_ratio != 0)
+    in.wrong("dynamic_ratio",
+             "found " + number_text(analysis.dynamic_ratio) +
+                 ", a quasi_static analysis has 0; use type = \"dynamic\" for others");
+}
+
+void read_newmark(TableReader& in, Analysis& analysis) {
+  const auto* value = in.find("newmark");
+  if (!value) return;
+  TableReader newmark(*value, in.path_of("newmark"), in.out());
+  const auto only = [&](const char* key, Real& target) {
+    Real given = target;
+    if (newmark.read(key, given, between(0, 1, ""), Need::optional) && given != target)
+      newmark.wrong(key, number_text(given) + " is not supported yet, must be " +
+                             number_text(target) + " (average acceleration)");
+  };
+  only("beta", analysis.newmark_beta);
+  only("gamma", analysis.newmark_gamma);
+}
+
+}  // namespace
+
+void read_analysis(Draft& draft) {
+  read_section(draft, "analysis", [&](TableReader& in) {
+    Analysis analysis;
+    read_type(in, analysis);
+    in.choose("kinematics", {{"small"}, {"large"}}, Need::optional);
+    read_duration(in, analysis);
+    read_dynamic_ratio(in, analysis);
+    Range ratio = between(0, 1, "of half the model's height");
+    ratio.low_open = true;
+    in.read("max_displacement_ratio", analysis.max_displacement_ratio, ratio);
+    read_newmark(in, analysis);
+    draft.model.analysis = analysis;
+  });
+}
+
+void read_solver(Draft& draft) {
+  read_section(draft, "solver", [&](TableReader& in) {
+    Range tolerance = between(0, 1, "");
+    tolerance.low_open = tolerance.high_open = true;
+    in.read("tolerance", draft.model.solver.tolerance, tolerance, Need::optional);
+    in.read("max_iterations", draft.model.solver.max_iterations, IntegerRange{.low = 1},
+            Need::optional);
+    std::string preconditioner;
+    if (in.read("preconditioner", preconditioner, Need::optional) &&
+        preconditioner != "block_jacobi")
+      in.wrong("preconditioner",
+               "\"" + preconditioner + "\" is not supported yet, must be \"block_jacobi\"");
+  });
+}
+
+void read_output(Draft& draft) {
+  read_section(draft, "output", [&](TableReader& in) {
+    in.read("every", draft.model.output.every, IntegerRange{.low = 0}, Need::optional);
+    in.not_yet("checkpoint_every");
+  });
+}
+
+}  // namespace rockfold

@@ -1,0 +1,126 @@
+#include "src/model/read_model.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "src/model/draft.hpp"
+#include "src/model/nearest.hpp"
+#include "src/model/overrides.hpp"
+#include "src/model/parse_toml.hpp"
+
+namespace rockfold {
+
+namespace {
+
+/// A model of 200,000 joints takes 30 MB; what is larger is another kind of file.
+constexpr std::size_t largest_file = std::size_t{64} << 20;
+
+[[noreturn]] void reject_file(const std::string& path, const std::string& why) {
+  throw Error(ErrorKind::io, why, Place{path, 0, 0, ""});
+}
+
+std::string file_text(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    reject_file(path, "cannot be read: is a directory");
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    reject_file(path, std::string("cannot be read: ") +
+                          (errno ? std::strerror(errno) : "cannot be opened"));
+  std::string text;
+  std::vector<char> chunk(std::size_t{1} << 20);
+  while (file.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || file.gcount() > 0) {
+    text.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > largest_file)
+      reject_file(path,
+                  "is larger than " + std::to_string(largest_file >> 20) + " MiB: no model file");
+  }
+  if (file.bad()) reject_file(path, "cannot be read: input error");
+  return text;
+}
+
+void read_title_and_gravity(TableReader& in, Model& model) {
+  in.read("title", model.title, Need::optional);
+  in.read("gravity", model.gravity, any_number("m/s2"), Need::optional);
+}
+
+/// Sections are known here and read by functions of their own, after all unknown ones were
+/// reported.
+void read_top_level(Draft& draft, const Value& root) {
+  TableReader in(root, "", draft.out);
+  read_title_and_gravity(in, draft.model);
+  for (const char* key :
+       {"material", "joint_material", "solid", "joint_set", "joint", "cover", "fixed", "point_load",
+        "analysis", "solver", "output", "monitor", "support"})
+    in.has(key);
+  for (const char* key : {"joint_mesh", "merge", "excavation", "traction", "initial_velocity",
+                          "initial_stress", "contact", "bolt", "bolt_pattern"})
+    in.not_yet(key);
+}
+
+void read_sections(Draft& draft) {
+  read_materials(draft);
+  read_joint_materials(draft);
+  read_solids(draft);
+  read_joint_sets(draft);
+  read_joints(draft);
+  read_cover(draft);
+  read_fixed(draft);
+  read_point_loads(draft);
+  read_monitors(draft);
+  read_analysis(draft);
+  read_solver(draft);
+  read_output(draft);
+  read_support(draft);
+}
+
+void add_missing(Draft& draft, Purpose purpose) {
+  for (const auto& [place, message] : missing_for(draft.model, purpose))
+    if (!draft.out.explained(place.key))
+      draft.out.add({0, place.line, place.column}, place.key, message);
+}
+
+std::string text_with(std::string_view text, const std::vector<std::string>& overrides) {
+  std::string result(text);
+  if (overrides.empty()) return result;
+  if (!result.empty() && result.back() != '\n') result += '\n';
+  result += "\n# Overridden on the command line:\n";
+  for (auto line : overrides) {
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
+    result += "#   " + override_name(line) + "\n";
+  }
+  return result;
+}
+
+}  // namespace
+
+Model read_model(const std::string& path, const std::vector<std::string>& overrides,
+                 Purpose purpose) {
+  return parse_model(file_text(path), path, overrides, purpose);
+}
+
+Model parse_model(std::string_view text, const std::string& name,
+                  const std::vector<std::string>& overrides, Purpose purpose) {
+  Value root = parse_toml(text, 0, name);
+  std::vector<std::string> sources{name};
+  for (const auto& override_text : overrides) {
+    apply_override(root, override_text, static_cast<int>(sources.size()));
+    sources.push_back(override_name(override_text));
+  }
+  Diagnostics out(std::move(sources));
+  Draft draft{.root = std::get<Table>(root.data), .out = out, .model = {}};
+  draft.model.path = name;
+  draft.model.text = text_with(text, overrides);
+  read_top_level(draft, root);
+  read_sections(draft);
+  add_missing(draft, purpose);
+  if (!out.empty()) out.fail();
+  return std::move(draft.model);
+}
+
+}  // namespace rockfold

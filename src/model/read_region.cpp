@@ -1,0 +1,116 @@
+#include "src/model/read_region.hpp"
+
+#include <algorithm>
+
+#include "src/base/vector.hpp"
+#include "src/model/nearest.hpp"
+#include "src/model/read_value.hpp"
+
+namespace rockfold {
+
+namespace {
+
+const std::vector<std::string> ways{"face", "box", "point", "plane", "block_at"};
+
+std::string way_list() {
+  std::string text;
+  for (const auto& way : ways)
+    text += (text.empty() ? "" : way == ways.back() ? " or " : ", ") + way;
+  return text;
+}
+
+/// "solid.face"; the solid's own name may hold points.
+std::optional<Region> read_face(TableReader& in, const Draft& draft) {
+  std::string text;
+  if (!in.read("face", text)) return {};
+  const auto point = text.rfind('.');
+  if (point == std::string::npos) {
+    in.wrong("face", "found \"" + text + "\", must be \"solid.face\", e.g. \"rock.zmin\"");
+    return {};
+  }
+  const std::string solid_name = text.substr(0, point), face_name = text.substr(point + 1);
+  const Index solid = draft.solids.find(solid_name);
+  if (solid == none) {
+    if (draft.solids.complete() && !in.out().explained("solid"))
+      in.wrong("face", "unknown solid \"" + solid_name + "\"" +
+                           suggestion(solid_name, draft.solids.all(), "the solids are"));
+    return {};
+  }
+  if (!draft.has_shape[solid]) return {};  // reported there
+  const Shape& shape = draft.model.solids[solid].shape;
+  const auto faces = faces_named(shape, face_name);
+  if (!faces.empty()) return FaceRegion{solid, faces};
+  in.wrong("face", "unknown face \"" + face_name + "\" of solid \"" + solid_name + "\"" +
+                       suggestion(face_name, face_names(shape), "its faces are"));
+  return {};
+}
+
+std::optional<Region> read_box(TableReader& in) {
+  const auto* value = in.find("box");
+  const auto* corners = std::get_if<Array>(&value->data);
+  if (!corners || corners->size() != 2) {
+    in.wrong("box",
+             "found " + described(*value) + ", must be 2 corners [[x, y, z], [x, y, z]] (m)");
+    return {};
+  }
+  const auto min =
+      vector_from((*corners)[0], item_path(in.path_of("box"), 0), coordinate(), in.out());
+  const auto max =
+      vector_from((*corners)[1], item_path(in.path_of("box"), 1), coordinate(), in.out());
+  if (!min || !max) return {};
+  for (int d = 0; d < 3; ++d)
+    if ((*min)[d] > (*max)[d]) {
+      in.wrong("box", std::string("the first corner must be the lower one, but its ") + "xyz"[d] +
+                          " = " + number_text((*min)[d]) + " is over the second's " +
+                          number_text((*max)[d]));
+      return {};
+    }
+  return BoxRegion{*min, *max};
+}
+
+std::optional<Region> read_plane_region(TableReader& in, const Draft& draft) {
+  TableReader plane(*in.find("plane"), in.path_of("plane"), in.out());
+  PlaneRegion region;
+  region.tolerance = 1e-9 * given_size(draft.model);
+  const bool point = plane.read("point", region.point, coordinate());
+  const bool normal = plane.read_direction("normal", region.normal);
+  plane.read("tolerance", region.tolerance, not_negative("m"), Need::optional);
+  if (!point || !normal) return {};
+  // Divided first: the square of a long normal would overflow.
+  const auto [x, y, z] = region.normal;
+  const Real size = std::max({std::abs(x), std::abs(y), std::abs(z)});
+  region.normal = normalized(Vec3{x / size, y / size, z / size});
+  return region;
+}
+
+std::optional<Region> read_way(TableReader& in, const std::string& way, const Draft& draft) {
+  if (way == "face") return read_face(in, draft);
+  if (way == "box") return read_box(in);
+  if (way == "plane") return read_plane_region(in, draft);
+  Vec3 point{};
+  if (!in.read(way, point, coordinate())) return {};
+  if (way == "block_at") return BlockRegion{point};
+  return PointRegion{point};
+}
+
+}  // namespace
+
+std::optional<Region> read_region(TableReader& entry, const Draft& draft) {
+  const auto* value = entry.find("where", "must say one of " + way_list());
+  if (!value) return {};
+  TableReader in(*value, entry.path_of("where"), entry.out());
+  std::vector<std::string> given;
+  for (const auto& way : ways)
+    if (in.has(way)) given.push_back(way);
+  if (given.empty()) {
+    auto keys = ways;
+    keys.insert(keys.begin(), "");
+    in.missing(std::move(keys), "says no region, must have one of " + way_list());
+  }
+  if (given.size() > 1)
+    in.out().add(value->spot, entry.path_of("where"),
+                 "has both " + given[0] + " and " + given[1] + ", must have one of " + way_list());
+  return given.size() == 1 ? read_way(in, given[0], draft) : std::nullopt;
+}
+
+}  // namespace rockfold

@@ -1,0 +1,114 @@
+#include "src/model/read_value.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rockfold {
+
+namespace {
+
+void wrong(const Value& value, const std::string& path, const std::string& expected,
+           Diagnostics& out) {
+  out.add(value.spot, path, "found " + described(value) + ", " + expected);
+}
+
+}  // namespace
+
+std::string item_path(const std::string& path, std::size_t index) {
+  return path + "[" + std::to_string(index + 1) + "]";
+}
+
+std::optional<Real> real_from(const Value& value, const std::string& path, const Range& range,
+                              Diagnostics& out) {
+  const auto* integer = std::get_if<std::int64_t>(&value.data);
+  const auto* real = std::get_if<double>(&value.data);
+  if (!integer && !real) {
+    wrong(value, path, "must be a number" + (range.unit.empty() ? "" : " (" + range.unit + ")"),
+          out);
+    return {};
+  }
+  const Real x = real ? *real : static_cast<Real>(*integer);
+  if (range.holds(x)) return x;
+  wrong(value, path, range.refusal(x), out);
+  return {};
+}
+
+std::optional<Index> integer_from(const Value& value, const std::string& path,
+                                  const IntegerRange& range, Diagnostics& out) {
+  const auto* integer = std::get_if<std::int64_t>(&value.data);
+  if (integer && range.holds(*integer)) return static_cast<Index>(*integer);
+  if (integer && *integer > range.high) {
+    wrong(value, path,
+          "must be an integer, " + std::to_string(range.low) + " to " + std::to_string(range.high),
+          out);
+  } else {
+    wrong(value, path, range.text(), out);
+  }
+  return {};
+}
+
+std::optional<bool> boolean_from(const Value& value, const std::string& path, Diagnostics& out) {
+  if (const auto* boolean = std::get_if<bool>(&value.data)) return *boolean;
+  wrong(value, path, "must be true or false", out);
+  return {};
+}
+
+std::optional<std::string> text_from(const Value& value, const std::string& path,
+                                     Diagnostics& out) {
+  if (const auto* text = std::get_if<std::string>(&value.data)) return *text;
+  wrong(value, path, "must be a text in quotes", out);
+  return {};
+}
+
+const Array* array_from(const Value& value, const std::string& path, std::size_t least,
+                        const std::string& what, Diagnostics& out) {
+  const auto* array = std::get_if<Array>(&value.data);
+  if (array && array->size() >= least) return array;
+  wrong(value, path, "must be " + what, out);
+  return nullptr;
+}
+
+std::optional<Vec3> vector_from(const Value& value, const std::string& path, const Range& range,
+                                Diagnostics& out) {
+  const std::string what =
+      "must be 3 numbers [x, y, z]" + (range.unit.empty() ? "" : " (" + range.unit + ")");
+  const auto* array = std::get_if<Array>(&value.data);
+  if (!array || array->size() != 3) {
+    wrong(value, path, what, out);
+    return {};
+  }
+  Vec3 result{};
+  bool good = true;
+  for (std::size_t d = 0; d < 3; ++d) {
+    const auto x = real_from((*array)[d], item_path(path, d), range, out);
+    good = good && x;
+    if (x) result[d] = *x;
+  }
+  return good ? std::optional(result) : std::nullopt;
+}
+
+std::optional<Vec3> direction_from(const Value& value, const std::string& path, Diagnostics& out) {
+  const auto direction = vector_from(value, path, any_number(""), out);
+  if (!direction) return {};
+  const Real size =
+      std::max({std::abs((*direction)[0]), std::abs((*direction)[1]), std::abs((*direction)[2])});
+  if (size >= 1 / largest_number) return direction;
+  out.add(value.spot, path,
+          size == 0 ? "found [0, 0, 0], must not be zero"
+                    : "must be longer: at least " + number_text(1 / largest_number));
+  return {};
+}
+
+std::optional<std::vector<Vec3>> points_from(const Value& value, const std::string& path,
+                                             std::size_t least, Diagnostics& out) {
+  const auto* array =
+      array_from(value, path, least, std::to_string(least) + " or more points [x, y, z] (m)", out);
+  if (!array) return {};
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < array->size(); ++i)
+    if (const auto point = vector_from((*array)[i], item_path(path, i), coordinate(), out))
+      points.push_back(*point);
+  return points.size() == array->size() ? std::optional(points) : std::nullopt;
+}
+
+}  // namespace rockfold

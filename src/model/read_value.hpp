@@ -1,0 +1,41 @@
+// One TOML value → one C++ value. Each function reports what is wrong at `path` and then returns
+// nothing.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/model/diagnostics.hpp"
+#include "src/model/range.hpp"
+#include "src/model/value.hpp"
+
+namespace rockfold {
+
+std::optional<Real> real_from(const Value& value, const std::string& path, const Range& range,
+                              Diagnostics& out);
+std::optional<Index> integer_from(const Value& value, const std::string& path,
+                                  const IntegerRange& range, Diagnostics& out);
+std::optional<bool> boolean_from(const Value& value, const std::string& path, Diagnostics& out);
+std::optional<std::string> text_from(const Value& value, const std::string& path, Diagnostics& out);
+
+/// Three numbers, each in the range.
+std::optional<Vec3> vector_from(const Value& value, const std::string& path, const Range& range,
+                                Diagnostics& out);
+
+/// A vector that gives a direction: not zero, and of a length whose square neither over- nor
+/// underflows.
+std::optional<Vec3> direction_from(const Value& value, const std::string& path, Diagnostics& out);
+
+/// At least `least` points.
+std::optional<std::vector<Vec3>> points_from(const Value& value, const std::string& path,
+                                             std::size_t least, Diagnostics& out);
+
+/// An array with at least `least` values; `what` says of which, e.g. "3 numbers".
+const Array* array_from(const Value& value, const std::string& path, std::size_t least,
+                        const std::string& what, Diagnostics& out);
+
+/// "planes[2]" for index 1: paths count from 1.
+std::string item_path(const std::string& path, std::size_t index);
+
+}  // namespace rockfold

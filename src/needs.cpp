@@ -1,0 +1,114 @@
+#include "src/needs.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "src/base/error.hpp"
+#include "src/base/vector.hpp"
+#include "src/examples.hpp"
+#include "src/model/read_model.hpp"
+#include "src/output_path.hpp"
+
+namespace rockfold {
+
+namespace {
+
+/// A rotation θ that is taken for linear strains feigns a strain of 1 − cos θ: 2e-4 at this one, as
+/// much as the elastic strain of rock near failure.
+constexpr Real largest_small_rotation = 0.02;  // rad
+
+Purpose purpose_of(Command command) {
+  if (command == Command::support) return Purpose::support;
+  return command == Command::run || command == Command::demo ? Purpose::run : Purpose::cut;
+}
+
+void find_outside(const std::string& what, const Vec3& point, Index element, const Place& place,
+                  std::vector<Diagnostic>& outside) {
+  if (element != none) return;
+  Place of_point = place;
+  of_point.key += ".point";
+  outside.push_back({of_point, fmt::format("({:g}, {:g}, {:g}){} is not in the rock", point[0],
+                                           point[1], point[2], what)});
+}
+
+}  // namespace
+
+bool wants_run(const Options& options) {
+  return options.command == Command::run || options.command == Command::demo;
+}
+
+bool wants_support(const Options& options, const Model& model) {
+  return options.command == Command::support || (wants_run(options) && model.support);
+}
+
+Model load_model(const Options& options, Terminal& terminal) {
+  const Purpose purpose = purpose_of(options.command);
+  Model model =
+      options.command == Command::demo
+          ? parse_model(find_example("slope").text, "slope.toml", options.overrides, purpose)
+          : read_model(options.input, options.overrides, purpose);
+  if (options.command == Command::support && !model.support) model.support = SupportSpec{};
+  if (wants_support(options, model)) check_for(model, Purpose::support);
+  if (std::filesystem::path(result_path(options)).extension() != ".vtkhdf")
+    terminal.warn("ParaView knows result files by their name: let it end in .vtkhdf");
+  return model;
+}
+
+std::vector<Vec3> monitor_points(const Model& model) {
+  std::vector<Vec3> points;
+  for (const auto& monitor : model.monitors) points.push_back(monitor.point);
+  return points;
+}
+
+std::vector<Vec3> load_points(const Model& model) {
+  std::vector<Vec3> points;
+  for (const auto& load : model.point_loads) points.push_back(load.point);
+  return points;
+}
+
+void require_in_rock(const Model& model, const MaterialPoints& monitors,
+                     const MaterialPoints& loads) {
+  std::vector<Diagnostic> outside;
+  for (std::size_t n = 0; n < model.monitors.size(); ++n) {
+    const auto& monitor = model.monitors[n];
+    find_outside(" of monitor " + monitor.name, monitor.point, monitors.element[n], monitor.place,
+                 outside);
+  }
+  for (std::size_t n = 0; n < model.point_loads.size(); ++n)
+    find_outside("", model.point_loads[n].point, loads.element[n], model.point_loads[n].place,
+                 outside);
+  if (!outside.empty()) throw Error(ErrorKind::model, outside);
+}
+
+void warn_of_cutting(const IntentReport& intent, Terminal& terminal) {
+  if (intent.near_decisions == 0) return;
+  std::string names;
+  for (const auto& name : intent.near_planes) names += (names.empty() ? "" : ", ") + name;
+  terminal.warn(fmt::format(
+      "{} distances between planes and corners are so small (about 1e-10 of the model's size) that "
+      "another rounding of the input could give other blocks; planes: {}",
+      intent.near_decisions, names));
+}
+
+void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal) {
+  if (blocks.block_count() < 2 || model.cover->joints == JointTreatment::welded) return;
+  terminal.warn(fmt::format(
+      "contact between blocks is not built yet: the {} blocks move through each other. With "
+      "cover.joints = \"welded\" the rock moves as one mass",
+      blocks.block_count()));
+}
+
+void warn_of_large_rotation(const RunResult& run, Terminal& terminal) {
+  Real largest = 0;
+  std::size_t at = 0;
+  for (std::size_t b = 0; b < run.blocks.size(); ++b)
+    if (norm(run.blocks[b].rotation) > largest) largest = norm(run.blocks[at = b].rotation);
+  if (largest > largest_small_rotation)
+    terminal.warn(fmt::format(
+        "block {} turns by {:.3g} rad, but strains are those of small rotations: above {} rad "
+        "its size and stress are not to be trusted",
+        at + 1, largest, largest_small_rotation));
+}
+
+}  // namespace rockfold

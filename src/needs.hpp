@@ -1,0 +1,34 @@
+// What a command needs of the model beyond what any model must have, and what the user should know
+// about it.
+#pragma once
+
+#include "host/cut/cut.hpp"
+#include "src/arrays/block_arrays.hpp"
+#include "src/arrays/cover_arrays.hpp"
+#include "src/command_line.hpp"
+#include "src/model/model.hpp"
+#include "src/report/terminal.hpp"
+#include "src/run/run_result.hpp"
+
+namespace rockfold {
+
+bool wants_support(const Options& options, const Model& model);
+bool wants_run(const Options& options);
+
+/// Reads the model (the demo's from the program itself). Throws Error(model) naming what the
+/// command lacks in it.
+Model load_model(const Options& options, Terminal& terminal);
+
+std::vector<Vec3> monitor_points(const Model& model);
+std::vector<Vec3> load_points(const Model& model);
+
+/// Throws Error(model) with every monitor and point load that lies outside the rock.
+void require_in_rock(const Model& model, const MaterialPoints& monitors,
+                     const MaterialPoints& loads);
+
+void warn_of_cutting(const IntentReport& intent, Terminal& terminal);
+void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal);
+/// Strains are linear in the displacement yet, which is right for small rotations only.
+void warn_of_large_rotation(const RunResult& run, Terminal& terminal);
+
+}  // namespace rockfold

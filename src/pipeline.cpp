@@ -1,0 +1,132 @@
+#include "src/pipeline.hpp"
+
+#include <optional>
+
+#include "host/cover/cover.hpp"
+#include "host/cut/cut.hpp"
+#include "host/flatten/flatten.hpp"
+#include "host/keyblock/keyblock.hpp"
+#include "kernels/device/device.hpp"
+#include "src/answers.hpp"
+#include "src/model/read_model.hpp"
+#include "src/needs.hpp"
+#include "src/output_path.hpp"
+#include "src/results.hpp"
+#include "src/run/run_analysis.hpp"
+#include "src/signals.hpp"
+#include "src/threads.hpp"
+
+namespace rockfold {
+
+namespace {
+
+/// Covers over the cut rock, and the points of it that conditions, loads, monitors and results
+/// refer to.
+struct CoveredRock {
+  Covering covering;
+  FixedPoints fixed;
+  MaterialPoints monitors, loads, block_vertices;
+};
+
+CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockArrays& blocks,
+                       Progress& progress) {
+  CoveredRock rock;
+  rock.covering = build_covers(cutting, model, progress);
+  rock.fixed = fixed_points(cutting, rock.covering, model);
+  rock.monitors = locate_points(rock.covering, monitor_points(model));
+  rock.loads = locate_points(rock.covering, load_points(model));
+  rock.block_vertices = locate_block_vertices(rock.covering, blocks);
+  require_in_rock(model, rock.monitors, rock.loads);
+  return rock;
+}
+
+/// Steps through the analysis and stores its states. If it fails, the states so far are kept.
+RunResult analyse(const CoveredRock& rock, const Model& model, const BlockArrays& blocks,
+                  ResultWriter& writer, int threads, Terminal& terminal) {
+  const RunInput input{model,      rock.covering.arrays, blocks, rock.fixed, rock.monitors,
+                       rock.loads, rock.block_vertices};
+  const auto store = [&](const StoredState& state) {
+    add_stored_state(writer, rock.block_vertices, state);
+  };
+  const DeviceScope device(threads);
+  try {
+    return run_analysis(input, store, terminal);
+  } catch (const Error&) {
+    keep_states(writer, terminal);
+    throw;
+  }
+}
+
+/// demo, cut, support, run: each is the same way, left earlier or later.
+int analyse_rock(const Options& options, Terminal& terminal) {
+  PhaseClock clock(terminal);
+  const Model model = load_model(options, terminal);
+  const std::string path = result_path(options);
+  check_result_path(path, model.path);
+
+  const Cutting cutting = clock.measure("cut", [&] { return cut_blocks(model, terminal); });
+  const BlockArrays blocks =
+      clock.measure("cut", "joining blocks", [&] { return flatten_blocks(cutting, model); });
+  warn_of_cutting(cutting.totals.intent, terminal);
+
+  std::optional<KeyblockReport> keyblocks;
+  if (wants_support(options, model))
+    keyblocks = clock.measure("keyblock", "finding key blocks",
+                              [&] { return find_keyblocks(blocks, model); });
+
+  std::optional<CoveredRock> rock;
+  if (wants_run(options)) {
+    warn_of_missing_contact(model, blocks, terminal);
+    rock = clock.measure("cover", [&] { return cover_rock(cutting, model, blocks, terminal); });
+  }
+
+  remember_interrupts();
+  ResultWriter writer(path, model, result_header(options));
+  clock.measure("output", "writing blocks", [&] {
+    writer.write_blocks(blocks, keyblocks ? block_fields(*keyblocks) : BlockFields{});
+  });
+
+  std::optional<RunResult> run;
+  if (rock) {
+    clock.measure("output", "writing elements",
+                  [&] { writer.write_elements(rock->covering.arrays); });
+    run = analyse(*rock, model, blocks, writer, options.threads, terminal);
+    add_run_seconds(clock, *run);
+    warn_of_large_rotation(*run, terminal);
+  }
+  clock.measure("output", [&] { writer.finish(); });
+
+  print_answer({options, model, cutting.totals, blocks, keyblocks ? &*keyblocks : nullptr,
+                rock ? &rock->covering.arrays : nullptr, run ? &*run : nullptr, path},
+               terminal, clock.seconds());
+  return interrupted_status();
+}
+
+int check_model(const Options& options) {
+  print_check(options, read_model(options.input, options.overrides, Purpose::check));
+  return 0;
+}
+
+int tell_info(const Options& options) {
+  print_info(options, read_result_info(options.input));
+  return 0;
+}
+
+}  // namespace
+
+int run_command(const Options& options, Terminal& terminal) {
+  exit_at_once_when_interrupted(options.json);
+  use_threads(options.threads);
+  switch (options.command) {
+    case Command::check:
+      return check_model(options);
+    case Command::info:
+      return tell_info(options);
+    case Command::examples:
+      return hand_out_examples(options);
+    default:
+      return analyse_rock(options, terminal);
+  }
+}
+
+}  // namespace rockfold

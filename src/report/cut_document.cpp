@@ -1,0 +1,71 @@
+#include <numeric>
+
+#include <nlohmann/json.hpp>
+
+#include "src/report/document_parts.hpp"
+#include "src/report/documents.hpp"
+
+namespace rockfold {
+
+namespace {
+
+Json intent_json(const IntentReport& intent) {
+  return {{"planes_identified", intent.planes_identified},
+          {"vertices_identified", intent.vertices_identified},
+          {"near_decisions", intent.near_decisions},
+          {"near_planes", intent.near_planes}};
+}
+
+/// A block's own counts by id difference of the offset arrays.
+Index count_of(const std::vector<Index>& begin, Index b) {
+  return begin[b + 1] - begin[b];
+}
+
+Json totals_json(const CutTotals& totals, const BlockArrays& blocks) {
+  const auto edges =
+      std::accumulate(blocks.edge_count.begin(), blocks.edge_count.end(), std::int64_t{0});
+  return {{"blocks", blocks.block_count()},
+          {"faces", blocks.face_normal.size()},
+          {"vertices", blocks.vertex.size()},
+          {"edges", edges},
+          {"volume", total_volume(blocks)},
+          {"solid_volume", totals.solid_volume},
+          {"joint_area", totals.joint_area},
+          {"dangling_joint_area", totals.dangling_joint_area},
+          {"cells", totals.cells}};
+}
+
+/// null where the model gives no materials, which cutting does not need.
+Json material_name(const Model& model, Index material) {
+  return material == none ? Json() : Json(model.materials[material].name);
+}
+
+Json block_json(const Model& model, const BlockArrays& blocks, Index b) {
+  return {{"id", b + 1},
+          {"volume", blocks.volume[b]},
+          {"centroid", blocks.centroid[b]},
+          {"faces", count_of(blocks.face_begin, b)},
+          {"edges", blocks.edge_count[b]},
+          {"vertices", count_of(blocks.vertex_begin, b)},
+          {"convex", bool(blocks.convex[b])},
+          {"shells", blocks.shell_count[b]},
+          {"genus", blocks.genus[b]},
+          {"finite", bool(blocks.finite[b])},
+          {"material", material_name(model, blocks.material[b])},
+          // Every joint goes through the whole rock, so none ends inside a block.
+          {"dead_end_area", 0.0}};
+}
+
+}  // namespace
+
+Json cut_document(const DocumentHead& head, const Model& model, const CutTotals& totals,
+                  const BlockArrays& blocks) {
+  Json document = head_json(head);
+  document["totals"] = totals_json(totals, blocks);
+  document["intent"] = intent_json(totals.intent);
+  auto& list = document["blocks"] = Json::array();
+  for (Index b = 0; b < blocks.block_count(); ++b) list.push_back(block_json(model, blocks, b));
+  return document;
+}
+
+}  // namespace rockfold

@@ -1,0 +1,110 @@
+#include "src/report/documents.hpp"
+
+#include <numeric>
+
+#include "generated/version.hpp"
+#include "src/model/check_model.hpp"
+#include "src/report/document_parts.hpp"
+#include "src/report/names.hpp"
+
+namespace rockfold {
+
+namespace {
+
+/// One line; bytes that are no UTF-8 (a title may hold any) become U+FFFD.
+std::string line(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json diagnostic_json(ErrorKind kind, const Diagnostic& diagnostic) {
+  return {{"kind", kind_name(kind)},           {"message", diagnostic.message},
+          {"file", diagnostic.place.file},     {"line", diagnostic.place.line},
+          {"column", diagnostic.place.column}, {"key", diagnostic.place.key}};
+}
+
+}  // namespace
+
+Json head_json(const DocumentHead& head) {
+  Json document{{"schema", "rockfold/1"},
+                {"command", head.command},
+                {"version", version},
+                {"title", head.title}};
+  if (head.seed) document["seed"] = *head.seed;
+  return document;
+}
+
+Real total_volume(const BlockArrays& blocks) {
+  return std::accumulate(blocks.volume.begin(), blocks.volume.end(), Real{0});
+}
+
+Json check_document(const DocumentHead& head, const Model& model) {
+  Json document = head_json(head);
+  document["ok"] = true;
+  document["totals"] = {
+      {"materials", model.materials.size()},     {"joint_materials", model.joint_materials.size()},
+      {"solids", model.solids.size()},           {"joint_sets", model.joint_sets.size()},
+      {"joints", model.joints.size()},           {"fixed", model.fixed.size()},
+      {"point_loads", model.point_loads.size()}, {"monitors", model.monitors.size()}};
+  document["commands"] = {{"cut", missing_for(model, Purpose::cut).empty()},
+                          {"support", missing_for(model, Purpose::support).empty()},
+                          {"run", missing_for(model, Purpose::run).empty()}};
+  return document;
+}
+
+Json info_document(const ResultInfo& info, const std::string& path) {
+  Json document = head_json({"info", info.title, {}});
+  document["file"] = path;
+  document["made_by"] = {
+      {"command", info.command}, {"version", info.version}, {"commit", info.commit}};
+  document["units"] = info.units;
+  document["totals"] = {{"blocks", info.blocks},      {"faces", info.faces},
+                        {"vertices", info.vertices},  {"joint_faces", info.joint_faces},
+                        {"volume", info.volume},      {"elements", info.elements},
+                        {"pieces", info.pieces},      {"covers", info.covers},
+                        {"states", info.step.size()}, {"bytes", info.file_bytes}};
+  document["block_theory"] = info.block_theory;
+  document["states"] = {{"step", info.step}, {"time", info.time}};
+  auto& list = document["datasets"] = Json::array();
+  for (const auto& set : info.datasets)
+    list.push_back(
+        {{"path", set.path}, {"type", set.type}, {"shape", set.shape}, {"bytes", set.bytes}});
+  document["model"] = info.model_text;
+  return document;
+}
+
+Json error_document(const Error& error) {
+  Json first = diagnostic_json(error.kind(), error.diagnostics().front());
+  if (error.diagnostics().size() > 1) {
+    auto& all = first["errors"] = Json::array();
+    for (const auto& diagnostic : error.diagnostics())
+      all.push_back(diagnostic_json(error.kind(), diagnostic));
+  }
+  return {{"schema", "rockfold/1"}, {"error", first}};
+}
+
+void finish_document(Json& document, const std::vector<std::string>& warnings,
+                     const PhaseSeconds& seconds) {
+  document["warnings"] = warnings;
+  for (const auto& [phase, s] : seconds) document["seconds"][phase] = s;
+}
+
+void write_document(std::FILE* stream, const Json& document) {
+  const char* before = "{\n";
+  for (const auto& [key, value] : document.items()) {
+    std::fprintf(stream, "%s%s: ", before, line(key).c_str());
+    before = ",\n";
+    if (!value.is_array() || value.empty() || !value.front().is_structured()) {
+      std::fputs(line(value).c_str(), stream);
+      continue;
+    }
+    const char* comma = "[\n";
+    for (const auto& entry : value) {
+      std::fprintf(stream, "%s%s", comma, line(entry).c_str());
+      comma = ",\n";
+    }
+    std::fputs("\n]", stream);
+  }
+  std::fputs("\n}\n", stream);
+}
+
+}  // namespace rockfold

@@ -1,0 +1,66 @@
+// The JSON documents of INTERFACE §3, one function each. Keys stand in the order of the contract; a
+// number that is not finite is written as null; everything but "seconds" is the same whatever the
+// thread count.
+#pragma once
+
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "host/cut/cut.hpp"
+#include "host/keyblock/keyblock.hpp"
+#include "src/arrays/block_arrays.hpp"
+#include "src/arrays/cover_arrays.hpp"
+#include "src/base/error.hpp"
+#include "src/io/result_file.hpp"
+#include "src/model/model.hpp"
+#include "src/report/phase_seconds.hpp"
+#include "src/run/run_result.hpp"
+
+namespace rockfold {
+
+using Json = nlohmann::ordered_json;
+
+/// All that a run made.
+struct RunReport {
+  const Model& model;
+  const BlockArrays& blocks;
+  const CoverArrays& covers;
+  const RunResult& run;
+  const KeyblockReport* keyblocks = nullptr;  ///< null: the model asks for no support
+};
+
+/// Lattice nodes that carry a physical cover.
+Index mathematical_covers(const CoverArrays& covers);
+
+/// What every document begins with.
+struct DocumentHead {
+  std::string command, title;
+  std::optional<std::uint64_t> seed;
+};
+
+/// schema, command, version, title, and the seed where one is given.
+Json head_json(const DocumentHead& head);
+
+Json cut_document(const DocumentHead& head, const Model& model, const CutTotals& totals,
+                  const BlockArrays& blocks);
+Json support_document(const DocumentHead& head, const BlockArrays& blocks,
+                      const KeyblockReport& report);
+/// With "support", as support_document has it, where there are key blocks to tell of.
+Json run_document(const DocumentHead& head, const RunReport& report);
+Json check_document(const DocumentHead& head, const Model& model);
+Json info_document(const ResultInfo& info, const std::string& path);
+Json error_document(const Error& error);
+
+/// Adds "warnings", and "seconds" unless there are none.
+void finish_document(Json& document, const std::vector<std::string>& warnings,
+                     const PhaseSeconds& seconds);
+
+/// Writes a document for people and programs alike: each top-level key, and each entry of a
+/// top-level list, on a line of its own.
+void write_document(std::FILE* stream, const Json& document);
+
+}  // namespace rockfold

@@ -1,0 +1,62 @@
+// How reports call what the program knows as enumerators.
+#pragma once
+
+#include "host/keyblock/keyblock.hpp"
+#include "src/base/error.hpp"
+
+namespace rockfold {
+
+constexpr const char* mode_name(SlidingMode mode) {
+  switch (mode) {
+    case SlidingMode::lifting:
+      return "lifting";
+    case SlidingMode::single_plane:
+      return "single_plane";
+    case SlidingMode::two_planes:
+      return "two_planes";
+  }
+  return "";
+}
+
+constexpr const char* class_name(BlockClass block_class) {
+  switch (block_class) {
+    case BlockClass::infinite:
+      return "infinite";
+    case BlockClass::tapered:
+      return "tapered";
+    case BlockClass::stable:
+      return "stable";
+    case BlockClass::key:
+      return "key";
+  }
+  return "";
+}
+
+constexpr const char* kind_name(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::usage:
+      return "usage";
+    case ErrorKind::model:
+      return "model";
+    case ErrorKind::io:
+      return "io";
+    case ErrorKind::analysis:
+      return "analysis";
+  }
+  return "";
+}
+
+constexpr int exit_status(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::analysis:
+      return 1;
+    case ErrorKind::usage:
+    case ErrorKind::model:
+      return 2;
+    case ErrorKind::io:
+      return 3;
+  }
+  return 1;
+}
+
+}  // namespace rockfold

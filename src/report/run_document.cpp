@@ -1,0 +1,80 @@
+#include "src/base/vector.hpp"
+#include "src/report/document_parts.hpp"
+
+namespace rockfold {
+
+namespace {
+
+Json run_totals_json(const RunReport& report) {
+  const auto& covers = report.covers;
+  return {{"blocks", report.blocks.block_count()},
+          {"mathematical_covers", mathematical_covers(covers)},
+          {"physical_covers", covers.cover_count()},
+          {"elements", covers.element_count()},
+          {"element_vertices", covers.element_vertices},
+          {"element_faces", covers.element_faces},
+          {"dof", 3 * std::int64_t{covers.cover_count()}},
+          {"steps", report.run.steps},
+          {"time", report.run.time},
+          {"interrupted", report.run.interrupted},
+          {"largest_substeps", report.run.largest_substeps},
+          {"largest_displacement", report.run.largest_displacement},
+          {"largest_displacement_block", report.run.largest_at_block + 1}};
+}
+
+Json monitor_json(const MonitorHistory& m) {
+  return {{"name", m.name},
+          {"time", m.time},
+          {"displacement", m.displacement},
+          {"velocity", m.velocity},
+          {"acceleration", m.acceleration},
+          {"stress", m.stress}};
+}
+
+Json energy_json(const Energy& e) {
+  return {{"kinetic", e.kinetic},
+          {"strain", e.strain},
+          {"potential", e.potential},
+          {"contact", e.contact},
+          {"dissipated", e.dissipated}};
+}
+
+Vec3 sum(const std::vector<Vec3>& forces) {
+  Vec3 total{};
+  for (const auto& force : forces) total += force;
+  return total;
+}
+
+}  // namespace
+
+Index mathematical_covers(const CoverArrays& covers) {
+  Index nodes = 0;
+  for (std::size_t p = 0; p < covers.cover_node.size(); ++p)
+    nodes += p == 0 || covers.cover_node[p] != covers.cover_node[p - 1];
+  return nodes;
+}
+
+Json run_document(const DocumentHead& head, const RunReport& report) {
+  Json document = head_json(head);
+  document["totals"] = run_totals_json(report);
+  auto& monitors = document["monitors"] = Json::array();
+  for (const auto& monitor : report.run.monitors) monitors.push_back(monitor_json(monitor));
+  document["energy"] = energy_json(report.run.energy);
+  document["contacts"] = {{"open", 0}, {"stick", 0}, {"slide", 0}, {"max_penetration", 0.0}};
+  document["reaction"] = sum(report.run.reactions);
+  auto& list = document["blocks"] = Json::array();
+  for (std::size_t b = 0; b < report.run.blocks.size(); ++b) {
+    const auto& motion = report.run.blocks[b];
+    list.push_back({{"id", b + 1},
+                    {"displacement", motion.displacement},
+                    {"rotation", motion.rotation},
+                    {"volume", motion.volume}});
+  }
+  if (report.keyblocks)
+    add_support(document["support"] = Json::object(), report.blocks, *report.keyblocks);
+  document["iterations"] = {{"pcg", report.run.iterations.pcg},
+                            {"open_close", report.run.iterations.open_close}};
+  return document;
+}
+
+}  // namespace rockfold

@@ -1,0 +1,194 @@
+#include "src/report/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "src/base/vector.hpp"
+#include "src/model/check_model.hpp"
+#include "src/report/document_parts.hpp"
+#include "src/report/progress_line.hpp"
+#include "src/report/table.hpp"
+
+namespace rockfold {
+
+namespace {
+
+std::string point_text(const Vec3& x) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", x[0], x[1], x[2]);
+}
+
+Index count_true(const std::vector<std::uint8_t>& flags) {
+  return static_cast<Index>(std::count(flags.begin(), flags.end(), std::uint8_t{1}));
+}
+
+std::string counted(std::size_t n, const std::string& one, const std::string& many) {
+  return grouped(static_cast<std::int64_t>(n)) + " " + (n == 1 ? one : many);
+}
+
+const char* mode_words(SlidingMode mode) {
+  switch (mode) {
+    case SlidingMode::lifting:
+      return "falls";
+    case SlidingMode::single_plane:
+      return "slides";
+    case SlidingMode::two_planes:
+      return "slides on two";
+  }
+  return "";
+}
+
+std::string joined_names(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? "-" : text;
+}
+
+std::vector<std::string> keyblock_row(const Keyblock& key) {
+  return {std::to_string(key.block + 1),
+          std::to_string(key.batch),
+          fmt::format("{:.2f}", key.volume),
+          fmt::format("{:.1f}", key.weight / 1e3),
+          mode_words(key.mode),
+          joined_names(key.planes),
+          std::isfinite(key.factor_of_safety) ? fmt::format("{:.2f}", key.factor_of_safety) : "-",
+          fmt::format("{:.1f}", key.sliding_force / 1e3),
+          fmt::format("{:.1f}", key.support_force / 1e3),
+          fmt::format("{:.2f}", key.support_pressure / 1e3)};
+}
+
+const std::vector<Column> keyblock_columns{{"block", "", false},     {"batch", "", false},
+                                           {"volume", "m3", false},  {"weight", "kN", false},
+                                           {"it", "", true},         {"on", "", true},
+                                           {"safety", "", false},    {"drive", "kN", false},
+                                           {"support", "kN", false}, {"pressure", "kPa", false}};
+
+std::string batches_text(const std::vector<Index>& batches) {
+  std::string text;
+  for (const Index n : batches) text += (text.empty() ? "" : " + ") + std::to_string(n);
+  return text;
+}
+
+std::string analysis_name(AnalysisType type) {
+  switch (type) {
+    case AnalysisType::static_:
+      return "static";
+    case AnalysisType::quasi_static:
+      return "quasi-static";
+    case AnalysisType::dynamic:
+      return "dynamic";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string fact(const std::string& name, const std::string& value) {
+  return fmt::format("  {:<22} {}\n", name, value);
+}
+
+std::string check_summary(const Model& model) {
+  std::string text = model.path + ": ok\n";
+  text += fact("title", model.title.empty() ? "-" : model.title);
+  text += fact("rock", counted(model.solids.size(), "solid", "solids") + ", " +
+                           counted(model.materials.size(), "material", "materials"));
+  text += fact("joints",
+               counted(model.joint_sets.size(), "set", "sets") + ", " +
+                   counted(model.joints.size(), "single joint", "single joints") + ", " +
+                   counted(model.joint_materials.size(), "joint material", "joint materials"));
+  if (model.cover) text += fact("covers", fmt::format("spacing {:g} m", model.cover->spacing));
+  if (model.analysis)
+    text += fact("analysis", fmt::format("{}, {}", analysis_name(model.analysis->type),
+                                         counted(model.analysis->steps, "step", "steps")));
+  for (const auto& [command, purpose] :
+       {std::pair{"support", Purpose::support}, {"run", Purpose::run}})
+    for (const auto& lack : missing_for(model, purpose))
+      text += fact(fmt::format("not yet for {}", command), lack.place.key + ": " + lack.message);
+  return text;
+}
+
+std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks) {
+  const auto [smallest, largest] = std::minmax_element(blocks.volume.begin(), blocks.volume.end());
+  std::string text =
+      fact("blocks",
+           fmt::format("{} ({} finite, {} convex)", grouped(blocks.block_count()),
+                       grouped(count_true(blocks.finite)), grouped(count_true(blocks.convex))));
+  text += fact("volume", fmt::format("{:.6g} m3 of rock", total_volume(blocks)));
+  if (smallest != blocks.volume.end())
+    text += fact("smallest, largest", fmt::format("{:.4g} m3, {:.4g} m3", *smallest, *largest));
+  text += fact("joint area", fmt::format("{:.6g} m2", totals.joint_area));
+  text += fact("faces, vertices",
+               fmt::format("{}, {}", grouped(static_cast<std::int64_t>(blocks.face_normal.size())),
+                           grouped(static_cast<std::int64_t>(blocks.vertex.size()))));
+  return text;
+}
+
+std::string support_summary(const KeyblockReport& report, const BlockArrays& blocks,
+                            std::size_t most) {
+  auto keys = report.keyblocks;
+  if (keys.empty()) return fact("key blocks", "none: no block can move");
+  std::stable_sort(keys.begin(), keys.end(),
+                   [](const auto& a, const auto& b) { return a.support_force > b.support_force; });
+  Real force = 0, volume = 0;
+  for (const auto& key : keys) force += key.support_force, volume += key.volume;
+
+  std::string text = fact(
+      "key blocks", fmt::format("{} of {}, {:.4g} m3", keys.size(), blocks.block_count(), volume));
+  text +=
+      fact("batches", fmt::format("{} ({})", report.batches.size(), batches_text(report.batches)));
+  text += fact("support force", fmt::format("{:.4g} kN in all", force / 1e3));
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t k = 0; k < std::min(most, keys.size()); ++k)
+    rows.push_back(keyblock_row(keys[k]));
+  if (rows.size() < keys.size())
+    text += fmt::format("\n  The {} that need most support:\n", rows.size());
+  return text.append("\n").append(table_text(keyblock_columns, rows));
+}
+
+std::string run_summary(const RunReport& report) {
+  const auto& run = report.run;
+  std::string text = fact(
+      "covers", fmt::format("{} of {} elements, {} unknowns", grouped(report.covers.cover_count()),
+                            grouped(report.covers.element_count()),
+                            grouped(3 * std::int64_t{report.covers.cover_count()})));
+  text += fact("steps", fmt::format("{} to t = {:.6g} s, {} solver iterations", grouped(run.steps),
+                                    run.time, grouped(run.iterations.pcg)));
+  if (run.largest_at_block != none)
+    text += fact("largest displacement",
+                 fmt::format("{:.4g} m, at a corner of block {} near {}", run.largest_displacement,
+                             run.largest_at_block + 1,
+                             point_text(report.blocks.centroid[run.largest_at_block])));
+  for (const auto& monitor : run.monitors)
+    if (!monitor.displacement.empty())
+      text += fact("monitor " + monitor.name, fmt::format("displacement {} m, {:.4g} m long",
+                                                          point_text(monitor.displacement.back()),
+                                                          norm(monitor.displacement.back())));
+  return text;
+}
+
+std::string info_summary(const ResultInfo& info, const std::string& path) {
+  std::string text = path + (info.title.empty() ? "" : ": " + info.title) + "\n";
+  text += fact("made by", fmt::format("rockfold {} {} ({})", info.version, info.command,
+                                      info.commit.empty() ? "commit unknown" : info.commit));
+  text += fact("units", info.units);
+  text += fact("blocks", fmt::format("{}, {:.6g} m3, {} faces", grouped(info.blocks), info.volume,
+                                     grouped(info.faces)));
+  text += fact("block theory",
+               info.block_theory ? "class, batch, mode and support of each block" : "-");
+  if (info.covers > 0)
+    text += fact("covers", fmt::format("{} physical covers, {} elements", grouped(info.covers),
+                                       grouped(info.elements)));
+  if (info.step.empty()) {
+    text += fact("states", "none");
+  } else {
+    text += fact("states", fmt::format("{}, t = {:g} … {:g} s", info.step.size(), info.time.front(),
+                                       info.time.back()));
+  }
+  text += fact("size", fmt::format("{:.3g} MB in {}", info.file_bytes / 1e6,
+                                   counted(info.datasets.size(), "data set", "data sets")));
+  return text;
+}
+
+}  // namespace rockfold

@@ -1,0 +1,30 @@
+// What a person reads at the end of a command, as text. Lengths in m, forces in kN, pressures in
+// kPa.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/cut/cut.hpp"
+#include "host/keyblock/keyblock.hpp"
+#include "src/arrays/block_arrays.hpp"
+#include "src/io/result_file.hpp"
+#include "src/model/model.hpp"
+#include "src/report/documents.hpp"
+
+namespace rockfold {
+
+constexpr std::size_t all_keyblocks = static_cast<std::size_t>(-1);
+
+std::string check_summary(const Model& model);
+std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks);
+/// The key blocks that need the greatest support force, `most` of them, and the batches.
+std::string support_summary(const KeyblockReport& report, const BlockArrays& blocks,
+                            std::size_t most = all_keyblocks);
+std::string run_summary(const RunReport& report);
+std::string info_summary(const ResultInfo& info, const std::string& path);
+
+/// "  blocks        512  …": a fact and its value, aligned with the others.
+std::string fact(const std::string& name, const std::string& value);
+
+}  // namespace rockfold

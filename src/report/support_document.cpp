@@ -1,0 +1,56 @@
+#include "src/report/document_parts.hpp"
+#include "src/report/names.hpp"
+
+namespace rockfold {
+
+namespace {
+
+Json keyblock_json(const Keyblock& key, const BlockArrays& blocks) {
+  return {{"block", key.block + 1},
+          {"batch", key.batch},
+          {"volume", key.volume},
+          {"weight", key.weight},
+          {"mode", mode_name(key.mode)},
+          {"planes", key.planes},
+          {"direction", key.direction},
+          {"sliding_force", key.sliding_force},
+          {"factor_of_safety", key.factor_of_safety},  // NaN is written as null
+          {"free_area", key.free_area},
+          {"support_force", key.support_force},
+          {"support_pressure", key.support_pressure},
+          {"support_direction", key.support_direction},
+          {"bolts", Json::array()},
+          {"mobilisation", {{"force", 0.0}, {"displacement", 0.0}}},
+          {"centroid", blocks.centroid[key.block]}};
+}
+
+Json support_totals_json(const BlockArrays& blocks, const KeyblockReport& report) {
+  Real volume = 0, force = 0;
+  for (const auto& key : report.keyblocks) volume += key.volume, force += key.support_force;
+  return {{"blocks", blocks.block_count()},
+          {"keyblocks", report.keyblocks.size()},
+          {"batches", report.batches},
+          {"keyblock_volume", volume},
+          {"support_force", force}};
+}
+
+}  // namespace
+
+void add_support(Json& document, const BlockArrays& blocks, const KeyblockReport& report) {
+  document["totals"] = support_totals_json(blocks, report);
+  auto& keys = document["keyblocks"] = Json::array();
+  for (const auto& key : report.keyblocks) keys.push_back(keyblock_json(key, blocks));
+  auto& list = document["blocks"] = Json::array();
+  for (Index b = 0; b < blocks.block_count(); ++b)
+    list.push_back(
+        {{"id", b + 1}, {"class", class_name(report.block_class[b])}, {"batch", report.batch[b]}});
+}
+
+Json support_document(const DocumentHead& head, const BlockArrays& blocks,
+                      const KeyblockReport& report) {
+  Json document = head_json(head);
+  add_support(document, blocks, report);
+  return document;
+}
+
+}  // namespace rockfold

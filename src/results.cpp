@@ -1,0 +1,49 @@
+#include "src/results.hpp"
+
+#include <limits>
+
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+
+namespace {
+
+/// Σ_a weight_a · field[cover_a] at each point.
+std::vector<Vec3> interpolated(const MaterialPoints& points, const std::vector<Vec3>& field) {
+  std::vector<Vec3> value(points.size(), Vec3{});
+  for (std::size_t n = 0; n < points.size(); ++n)
+    for (int a = 0; a < 4; ++a) value[n] += points.weight[n][a] * field[points.cover[n][a]];
+  return value;
+}
+
+}  // namespace
+
+BlockFields block_fields(const KeyblockReport& report) {
+  const std::size_t blocks = report.block_class.size();
+  BlockFields fields;
+  for (const auto block_class : report.block_class)
+    fields.block_class.push_back(static_cast<std::uint8_t>(block_class));
+  fields.batch = report.batch;
+  fields.mode.assign(blocks, 0);
+  fields.factor_of_safety.assign(blocks, std::numeric_limits<Real>::quiet_NaN());
+  fields.sliding_force.assign(blocks, 0);
+  fields.support_force.assign(blocks, 0);
+  fields.direction.assign(blocks, Vec3{});
+  for (const auto& key : report.keyblocks) {
+    fields.mode[key.block] = static_cast<std::uint8_t>(1 + static_cast<int>(key.mode));
+    fields.factor_of_safety[key.block] = key.factor_of_safety;
+    fields.sliding_force[key.block] = key.sliding_force;
+    fields.support_force[key.block] = key.support_force;
+    fields.direction[key.block] = key.direction;
+  }
+  return fields;
+}
+
+void add_stored_state(ResultWriter& writer, const MaterialPoints& block_vertices,
+                      const StoredState& state) {
+  const auto displacement = interpolated(block_vertices, state.motion.displacement);
+  const auto velocity = interpolated(block_vertices, state.motion.velocity);
+  writer.add_state({state.step, state.motion, displacement, velocity, state.element_stress});
+}
+
+}  // namespace rockfold

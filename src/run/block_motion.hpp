@@ -1,0 +1,16 @@
+// The motion of each block as a whole, from the motion of the covers.
+#pragma once
+
+#include <vector>
+
+#include "src/arrays/cover_arrays.hpp"
+#include "src/arrays/element_arrays.hpp"
+#include "src/run/run_result.hpp"
+
+namespace rockfold {
+
+/// Averages over the blocks' volume; `displacement` is that of the covers.
+std::vector<BlockMotion> average_block_motion(const CoverArrays& covers, const PieceMoments& moments,
+                                              const std::vector<Vec3>& displacement, Index blocks);
+
+}  // namespace rockfold

@@ -1,0 +1,44 @@
+#include "src/run/recorder.hpp"
+
+namespace rockfold {
+
+Recorder::Recorder(const RunInput& input, const StoreState& store, RunResult& result)
+    : store_(store),
+      result_(result),
+      monitors_(input.monitors),
+      every_(input.model.output.every) {
+  for (const Monitor& monitor : input.model.monitors) {
+    result_.monitors.emplace_back();
+    result_.monitors.back().name = monitor.name;
+  }
+}
+
+void Recorder::record(const Motion& motion, Index step, bool last) {
+  const Timer timer;
+  record_monitors(motion);
+  result_.seconds.output += timer.seconds();
+  if (step == 0 || last || (every_ > 0 && step % every_ == 0)) store(motion, step);
+}
+
+void Recorder::store(const Motion& motion, Index step) {
+  if (stored_ == step || !store_) return;
+  const Timer timer;
+  store_({step, motion.state(), motion.element_stress()});
+  stored_ = step;
+  result_.seconds.output += timer.seconds();
+}
+
+void Recorder::record_monitors(const Motion& motion) {
+  if (result_.monitors.empty()) return;
+  const PointMotion at = motion.at(monitors_);
+  for (std::size_t n = 0; n < result_.monitors.size(); ++n) {
+    MonitorHistory& history = result_.monitors[n];
+    history.time.push_back(motion.time());
+    history.displacement.push_back(at.displacement[n]);
+    history.velocity.push_back(at.velocity[n]);
+    history.acceleration.push_back(at.acceleration[n]);
+    history.stress.push_back(at.stress[n]);
+  }
+}
+
+}  // namespace rockfold

@@ -1,0 +1,29 @@
+// What a run keeps as it goes: monitors each step, states every so often.
+#pragma once
+
+#include "kernels/update/motion.hpp"
+#include "src/base/timer.hpp"
+#include "src/run/run_analysis.hpp"
+
+namespace rockfold {
+
+class Recorder {
+ public:
+  Recorder(const RunInput& input, const StoreState& store, RunResult& result);
+
+  /// After `step` steps. Stores the state at the first and last, and at those that are a multiple of output.every.
+  void record(const Motion& motion, Index step, bool last);
+  /// Stores the state unless that has been done.
+  void store(const Motion& motion, Index step);
+
+ private:
+  void record_monitors(const Motion& motion);
+
+  const StoreState& store_;
+  RunResult& result_;
+  TrackedPoints monitors_;
+  Index every_;
+  Index stored_ = none;  ///< step stored last
+};
+
+}  // namespace rockfold

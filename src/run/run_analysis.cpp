@@ -1,0 +1,211 @@
+#include "src/run/run_analysis.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+#include "kernels/integrate/moments.hpp"
+#include "kernels/solve/held_parts.hpp"
+#include "kernels/update/motion.hpp"
+#include "src/base/error.hpp"
+#include "src/base/interrupt.hpp"
+#include "src/base/timer.hpp"
+#include "src/base/vector.hpp"
+#include "src/run/block_motion.hpp"
+#include "src/run/recorder.hpp"
+
+namespace rockfold {
+namespace {
+
+/// Each doubling of the substeps halves the way of a substep; this many and the motion is not a motion any more.
+constexpr int most_substeps = 1024;
+
+std::vector<ElasticMaterial> elastic_materials(const Model& model) {
+  std::vector<ElasticMaterial> materials;
+  for (const Material& m : model.materials)
+    materials.push_back({m.density, m.young_modulus, m.poisson_ratio});
+  return materials;
+}
+
+MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
+                       const std::vector<ElasticMaterial>& materials) {
+  const Analysis& analysis = *input.model.analysis;
+  MotionSetup setup{input.covers, moments, materials, input.fixed};
+  setup.gravity = input.model.gravity;
+  setup.loaded = input.loads;
+  for (const PointLoad& load : input.model.point_loads) setup.forces.push_back(load.force);
+  setup.beta = analysis.newmark_beta;
+  setup.gamma = analysis.newmark_gamma;
+  setup.dynamic_ratio = analysis.type == AnalysisType::quasi_static ? 0 : analysis.dynamic_ratio;
+  setup.solver.tolerance = input.model.solver.tolerance;
+  setup.solver.max_iterations = input.model.solver.max_iterations;
+  return setup;
+}
+
+/// Half the extent of the blocks' vertices in z: what max_displacement_ratio refers to. A point's weights give its
+/// position as they give its displacement.
+Real half_height(const RunInput& input) {
+  Real low = std::numeric_limits<Real>::infinity(), high = -low;
+  const MaterialPoints& points = input.block_vertices;
+  const Lattice& lattice = input.covers.lattice;
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    Real z = 0;
+    for (int a = 0; a < 4; ++a) {
+      const Index node = input.covers.cover_node[points.cover[n][a]];
+      z += points.weight[n][a] * lattice.node_position(lattice.node_ijk(node))[2];
+    }
+    low = std::min(low, z);
+    high = std::max(high, z);
+  }
+  return 0.5 * (high - low);
+}
+
+std::string number(Real value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+[[noreturn]] void refuse(const SolveReport& report, Index step, Real time, const SolverSpec& solver) {
+  std::string message =
+      "step " + std::to_string(step) + ", time " + number(time) + " s: the solver did not converge: ";
+  if (!(report.residual <= solver.tolerance))
+    message += "residual " + number(report.residual) + " after " +
+               std::to_string(report.iterations) + " iterations, tolerance " +
+               number(solver.tolerance) + " (solver.tolerance, solver.max_iterations)";
+  else
+    message += "fixed points stay " + number(report.gap) +
+               " of the largest displacement away from their places";
+  throw Error(ErrorKind::analysis, message);
+}
+
+/// The analysis under way: what its three kinds share.
+class Run {
+ public:
+  Run(const RunInput& input, const StoreState& store, RunResult& result, Motion& motion)
+      : input_(input),
+        analysis_(*input.model.analysis),
+        result_(result),
+        motion_(motion),
+        recorder_(input, store, result) {
+    if (!analysis_.max_displacement_ratio) return;
+    watched_.emplace(input.block_vertices);
+    limit_ = *analysis_.max_displacement_ratio * half_height(input);
+  }
+
+  void solve_static();
+  void march(Progress& progress);
+
+ private:
+  void take_step(Index step);
+  void accept(const SolveReport& report, Index step, Real time);
+
+  const RunInput& input_;
+  const Analysis& analysis_;
+  RunResult& result_;
+  Motion& motion_;
+  Recorder recorder_;
+  std::optional<TrackedPoints> watched_;
+  Real limit_ = 0;
+};
+
+/// Counts a solve; where it failed, goes back to the last good state, stores it and throws.
+void Run::accept(const SolveReport& report, Index step, Real time) {
+  result_.iterations.pcg += report.iterations;
+  if (report.converged) return;
+  if (step > 0) {
+    motion_.restore();
+    recorder_.store(motion_, step - 1);
+  }
+  refuse(report, step, time, input_.model.solver);
+}
+
+void Run::solve_static() {
+  recorder_.record(motion_, 0, false);
+  motion_.save();
+  const Timer timer;
+  const SolveReport report = motion_.solve_static();
+  result_.seconds.solve += timer.seconds();
+  accept(report, 1, motion_.time());
+  result_.steps = 1;
+  recorder_.record(motion_, 1, true);
+}
+
+/// One step, in as many equal parts as max_displacement_ratio asks for.
+void Run::take_step(Index step) {
+  const Timer timer;
+  const Real dt = analysis_.time_step, start = motion_.time();
+  motion_.save();
+  for (int substeps = 1;; substeps *= 2) {
+    if (substeps > most_substeps)
+      throw Error(ErrorKind::analysis,
+                  "step " + std::to_string(step) + ", time " + number(start) + " s: even " +
+                      std::to_string(most_substeps) + " substeps move a block vertex by " +
+                      number(motion_.largest_increment()) + " m each, more than " + number(limit_) +
+                      " m (analysis.max_displacement_ratio)");
+    const SolveReport report = motion_.step(dt, substeps, watched_ ? &*watched_ : nullptr, limit_);
+    accept(report, step, start + dt);
+    result_.largest_substeps = std::max(result_.largest_substeps, substeps);
+    if (!watched_ || motion_.largest_increment() <= limit_) break;
+    motion_.restore();
+  }
+  result_.seconds.solve += timer.seconds();
+}
+
+void Run::march(Progress& progress) {
+  const Timer timer;
+  accept(motion_.start(analysis_.time_step), 0, 0);
+  result_.seconds.solve += timer.seconds();
+  recorder_.record(motion_, 0, false);
+  progress.begin("analysis", analysis_.steps, "steps");
+  for (Index step = 1; step <= analysis_.steps && !result_.interrupted; ++step) {
+    take_step(step);
+    result_.steps = step;
+    result_.interrupted = interrupt_signal != 0;
+    recorder_.record(motion_, step, step == analysis_.steps || result_.interrupted);
+    progress.done(step);
+  }
+  progress.end();
+}
+
+/// The block vertex that has moved furthest.
+void find_largest_displacement(const RunInput& input, const Motion& motion, RunResult& result) {
+  const std::vector<Vec3> moved =
+      motion.at(TrackedPoints(input.block_vertices)).displacement;
+  for (Index b = 0; b < input.blocks.block_count(); ++b)
+    for (Index v = input.blocks.vertex_begin[b]; v < input.blocks.vertex_begin[b + 1]; ++v)
+      if (result.largest_at_block == none || norm(moved[v]) > result.largest_displacement) {
+        result.largest_displacement = norm(moved[v]);
+        result.largest_at_block = b;
+      }
+}
+
+}  // namespace
+
+RunResult run_analysis(const RunInput& input, const StoreState& store, Progress& progress) {
+  RunResult result;
+  const Timer timer;
+  if (input.model.analysis->type == AnalysisType::static_) require_held(input.covers, input.fixed);
+  const PieceMoments moments = piece_moments(input.covers);
+  const std::vector<ElasticMaterial> materials = elastic_materials(input.model);
+  Motion motion(make_setup(input, moments, materials));
+  result.seconds.assemble = timer.seconds();
+
+  Run run(input, store, result, motion);
+  if (input.model.analysis->type == AnalysisType::static_)
+    run.solve_static();
+  else
+    run.march(progress);
+
+  result.time = motion.time();
+  result.energy = motion.energy();
+  result.reactions = motion.reactions();
+  result.blocks = average_block_motion(input.covers, moments, motion.state().displacement,
+                                       input.blocks.block_count());
+  find_largest_displacement(input, motion, result);
+  return result;
+}
+
+}  // namespace rockfold

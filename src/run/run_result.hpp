@@ -1,0 +1,64 @@
+// What an analysis hands back: plain numbers for the JSON of INTERFACE.md §3 and for the result file.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "src/arrays/element_arrays.hpp"
+#include "src/base/types.hpp"
+
+namespace rockfold {
+
+/// Stress as xx yy zz xy yz zx, Pa, tension positive.
+using Stress = std::array<Real, 6>;
+
+/// One state worth storing: t = 0, every `output.every` steps, and the last.
+struct StoredState {
+  Index step = 0;
+  StateArrays motion;                  ///< of every physical cover; holds the time
+  std::vector<Stress> element_stress;  ///< [6R + E] in the element numbering of CoverArrays
+};
+
+/// One material point over time; every vector has one entry for t = 0 and one for each step done.
+struct MonitorHistory {
+  std::string name;
+  std::vector<Real> time;          ///< s
+  std::vector<Vec3> displacement;  ///< m
+  std::vector<Vec3> velocity;      ///< m/s
+  std::vector<Vec3> acceleration;  ///< m/s²
+  std::vector<Stress> stress;      ///< Pa, of the element that holds the point
+};
+
+/// A block as a whole at the end. Averages are over its volume.
+struct BlockMotion {
+  Vec3 displacement{};  ///< m
+  Vec3 rotation{};      ///< rad, small rotation vector: half the curl of the displacement
+  Real volume = 0;      ///< m³, of the undeformed block, from its lattice cells and pieces
+};
+
+struct RunResult {
+  Index steps = 0;            ///< steps done
+  Real time = 0;              ///< s reached
+  bool interrupted = false;   ///< a signal stopped the run after the last step counted above
+  std::vector<MonitorHistory> monitors;  ///< in the order of Model::monitors
+  std::vector<BlockMotion> blocks;       ///< [B]
+  std::vector<Vec3> reactions;           ///< [N] N, force of each fixed point on the rock, at the end
+  Energy energy;                         ///< J, at the end
+
+  struct Iterations {
+    std::int64_t pcg = 0;
+    std::int64_t open_close = 0;  ///< 0 until contact exists
+  } iterations;
+
+  struct Seconds {
+    Real assemble = 0, solve = 0, output = 0;
+  } seconds;
+
+  Real largest_displacement = 0;   ///< m, of any block vertex at the end
+  Index largest_at_block = none;   ///< the block that has it
+  Index largest_substeps = 1;      ///< the finest subdivision that max_displacement_ratio asked for
+};
+
+}  // namespace rockfold

@@ -1,0 +1,17 @@
+// What SIGINT and SIGTERM do in each part of the program.
+#pragma once
+
+namespace rockfold {
+
+/// Nothing worth keeping is there yet: a signal ends the program at once, with status 130 or 143.
+/// With `json` the error document of an interruption goes to stdout first.
+void exit_at_once_when_interrupted(bool json);
+
+/// From here on a signal is remembered (src/base/interrupt.hpp); the analysis stops after its step.
+/// A second one ends the program at once.
+void remember_interrupts();
+
+/// 128 + the signal that was remembered, or 0.
+int interrupted_status();
+
+}  // namespace rockfold

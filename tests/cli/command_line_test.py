@@ -1,0 +1,201 @@
+"""The command line: help, options, errors, exit statuses, where results go."""
+import json
+import os
+import subprocess
+import unittest
+
+from program import BINARY, CASES, ProgramTest
+
+COMMANDS = ["demo", "check", "cut", "support", "run", "info", "examples"]
+
+
+class Help(ProgramTest):
+    def test_of_the_program_names_every_command(self):
+        text = self.run_program("--help").stdout
+        for command in COMMANDS:
+            self.assertRegex(text, rf"(?m)^  {command}\b")
+        self.assertIn("Example:", text)
+
+    def test_of_each_command_has_an_example_and_the_common_options(self):
+        for command in COMMANDS:
+            for arguments in ([command, "--help"], ["--help", command]):
+                text = self.run_program(*arguments).stdout
+                self.assertIn(f"Usage: rockfold {command}", text)
+                self.assertIn(f"  rockfold {command}" if command != "examples" else "rockfold examples", text)
+                for option in ("--json", "--quiet", "--threads", "--seed", "--set"):
+                    self.assertIn(option, text)
+
+    def test_lines_fit_on_100_columns(self):
+        for arguments in [["--help"]] + [[command, "--help"] for command in COMMANDS]:
+            for line in self.run_program(*arguments).stdout.splitlines():
+                self.assertLessEqual(len(line), 100)
+
+    def test_version(self):
+        self.assertRegex(self.run_program("--version").stdout, r"^rockfold \d+\.\d+\.\d+ \(.+\)\n$")
+
+
+class UsageErrors(ProgramTest):
+    CASES = [
+        ([], "no command given"),
+        (["ctu", "m.toml"], 'did you mean "cut"?'),
+        (["view", "m.vtkhdf"], "the commands are: demo, check, cut, support, run, info, examples"),
+        (["resume", "m.vtkhdf"], "unknown command 'resume'"),
+        (["sweep", "m.toml"], "unknown command 'sweep'"),
+        (["cut"], "no file given: rockfold cut MODEL.toml"),
+        (["cut", "m.toml", "--jsno"], 'unknown option \'--jsno\', did you mean "--json"?'),
+        (["cut", "m.toml", "n.toml"], "unexpected argument 'n.toml'"),
+        (["cut", "m.toml", "check"], "two commands given"),
+        (["cut", "m.toml", "-o"], "needs a value"),
+        (["check", "m.toml", "-o", "x"], "unknown option '-o'"),
+        (["cut", "m.toml", "--threads", "0"], "'0' is no whole number from 1 to 4096"),
+        (["cut", "m.toml", "--threads", "two"], "'two' is no whole number"),
+        (["cut", "m.toml", "--seed", "-1"], "'-1' is no whole number"),
+        (["examples", "cub"], 'did you mean "cube"?'),
+    ]
+
+    def test_have_status_2_and_say_what_is_right(self):
+        for arguments, message in self.CASES:
+            with self.subTest(arguments=arguments):
+                done = self.run_program(*arguments, status=2)
+                self.assertEqual(done.stdout, "")
+                self.assertIn(message, done.stderr)
+
+    def test_are_documents_with_json(self):
+        for arguments, message in self.CASES[1:]:
+            with self.subTest(arguments=arguments):
+                done = self.run_program("--json", *arguments, status=2)
+                document = json.loads(done.stdout)
+                self.assertEqual(document["schema"], "rockfold/1")
+                self.assertEqual(document["error"]["kind"], "usage")
+                self.assertIn(message, document["error"]["message"])
+                self.assertEqual(sorted(document["error"]), ["column", "file", "key", "kind", "line", "message"])
+
+
+class ModelErrors(ProgramTest):
+    MODEL = 'title = "wrong"\n[[solid]]\nname = "rock"\nshape = "box"\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n' \
+            '[[joint_set]]\nname = "J"\ndip = 95\ndip_direction = 0\nspaceing = 1\n'
+
+    def test_are_told_all_at_once_with_their_places(self):
+        self.write("wrong.toml", self.MODEL)
+        lines = self.run_program("check", "wrong.toml", status=2).stderr.splitlines()
+        self.assertRegex(lines[0], r"^wrong\.toml:\d+:\d+: joint_set\[1\]\S*: .")
+        self.assertEqual(lines[-1], f"{len(lines) - 1} errors")
+        self.assertGreaterEqual(len(lines), 3)
+
+    def test_with_json_the_first_stands_in_the_error_and_all_in_its_list(self):
+        self.write("wrong.toml", self.MODEL)
+        error = self.json_of("cut", "wrong.toml", status=2)["error"]
+        self.assertEqual(error["kind"], "model")
+        self.assertEqual(error["file"], "wrong.toml")
+        self.assertGreater(error["line"], 0)
+        self.assertGreater(error["column"], 0)
+        self.assertTrue(error["key"].startswith("joint_set[1]"))
+        self.assertEqual({key: error[key] for key in error["errors"][0]}, error["errors"][0])
+        self.assertGreaterEqual(len(error["errors"]), 2)
+
+    def test_a_point_outside_the_rock_is_named(self):
+        self.copy_case("free_fall")
+        done = self.run_program("run", "free_fall.toml", "--set", "monitor.1.point=[5, 5, 5]", status=2)
+        self.assertIn("monitor[1].point: (5, 5, 5) of monitor centre is not in the rock", done.stderr)
+
+    def test_a_missing_model_has_status_3(self):
+        self.assertIn("missing.toml", self.run_program("check", "missing.toml", status=3).stderr)
+        self.assertEqual(self.json_of("run", "missing.toml", status=3)["error"]["kind"], "io")
+
+
+class Outputs(ProgramTest):
+    def test_go_beside_the_model_by_default(self):
+        (self.folder / "models").mkdir()
+        self.copy_case("wedge").rename(self.folder / "models" / "wedge.toml")
+        self.run_program("cut", "models/wedge.toml")
+        self.assertTrue((self.folder / "models" / "wedge.vtkhdf").is_file())
+        self.assertEqual(self.files(), ["models"])
+
+    def test_replace_an_older_result_and_leave_nothing_else(self):
+        self.copy_case("wedge")
+        self.write("out.vtkhdf", "older")
+        self.run_program("cut", "wedge.toml", "-o", "out.vtkhdf")
+        self.run_program("info", "out.vtkhdf")
+        self.assertFalse([name for name in self.files() if "partial" in name])
+
+    def test_that_cannot_be_written_have_status_3(self):
+        self.copy_case("wedge")
+        (self.folder / "folder").mkdir()
+        self.assertIn("no folder 'nowhere'", self.run_program("cut", "wedge.toml", "-o", "nowhere/x.vtkhdf", status=3).stderr)
+        self.assertIn("is a folder", self.run_program("cut", "wedge.toml", "-o", "folder", status=3).stderr)
+        self.assertEqual(self.json_of("cut", "wedge.toml", "-o", "nowhere/x.vtkhdf", status=3)["error"]["kind"], "io")
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_in_a_closed_folder_have_status_3(self):
+        self.copy_case("wedge")
+        (self.folder / "closed").mkdir(mode=0o500)
+        self.run_program("cut", "wedge.toml", "-o", "closed/x.vtkhdf", status=3)
+
+    def test_never_overwrite_the_model(self):
+        path = self.copy_case("wedge")
+        before = path.read_text(encoding="utf-8")
+        self.assertIn("overwrite the model", self.run_program("cut", "wedge.toml", "-o", "./wedge.toml", status=2).stderr)
+        self.assertEqual(path.read_text(encoding="utf-8"), before)
+
+    def test_quiet_prints_nothing(self):
+        self.copy_case("wedge")
+        done = self.run_program("support", "wedge.toml", "--quiet")
+        self.assertEqual((done.stdout, done.stderr), ("", ""))
+
+    def test_an_error_leaves_no_result(self):
+        self.copy_case("free_fall")
+        self.run_program("run", "free_fall.toml", "--set", "monitor.1.point=[5, 5, 5]", status=2)
+        self.assertEqual(self.files(), ["free_fall.toml"])
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
+    def test_on_a_full_stdout_have_status_3(self):
+        self.copy_case("wedge")
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = subprocess.run([BINARY, "cut", "wedge.toml", "--json"], cwd=self.folder, stdout=full,
+                                  stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("standard output: No space left on device", done.stderr)
+
+
+class Examples(ProgramTest):
+    def names(self):
+        return sorted(path.parent.name for path in CASES.glob("*/model.toml"))
+
+    def test_are_listed_with_what_they_show(self):
+        listed = self.json_of("examples")["examples"]
+        self.assertEqual([example["name"] for example in listed], self.names())
+        text = self.run_program("examples").stdout
+        for example in listed:
+            self.assertIn(example["summary"], text)
+
+    def test_are_written_as_they_are_and_right(self):
+        for name in self.names():
+            self.run_program("examples", name)
+            self.assertEqual((self.folder / f"{name}.toml").read_bytes(), (CASES / name / "model.toml").read_bytes())
+            self.run_program("check", f"{name}.toml")
+
+    def test_leave_a_file_of_that_name_alone(self):
+        self.write("cube.toml", "mine")
+        self.assertIn("is there already", self.run_program("examples", "cube", status=3).stderr)
+        self.assertEqual((self.folder / "cube.toml").read_text(encoding="utf-8"), "mine")
+
+
+class Info(ProgramTest):
+    def test_tells_what_made_the_file_and_what_it_holds(self):
+        self.copy_case("wedge")
+        self.run_program("support", "wedge.toml")
+        self.assertIn("blocks                 4", self.run_program("info", "wedge.vtkhdf").stdout)
+        document = self.json_of("info", "wedge.vtkhdf")
+        self.assertEqual(document["made_by"]["command"], "support")
+        self.assertEqual(document["totals"]["blocks"], 4)
+        self.assertTrue(document["block_theory"])
+        self.assertEqual(document["model"], (CASES / "wedge" / "model.toml").read_text(encoding="utf-8"))
+
+    def test_of_another_file_has_status_3(self):
+        self.write("text.vtkhdf", "no result")
+        self.run_program("info", "text.vtkhdf", status=3)
+        self.run_program("info", "missing.vtkhdf", status=3)
+
+
+if __name__ == "__main__":
+    unittest.main()

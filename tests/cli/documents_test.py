@@ -1,0 +1,145 @@
+"""The JSON documents: every key of the contract, and numbers that are known."""
+import json
+import random
+import re
+import unittest
+
+from program import CASES, ProgramTest
+
+CUT_TOTALS = {"blocks", "faces", "vertices", "edges", "volume", "solid_volume", "joint_area", "dangling_joint_area", "cells"}
+CUT_BLOCK = {"id", "volume", "centroid", "faces", "edges", "vertices", "convex", "shells", "genus", "finite", "material",
+             "dead_end_area"}
+KEYBLOCK = {"block", "batch", "volume", "weight", "mode", "planes", "direction", "sliding_force", "factor_of_safety",
+            "free_area", "support_force", "support_pressure", "support_direction", "bolts", "mobilisation"}
+RUN_TOTALS = {"blocks", "mathematical_covers", "physical_covers", "elements", "dof", "steps", "time"}
+
+
+class Cut(ProgramTest):
+    def test_has_every_key_of_the_contract(self):
+        self.copy_case("wedge")
+        document = self.json_of("cut", "wedge.toml", "--seed", "7")
+        self.assertEqual([document[key] for key in ("schema", "command", "title")],
+                         ["rockfold/1", "cut", "Wedge on two joints"])
+        self.assertEqual(document["seed"], 7)
+        self.assertLessEqual(CUT_TOTALS, set(document["totals"]))
+        self.assertIn("cut", document["seconds"])
+        self.assertEqual([block["id"] for block in document["blocks"]], [1, 2, 3, 4])
+        for block in document["blocks"]:
+            self.assertLessEqual(CUT_BLOCK, set(block))
+
+    def test_a_cube_of_a_thousand_blocks(self):
+        self.copy_case("cube")
+        document = self.json_of("cut", "cube.toml")
+        self.assertEqual(document["totals"]["blocks"], 1000)
+        self.assertAlmostEqual(document["totals"]["joint_area"], 2700, delta=1e-9)  # 27 planes of 100 m2
+        for block in document["blocks"]:
+            self.assertAlmostEqual(block["volume"], 1, delta=1e-12)
+            self.assertEqual([block[key] for key in ("faces", "edges", "vertices", "shells", "genus")], [6, 12, 8, 1, 0])
+            self.assertTrue(block["convex"] and block["finite"])
+
+    def test_needs_no_material(self):
+        self.write("bare.toml", '[[solid]]\nname = "rock"\nshape = "box"\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n')
+        self.assertIsNone(self.json_of("cut", "bare.toml")["blocks"][0]["material"])
+
+    def test_is_the_same_on_any_number_of_threads_and_for_any_order_of_joints(self):
+        text = (CASES / "slope" / "model.toml").read_text(encoding="utf-8")
+        head, *sets, tail = re.split(r"(?=\[\[joint_set\]\]|\[support\])", text)
+        generator = random.Random(2)
+        answers = set()
+        for threads in (1, 2, 4):
+            generator.shuffle(sets)
+            self.write("slope.toml", head + "".join(sets) + tail)
+            for command in ("cut", "support"):
+                document = self.json_of(command, "slope.toml", "--threads", threads)
+                del document["seconds"]
+                answers.add(json.dumps(document))
+        self.assertEqual(len(answers), 2)
+
+
+class Support(ProgramTest):
+    def test_of_the_wedge_has_its_closed_form(self):
+        self.copy_case("wedge")
+        document = self.json_of("support", "wedge.toml")
+        self.assertEqual(document["totals"]["batches"], [1])
+        key = document["keyblocks"][0]
+        self.assertLessEqual(KEYBLOCK, set(key))
+        self.assertEqual(key["mode"], "two_planes")
+        self.assertEqual(sorted(key["planes"]), ["east", "west"])
+        self.assertAlmostEqual(key["factor_of_safety"], 0.942809, delta=1e-6)
+        self.assertAlmostEqual(key["weight"], 2700 * 9.81 * key["volume"], delta=1e-6 * key["weight"])
+        self.assertEqual([block["class"] for block in document["blocks"]].count("key"), 1)
+
+    def test_of_a_falling_block_has_no_factor_of_safety(self):
+        self.copy_case("wedge")
+        roof = """
+[[solid]]
+name = "rock"
+shape = "box"
+min = [-9, -9, 0]
+max = [9, 9, 9]
+continues = ["xmin", "xmax", "ymin", "ymax", "zmax"]
+[[material]]
+name = "rock"
+density = 2700
+[[joint_material]]
+name = "clean"
+friction_angle = 20
+"""
+        for n, direction in enumerate((30, 150, 270)):
+            roof += f'[[joint]]\nname = "J{n}"\ndip = 60\ndip_direction = {direction}\npoint = [0, 0, 1]\n'
+        self.write("roof.toml", roof)
+        document = self.json_of("support", "roof.toml")
+        self.assertEqual([key["mode"] for key in document["keyblocks"]], ["lifting"])
+        self.assertIsNone(document["keyblocks"][0]["factor_of_safety"])
+
+
+class Run(ProgramTest):
+    def test_of_free_fall(self):
+        self.copy_case("free_fall")
+        document = self.json_of("run", "free_fall.toml")
+        self.assertLessEqual(RUN_TOTALS, set(document["totals"]))
+        self.assertEqual(document["totals"]["steps"], 20)
+        self.assertGreater(document["totals"]["elements"], 300)
+        self.assertEqual(document["totals"]["dof"], 3 * document["totals"]["physical_covers"])
+        monitor = document["monitors"][0]
+        for t, u, v in zip(monitor["time"], monitor["displacement"], monitor["velocity"]):
+            self.assertAlmostEqual(u[2], -5 * t * t, delta=1e-9 * 5)
+            self.assertAlmostEqual(v[2], -10 * t, delta=1e-9 * 10)
+        self.assertEqual(len(monitor["time"]), 21)
+        self.assertEqual(set(document["energy"]), {"kinetic", "strain", "potential", "contact", "dissipated"})
+        self.assertEqual(set(document["contacts"]), {"open", "stick", "slide", "max_penetration"})
+        self.assertLessEqual({"cut", "cover", "contact", "assemble", "solve", "output", "total"}, set(document["seconds"]))
+        self.assertEqual(set(document["iterations"]), {"pcg", "open_close"})
+        self.assertAlmostEqual(document["blocks"][0]["displacement"][2], -5, delta=1e-8)
+        states = self.json_of("info", "free_fall.vtkhdf")["states"]
+        self.assertEqual(states["step"], [0, 5, 10, 15, 20])
+
+    def test_of_a_column_under_its_own_weight(self):
+        self.copy_case("column")
+        document = self.json_of("run", "column.toml")
+        top, base = (monitor["displacement"][-1] for monitor in document["monitors"])
+        # rho g H² / 2E = 0.0098 m. Linear interpolation between nodes is exact at them in one dimension; the
+        # covers of the slender column are not aligned with its faces: 1 % for 20 cells of its height.
+        self.assertAlmostEqual(top[2], -0.0098, delta=1e-4)
+        self.assertAlmostEqual(document["reaction"][2], 2000 * 9.8 * 10, delta=1)
+
+    def test_warns_of_blocks_without_contact(self):
+        self.copy_case("cube")
+        model = """
+[cover]
+spacing = 5.0
+[analysis]
+type = "dynamic"
+time_step = 0.01
+steps = 2
+"""
+        with open(self.folder / "cube.toml", "a", encoding="utf-8") as file:
+            file.write(model)
+        done = self.run_program("run", "cube.toml", "--json", "--set", "joint_set.1.spacing=5",
+                                "--set", "joint_set.2.spacing=5", "--set", "joint_set.3.spacing=5")
+        self.assertIn("contact between blocks is not built yet", done.stderr)
+        self.assertEqual(len(json.loads(done.stdout)["warnings"]), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,45 @@
+"""What the end-to-end tests share: running the program in a folder of its own."""
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+BINARY = os.environ["ROCKFOLD_BINARY"]
+SOURCE = Path(os.environ["ROCKFOLD_SOURCE_DIR"])
+CASES = SOURCE / "tests" / "cases"
+
+
+class ProgramTest(unittest.TestCase):
+    """Each test runs in a new, empty folder."""
+
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp(prefix="rockfold-"))
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+
+    def run_program(self, *arguments, status=0, **settings):
+        """Runs it, expects an exit status, returns the completed process with text outputs."""
+        environment = dict(os.environ, OMP_PROC_BIND="false", **settings.pop("env", {}))
+        done = subprocess.run([BINARY, *map(str, arguments)], cwd=self.folder, env=environment, text=True,
+                              capture_output=True, timeout=280, check=False, **settings)
+        self.assertEqual(done.returncode, status, f"{arguments}\n{done.stdout}\n{done.stderr}")
+        return done
+
+    def json_of(self, *arguments, status=0):
+        """The one document that stands on stdout with --json."""
+        return json.loads(self.run_program(*arguments, "--json", status=status).stdout)
+
+    def copy_case(self, name):
+        """A copy of an example model."""
+        text = (CASES / name / "model.toml").read_text(encoding="utf-8")
+        return self.write(f"{name}.toml", text)
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def files(self):
+        return sorted(path.name for path in self.folder.iterdir())

@@ -1,0 +1,99 @@
+"""Interruptions, readers that go away, and progress on a terminal."""
+import os
+import pty
+import re
+import signal
+import subprocess
+import time
+import unittest
+
+from program import BINARY, ProgramTest
+
+
+class Signals(ProgramTest):
+    def interrupted(self, number, *arguments, after):
+        """Sends a signal once `after()` says so; returns the finished process."""
+        process = subprocess.Popen([BINARY, *arguments], cwd=self.folder, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        end = time.monotonic() + 60
+        while not after() and process.poll() is None and time.monotonic() < end:
+            time.sleep(0.02)
+        process.send_signal(number)
+        process.out, process.err = process.communicate(timeout=120)
+        return process
+
+    def test_during_a_run_keep_the_states_so_far(self):
+        self.copy_case("free_fall")
+        for number, status in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            partial = lambda: [name for name in self.files() if "partial" in name]
+            process = self.interrupted(number, "run", "free_fall.toml", "--set", "analysis.end_time=5e5", after=partial)
+            self.assertEqual(process.returncode, status, process.err)
+            self.assertGreaterEqual(len(self.json_of("info", "free_fall.vtkhdf")["states"]["step"]), 1)
+            self.assertFalse(partial())
+            (self.folder / "free_fall.vtkhdf").unlink()
+
+    def test_during_cutting_leave_nothing(self):
+        self.copy_case("cube")
+        began = time.monotonic()
+        process = self.interrupted(signal.SIGINT, "cut", "cube.toml", "--set", "joint_set.1.spacing=0.02",
+                                   "--set", "joint_set.2.spacing=0.02",
+                                   after=lambda: time.monotonic() > began + 0.5)
+        self.assertEqual(process.returncode, 130)
+        self.assertEqual(self.files(), ["cube.toml"])
+
+    def test_a_reader_that_goes_away_is_no_news(self):
+        self.copy_case("cube")
+        process = subprocess.Popen([BINARY, "cut", "cube.toml", "--json"], cwd=self.folder, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE)
+        process.stdout.close()
+        self.assertEqual(process.wait(timeout=60), 3)
+        self.assertEqual(process.stderr.read(), b"")
+        process.stderr.close()
+        self.assertIn("cube.vtkhdf", self.files())
+
+
+class Progress(ProgramTest):
+    def on_a_terminal(self, *arguments, **environment):
+        """What the program writes to a terminal as its stderr."""
+        controller, terminal = pty.openpty()
+        settings = {key: value for key, value in os.environ.items() if key not in ("NO_COLOR", "LC_CTYPE", "LANG")}
+        process = subprocess.Popen([BINARY, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=terminal,
+                                   env=dict(settings, TERM="xterm", **{"LC_ALL": "C.UTF-8", **environment}))
+        os.close(terminal)
+        text = b""
+        while True:
+            try:
+                chunk = os.read(controller, 4096)
+            except OSError:  # the terminal's last user is gone
+                break
+            if not chunk:
+                break
+            text += chunk
+        os.close(controller)
+        self.assertEqual(process.wait(timeout=60), 0)
+        return text.decode()
+
+    def fall(self, *options, **environment):
+        """A fall of 500 steps."""
+        self.copy_case("free_fall")
+        return self.on_a_terminal("run", "free_fall.toml", "--set", "analysis.time_step=0.002", *options, **environment)
+
+    def test_is_a_bar_that_ends_in_one_line_a_phase(self):
+        text = self.fall()
+        self.assertRegex(text, "\r[^\r]*━[^\r]* steps/s[^\r]* left")
+        self.assertRegex(text, r"500 steps +[\d.]+ s")
+
+    def test_needs_neither_colour_nor_unicode(self):
+        text = self.fall(NO_COLOR="1", LC_ALL="C")
+        self.assertIn("[#", text)
+        self.assertFalse(re.search("\033\\[\\d*m", text))
+        self.assertTrue(text.isascii())
+
+    def test_is_absent_when_quiet_and_elsewhere(self):
+        self.assertEqual(self.fall("--quiet"), "")
+        self.copy_case("wedge")
+        self.assertEqual(self.run_program("cut", "wedge.toml").stderr, "")
+
+
+if __name__ == "__main__":
+    unittest.main()

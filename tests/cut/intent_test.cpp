@@ -1,0 +1,200 @@
+// What the user meant: planes and points that coincide but for rounding or measuring noise (DESIGN.md, rules 1, 2, 5).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "src/base/vector.hpp"
+#include "tests/cut/complex_check.hpp"
+#include "tests/cut/sample_models.hpp"
+
+namespace rockfold::test {
+namespace {
+
+// L = √3 m: the tolerance is 1.7e-10 m.
+const Real size = std::sqrt(3.0);
+
+// x = y = z = 1/2 and a fourth plane that misses their point by `miss` times L. Each of the others misses the point of the
+// remaining three by √3 times that.
+Model four_planes(Real miss) {
+  Model model = box_model({0, 0, 0}, {1, 1, 1});
+  for (const Vec3& n : {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) add_joint(model, n, {0.5, 0.5, 0.5});
+  add_joint(model, Vec3{1, 1, 1}, {0.5, 0.5, 0.5 + miss * size * std::sqrt(3.0)});
+  return model;
+}
+
+Real smallest(const Blocks& blocks) {
+  return *std::min_element(blocks.arrays.volume.begin(), blocks.arrays.volume.end());
+}
+
+TEST(FourPlanesThatNearlyMeet, MeetWhereTheyMissByLess) {
+  for (const Real miss : {0.0, 1e-12, -1e-12, 1e-11, -1e-11, 0.55e-10, -0.55e-10}) {
+    const Blocks blocks = cut(four_planes(miss));
+    EXPECT_EQ(blocks.arrays.block_count(), 14) << miss;
+    EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{82, 132, 78})) << miss;
+    EXPECT_GT(smallest(blocks), 0.02) << miss;  // 1/48 and no sliver
+    EXPECT_NEAR(sum(blocks.arrays.volume), 1, 2e-10);
+    EXPECT_EQ(blocks.cutting.totals.intent.vertices_identified > 0, miss != 0) << miss;
+    EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true, .area_tolerance = 1e-9}), std::vector<std::string>{});
+  }
+}
+
+TEST(FourPlanesThatNearlyMeet, AreDistinctWhereTheyMissByMore) {
+  for (const Real miss : {1.1e-10, -1.1e-10, 1e-9, -1e-9, 1e-8, 1e-7}) {
+    const Blocks blocks = cut(four_planes(miss));
+    EXPECT_EQ(blocks.arrays.block_count(), 15) << miss;
+    EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{124, 186, 92})) << miss;
+    // The sliver tetrahedron's edges along the axes are 3·miss·L… of x + y + z = 3/2 + √3·L·miss.
+    const Real edge = std::abs(miss) * size * std::sqrt(3.0);
+    EXPECT_NEAR(smallest(blocks) / (edge * edge * edge / 6), 1, 4 * 1.2e-16 / edge) << miss;
+    EXPECT_EQ(blocks.cutting.totals.intent.vertices_identified, 0);
+    EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true}), std::vector<std::string>{});
+  }
+}
+
+// Within a factor 100 of the tolerance on either side: reported with the names of the planes.
+TEST(FourPlanesThatNearlyMeet, AreReportedWhereTheDecisionIsNear) {
+  for (const Real miss : {1e-11, 0.9e-10, 1e-9, 0.9e-8}) {
+    const IntentReport intent = cut(four_planes(miss)).cutting.totals.intent;
+    EXPECT_GT(intent.near_decisions, 0) << miss;
+    ASSERT_FALSE(intent.near_planes.empty()) << miss;
+    EXPECT_TRUE(std::is_sorted(intent.near_planes.begin(), intent.near_planes.end()));
+    for (const std::string& name : intent.near_planes) EXPECT_TRUE(name[0] == 'F' && name.size() == 2) << name;
+  }
+  for (const Real miss : {0.0, 5e-13, 1.1e-8, 1e-6}) {
+    const IntentReport intent = cut(four_planes(miss)).cutting.totals.intent;
+    EXPECT_EQ(intent.near_decisions, 0) << miss;
+    EXPECT_TRUE(intent.near_planes.empty()) << miss;
+  }
+}
+
+TEST(TwoPlanesNearlyTheSame, AreOneWithinTheTolerance) {
+  Model model = box_model({0, 0, 0}, {1, 1, 1});
+  add_joint(model, Vec3{1, 0, 0}, {0.5, 0, 0});
+  add_joint(model, Vec3{1, 0.5e-10, 0}, {0.5 + 0.5e-10, 0, 0});
+  const Blocks blocks = cut(model);
+  EXPECT_EQ(blocks.arrays.block_count(), 2);
+  EXPECT_EQ(blocks.cutting.totals.intent.planes_identified, 1);
+}
+
+TEST(TwoPlanesNearlyTheSame, AreTwoBeyondIt) {
+  for (const Real distance : {2e-10, 1e-9, 1e-8}) {
+    Model model = box_model({0, 0, 0}, {1, 1, 1});
+    add_joint(model, Vec3{1, 0, 0}, {0.5, 0, 0});
+    add_joint(model, Vec3{1, 0, 0}, {0.5 + distance, 0, 0});
+    const Blocks blocks = cut(model);
+    EXPECT_EQ(blocks.arrays.block_count(), 3) << distance;
+    EXPECT_NEAR(smallest(blocks) / distance, 1, 1.2e-16 / distance) << distance;
+    EXPECT_EQ(blocks.cutting.totals.intent.planes_identified, 0);
+    EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true}), std::vector<std::string>{});
+  }
+}
+
+// A shallow dihedral: the line where the two planes meet is where the numbers say, however flat the wedges are.
+TEST(TwoPlanesNearlyTheSame, MakeWedgesOfAnyAngle) {
+  for (const Real slope : {3e-10, 3e-9, 1e-6, 1e-3, 2e-3}) {
+    Model model = box_model({0, 0, 0}, {1, 1, 1});
+    add_joint(model, Vec3{0, 0, 1}, {0.5, 0, 0.5});
+    add_joint(model, Vec3{-slope, 0, 1}, {0.5, 0, 0.5});
+    const Blocks blocks = cut(model);
+    EXPECT_EQ(blocks.arrays.block_count(), 4) << slope;
+    EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{32, 48, 24})) << slope;
+    EXPECT_NEAR(smallest(blocks) / (slope / 8), 1, 1e-9) << slope;
+    EXPECT_NEAR(sum(blocks.arrays.volume), 1, 1e-12);
+    EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true}), std::vector<std::string>{});
+  }
+}
+
+// Joints "through" the box' corners and edges, with coordinates off by 1e-11 of the size.
+TEST(JointsThroughCorners, MayBeOffByNoise) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<Real> noise(-1e-11, 1e-11);
+  const auto off = [&](Vec3 x) {
+    for (Real& c : x) c += 10 * noise(random);
+    return x;
+  };
+  for (int i = 0; i < 20; ++i) {
+    Model model = box_model({0, 0, 0}, {10, 10, 10});
+    add_joint(model, Vec3{1, 1, 1}, off({10, 0, 0}));   // cuts off the corner tetrahedron 10³/6
+    add_joint(model, Vec3{1, -1, 0}, off({5, 5, 5}));   // through two edges
+    add_joint(model, Vec3{1, 1, 1}, off({0, 0, 0}));    // touches a corner
+    add_joint(model, Vec3{0, 1, 1}, off({5, 10, 10}));  // touches an edge
+    const Blocks blocks = cut(model);
+    EXPECT_EQ(blocks.arrays.block_count(), 4);
+    EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{2 * 4 + 2 * 6, 2 * 6 + 2 * 10, 2 * 4 + 2 * 6}));
+    EXPECT_NEAR(smallest(blocks), 1000.0 / 12, 1e-6);
+    EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true, .area_tolerance = 1e-9}), std::vector<std::string>{});
+  }
+}
+
+struct Rotation {
+  Vec3 x, y, z;
+  Vec3 operator()(const Vec3& p) const { return p[0] * x + p[1] * y + p[2] * z; }
+};
+Rotation random_rotation(std::mt19937& random) {
+  std::normal_distribution<Real> gauss;
+  const Vec3 z = normalized({gauss(random), gauss(random), gauss(random)});
+  const Vec3 x = normalized(cross({gauss(random), gauss(random), gauss(random)}, z));
+  return {x, cross(z, x), z};
+}
+DipOrientation dip_of(Vec3 n) {
+  if (n[2] < 0) n = -n;
+  Real dip_direction = std::atan2(n[0], n[1]) * 180 / 3.141592653589793;
+  if (dip_direction < 0) dip_direction += 360;
+  return {std::atan2(std::hypot(n[0], n[1]), n[2]) * 180 / 3.141592653589793, dip_direction};
+}
+
+// A cube and its joints turned by any rotation, all of them given by rounded dips and dip directions: the outermost planes
+// of the sets are the cube's faces, and eight bricks meet in each inner corner.
+TEST(RotatedGrid, IsAThousandUnitCubes) {
+  std::mt19937 random(11);
+  for (int i = 0; i < 6; ++i) {
+    const Rotation turn = random_rotation(random);
+    const Vec3 corner = i % 2 ? Vec3{1e4, -2e4, 500} : Vec3{};
+    Model model;
+    Solid solid = convex_solid("rock", {});
+    HalfspacesShape shape;
+    for (const Vec3& axis : {turn.x, turn.y, turn.z}) {
+      const DipOrientation orientation = dip_of(axis);
+      const bool up = axis[2] >= 0;
+      shape.planes.push_back({{orientation, corner}, up});
+      shape.planes.push_back({{orientation, corner + turn({10, 10, 10})}, !up});
+      add_set(model, orientation, 1, corner);
+    }
+    solid.shape = shape;
+    solid.continues.assign(6, false);
+    model.solids.push_back(solid);
+    const Blocks blocks = cut(model);
+    ASSERT_EQ(blocks.arrays.block_count(), 1000);
+    EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{8000, 12000, 6000}));
+    for (const Real v : blocks.arrays.volume) EXPECT_NEAR(v, 1, 1e-9);
+    EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true, .area_tolerance = 1e-9}), std::vector<std::string>{});
+  }
+}
+
+// The mirror planes of a turned cube: six planes through one point, none of them exactly.
+TEST(RotatedMirrorPlanes, AreTwentyFourTetrahedraOrFortyEight) {
+  std::mt19937 random(12);
+  for (int i = 0; i < 40; ++i) {
+    const Rotation turn = random_rotation(random);
+    const Vec3 centre = i % 2 ? Vec3{1000.1, -2000.2, 300.3} : Vec3{};
+    Model model;
+    std::vector<std::pair<Vec3, Vec3>> faces;
+    for (const Real s : {-1.0, 1.0})
+      for (const Vec3& axis : {turn.x, turn.y, turn.z}) faces.push_back({s * axis, centre + s * axis});
+    model.solids.push_back(convex_solid("rock", faces));
+    for (const Vec3& n : {Vec3{1, 1, 0}, {1, -1, 0}, {0, 1, 1}, {0, 1, -1}, {1, 0, 1}, {1, 0, -1}}) add_joint(model, turn(n), centre);
+    const Blocks six = cut(model);
+    EXPECT_EQ(six.arrays.block_count(), 24);
+    EXPECT_EQ(sum_of_counts(six.arrays), (Counts{96, 144, 96}));
+    for (const Vec3& n : {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) add_joint(model, turn(n), centre);
+    const Blocks nine = cut(model);
+    EXPECT_EQ(nine.arrays.block_count(), 48);
+    EXPECT_EQ(sum_of_counts(nine.arrays), (Counts{192, 288, 192}));
+    EXPECT_EQ(faults_of(nine.complex(), {.whole_faces = true, .area_tolerance = 1e-9}), std::vector<std::string>{});
+  }
+}
+
+}  // namespace
+}  // namespace rockfold::test

@@ -1,0 +1,214 @@
+// A right model: every key reaches the field that it means, and what is left out has its default.
+#include "src/model/read_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/model/model_errors.hpp"
+
+namespace rockfold {
+namespace {
+
+class CompleteModel : public testing::Test {
+ protected:
+  Model model = parse_model(complete_model, "m.toml", {}, Purpose::check);
+};
+
+TEST_F(CompleteModel, HasItsTitleTextAndPath) {
+  EXPECT_EQ(model.title, "Everything");
+  EXPECT_EQ(model.gravity, (Vec3{0.5, 0, -10}));
+  EXPECT_EQ(model.text, complete_model);
+  EXPECT_EQ(model.path, "m.toml");
+}
+
+TEST_F(CompleteModel, HasItsMaterials) {
+  ASSERT_EQ(model.materials.size(), 2u);
+  EXPECT_EQ(model.materials[1].name, "concrete");
+  EXPECT_EQ(model.materials[1].density, 2400);
+  EXPECT_EQ(model.materials[1].young_modulus, 25e9);
+  EXPECT_EQ(model.materials[1].poisson_ratio, -0.1);
+  ASSERT_EQ(model.joint_materials.size(), 2u);
+  EXPECT_EQ(model.joint_materials[0].cohesion, 0);
+  EXPECT_FALSE(model.joint_materials[0].normal_stiffness);
+  EXPECT_EQ(model.joint_materials[1].friction_angle, 20.5);
+  EXPECT_EQ(model.joint_materials[1].cohesion, 1e4);
+  EXPECT_EQ(model.joint_materials[1].tensile_strength, 2e3);
+  EXPECT_EQ(model.joint_materials[1].normal_stiffness, 10e9);
+  EXPECT_EQ(model.joint_materials[1].shear_stiffness, 5e9);
+}
+
+TEST_F(CompleteModel, HasItsBox) {
+  ASSERT_EQ(model.solids.size(), 3u);
+  const auto& rock = model.solids[0];
+  EXPECT_TRUE(rock.add);
+  EXPECT_EQ(rock.material, 0);
+  EXPECT_EQ(std::get<BoxShape>(rock.shape).max, (Vec3{10, 20, 30.5}));
+  EXPECT_EQ(rock.continues, (std::vector<bool>{true, false, false, false, true, false}));
+  EXPECT_EQ(rock.place.line, 28);
+}
+
+TEST_F(CompleteModel, HasItsHalfspaces) {
+  const auto& cut = model.solids[1];
+  EXPECT_FALSE(cut.add);
+  const auto& planes = std::get<HalfspacesShape>(cut.shape).planes;
+  ASSERT_EQ(planes.size(), 2u);
+  EXPECT_TRUE(planes[0].keep_above);
+  EXPECT_EQ(std::get<DipOrientation>(planes[0].plane.orientation).dip, 45);
+  EXPECT_EQ(std::get<DipOrientation>(planes[0].plane.orientation).dip_direction, 90);
+  EXPECT_FALSE(planes[1].keep_above);
+  EXPECT_EQ(std::get<Vec3>(planes[1].plane.orientation), (Vec3{0, 0, 2}));
+  EXPECT_EQ(planes[1].plane.point, (Vec3{0, 0, 25}));
+  EXPECT_EQ(cut.continues, (std::vector<bool>{false, true}));
+}
+
+TEST_F(CompleteModel, HasItsPrism) {
+  const auto& beam = model.solids[2];
+  EXPECT_TRUE(beam.add);
+  EXPECT_EQ(beam.material, 1);
+  EXPECT_EQ(std::get<PrismShape>(beam.shape).base[1], (Vec3{4, 0, 31}));
+  EXPECT_EQ(std::get<PrismShape>(beam.shape).extrude, (Vec3{1, 0, 5}));
+  EXPECT_EQ(beam.continues, (std::vector<bool>{true, true, true, false, true}));
+}
+
+TEST_F(CompleteModel, HasItsJoints) {
+  ASSERT_EQ(model.joint_sets.size(), 1u);
+  const auto& set = model.joint_sets[0];
+  EXPECT_EQ(set.name, "J1");
+  EXPECT_EQ(std::get<DipOrientation>(set.orientation).dip, 60);
+  EXPECT_EQ(std::get<DipOrientation>(set.orientation).dip_direction, 360);
+  EXPECT_EQ(set.spacing, 2.5);
+  EXPECT_EQ(set.origin, (Vec3{1, 2, 3}));
+  EXPECT_EQ(set.count, 5);
+  EXPECT_EQ(set.material, 1);
+  ASSERT_EQ(model.joints.size(), 2u);
+  EXPECT_EQ(model.joints[0].material, 1);
+  EXPECT_EQ(std::get<DipOrientation>(model.joints[0].plane.orientation).dip_direction, 120);
+  EXPECT_EQ(model.joints[1].name, "joint2");
+  EXPECT_EQ(model.joints[1].material, 0);
+  EXPECT_EQ(std::get<Vec3>(model.joints[1].plane.orientation), (Vec3{1, -2, 0.5}));
+  EXPECT_EQ(model.joints[1].plane.point, (Vec3{6, 5, 5}));
+}
+
+TEST_F(CompleteModel, HasItsCover) {
+  ASSERT_TRUE(model.cover);
+  EXPECT_EQ(model.cover->spacing, 1.5);
+  EXPECT_EQ(model.cover->directions[1].dip_direction, 45);
+  EXPECT_EQ(model.cover->origin, (Vec3{0.5, 0.5, 0.5}));
+  EXPECT_EQ(model.cover->joints, JointTreatment::welded);
+}
+
+TEST_F(CompleteModel, HasItsConditions) {
+  ASSERT_EQ(model.fixed.size(), 6u);
+  const auto& first = model.fixed[0];
+  EXPECT_EQ(std::get<FaceRegion>(first.where).solid, 0);
+  EXPECT_EQ(std::get<FaceRegion>(first.where).faces, std::vector<Index>{4});
+  EXPECT_EQ(first.components, (std::array<bool, 3>{true, false, true}));
+  EXPECT_EQ(first.value, (Vec3{0.1, 0, -0.2}));
+  EXPECT_EQ(first.method, FixMethod::penalty);
+  EXPECT_EQ(std::get<FaceRegion>(model.fixed[1].where).faces, (std::vector<Index>{0, 1, 2}));
+  EXPECT_EQ(model.fixed[1].components, (std::array<bool, 3>{true, true, true}));
+  EXPECT_EQ(model.fixed[1].method, FixMethod::augmented_lagrangian);
+  EXPECT_EQ(std::get<BoxRegion>(model.fixed[2].where).max, (Vec3{1, 1, 0}));
+  EXPECT_EQ(std::get<PointRegion>(model.fixed[3].where).point, (Vec3{1, 1, 1}));
+  EXPECT_DOUBLE_EQ(std::get<PlaneRegion>(model.fixed[4].where).normal[1], 0.6);
+  EXPECT_EQ(std::get<PlaneRegion>(model.fixed[4].where).tolerance, 0.01);
+  EXPECT_EQ(std::get<BlockRegion>(model.fixed[5].where).point, (Vec3{9, 9, 9}));
+  ASSERT_EQ(model.point_loads.size(), 1u);
+  EXPECT_EQ(model.point_loads[0].force, (Vec3{0, 0, -5e3}));
+  ASSERT_EQ(model.monitors.size(), 1u);
+  EXPECT_EQ(model.monitors[0].name, "crest");
+}
+
+TEST_F(CompleteModel, HasItsAnalysis) {
+  ASSERT_TRUE(model.analysis);
+  EXPECT_EQ(model.analysis->type, AnalysisType::dynamic);
+  EXPECT_EQ(model.analysis->time_step, 0.02);
+  EXPECT_EQ(model.analysis->steps, 25);
+  EXPECT_EQ(model.analysis->dynamic_ratio, 0.9);
+  EXPECT_EQ(model.analysis->max_displacement_ratio, 0.01);
+  EXPECT_EQ(model.solver.tolerance, 1e-9);
+  EXPECT_EQ(model.solver.max_iterations, 100);
+  EXPECT_EQ(model.output.every, 0);
+}
+
+TEST_F(CompleteModel, HasItsSupport) {
+  ASSERT_TRUE(model.support);
+  EXPECT_FALSE(model.support->joint_faces_only);
+  EXPECT_EQ(model.support->water_pressure, 1e4);
+  EXPECT_EQ(model.support->seismic_coefficient, (Vec3{0.1, 0, 0}));
+  EXPECT_EQ(model.support->target_factor_of_safety, 1.3);
+}
+
+TEST(SmallModel, HasDefaults) {
+  const auto model = parse_model(
+      "[[solid]]\nshape = 'box'\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n"
+      "[[joint_set]]\ndip = 0\ndip_direction = 0\nspacing = 1\n",
+      "m.toml");
+  EXPECT_EQ(model.gravity, (Vec3{0, 0, -9.81}));
+  EXPECT_EQ(model.solids[0].name, "solid1");
+  EXPECT_EQ(model.solids[0].material, none);
+  EXPECT_EQ(model.joint_sets[0].name, "set1");
+  EXPECT_EQ(model.joint_sets[0].material, none);
+  EXPECT_FALSE(model.joint_sets[0].count);
+  EXPECT_FALSE(model.cover || model.analysis || model.support);
+  EXPECT_EQ(model.output.every, 10);
+}
+
+struct Duration {
+  const char* analysis;
+  Index steps;
+  Real dynamic_ratio;
+};
+
+TEST(Analysis, CountsItsSteps) {
+  const Duration cases[] = {
+      {"", 100, 1},                                // 1 s in steps of 0.01 s
+      {"time_step = 0.1\nend_time = 0.3", 3, 1},   // 0.3 / 0.1 is 2.9999999999999996
+      {"time_step = 0.1\nend_time = 0.7", 7, 1},   // 6.999999999999999
+      {"time_step = 0.1\nend_time = 0.25", 3, 1},  // the end is reached
+      {"time_step = 0.5\nend_time = 0.5", 1, 1},
+      {"steps = 7", 7, 1},
+      {"time_step = 2.0\nsteps = 3", 3, 1},
+      {"type = 'static'", 1, 1},
+      {"type = 'static'\ntime_step = 5\nend_time = 1", 1, 1},  // a static analysis has no time
+      {"type = 'quasi_static'\nsteps = 4", 4, 0},
+      {"type = 'quasi_static'\ndynamic_ratio = 0", 100, 0},
+  };
+  for (const auto& [analysis, steps, ratio] : cases) {
+    const auto model = parse_model(std::string(ROCK "[analysis]\n") + analysis, "m.toml");
+    EXPECT_EQ(model.analysis->steps, steps) << analysis;
+    EXPECT_EQ(model.analysis->dynamic_ratio, ratio) << analysis;
+  }
+}
+
+TEST(FaceNames, FollowTheShapes) {
+  EXPECT_EQ(face_names(BoxShape{}),
+            (std::vector<std::string>{"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"}));
+  EXPECT_EQ(face_names(HalfspacesShape{{{}, {}}}), (std::vector<std::string>{"0", "1"}));
+  const Shape prism = PrismShape{{{}, {}, {}, {}}, {}};
+  EXPECT_EQ(face_names(prism), (std::vector<std::string>{"0", "1", "2", "3", "4", "5"}));
+  EXPECT_EQ(faces_named(prism, "side"), (std::vector<Index>{0, 1, 2, 3}));
+  EXPECT_EQ(faces_named(prism, "cap0"), std::vector<Index>{4});
+  EXPECT_EQ(faces_named(prism, "cap1"), std::vector<Index>{5});
+  EXPECT_EQ(faces_named(prism, "2"), std::vector<Index>{2});
+  EXPECT_TRUE(faces_named(prism, "6").empty());
+  EXPECT_TRUE(faces_named(BoxShape{}, "side").empty());
+}
+
+TEST(ModelText, MayHaveAMarkAndAnyLineEnds) {
+  std::string text = complete_model;
+  for (std::size_t i = 0; (i = text.find('\n', i)) != std::string::npos; i += 2)
+    text.insert(i, "\r");
+  const auto model = parse_model("\xEF\xBB\xBF" + text, "m.toml");
+  EXPECT_EQ(model.solids[0].place.line, 28);
+  EXPECT_EQ(model.materials.size(), 2u);
+}
+
+TEST(ModelText, MayBeInlineTables) {
+  const auto model = parse_model(
+      "solid = [{shape = 'box', min = [0, 0, 0], max = [1, 1, 1]}]\ncover = {spacing = 1}", "");
+  EXPECT_EQ(model.solids.size(), 1u);
+  EXPECT_EQ(model.cover->spacing, 1);
+}
+
+}  // namespace
+}  // namespace rockfold

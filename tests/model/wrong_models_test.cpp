@@ -1,0 +1,297 @@
+// Wrong models: where the error is found, what it is called and what it says.
+#include <gtest/gtest.h>
+
+#include "tests/model/model_errors.hpp"
+
+// One case a line.
+// clang-format off
+
+namespace rockfold {
+namespace {
+
+struct Wrong {
+  const char* text;
+  int line, column;  ///< column 0: not compared
+  const char* key;
+  const char* part;  ///< of the message
+};
+
+/// Exactly one error, so that none has a follow-up.
+void expect_error(const Wrong& wrong, Purpose purpose = Purpose::cut) {
+  const auto errors = errors_of(wrong.text, {}, purpose);
+  SCOPED_TRACE(std::string(wrong.text) + "\nsays:\n" + listed(errors) + "should say: " + wrong.part);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_EQ(errors[0].place.file, "m.toml");
+  EXPECT_EQ(errors[0].place.line, wrong.line);
+  if (wrong.column > 0) {
+    EXPECT_EQ(errors[0].place.column, wrong.column);
+  }
+  EXPECT_EQ(errors[0].place.key, wrong.key);
+  EXPECT_NE(errors[0].message.find(wrong.part), std::string::npos);
+}
+
+// ROCK is 5 lines: what is added starts in line 6.
+#define SET ROCK "[[joint_set]]\ndip = 0\ndip_direction = 0\nspacing = 1\n"
+#define JOINT ROCK "[[joint]]\npoint = [1, 1, 1]\n"
+#define SOLID "[[solid]]\n"
+#define PRISM SOLID "shape = 'prism'\nextrude = [0, 0, 1]\n"
+#define PLANES "[[solid]]\nshape = 'halfspaces'\n"
+#define MATERIAL ROCK "[[material]]\nname = 'a'\n"
+#define RUN ROCK "[analysis]\n"
+#define FIXED ROCK "[[fixed]]\n"
+
+// The columns of syntax errors are the TOML library's own: they differ by one or so between its versions.
+TEST(WrongModel, IsNoToml) {
+  const Wrong cases[] = {
+      {"title = [1,", 1, 0, "", "TOML syntax"},
+      {"title = 'a'\ntitle = 'b'", 2, 0, "", "cannot redefine existing"},
+      {"title = 'a\n'", 1, 0, "", "TOML syntax"},
+      {"title = '\xFF'", 1, 0, "", "utf-8"},
+      {"gravity = [0, 0, -.5]", 1, 0, "", "expected decimal digit"},
+      {"[[solid]\n", 1, 0, "", "TOML syntax"},
+      {"[=]\n", 1, 0, "", "TOML syntax"},
+      {"a = 1e999", 1, 0, "", "TOML syntax"},
+      {"a = 99999999999999999999", 1, 0, "", "not representable"},
+      {"title = \"\"\n\na.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a = 1", 3, 40, "", "more than 20 parts"},
+  };
+  for (const auto& wrong : cases) expect_error(wrong);
+}
+
+TEST(WrongModel, AsAWhole) {
+  const Wrong cases[] = {
+      {"", 1, 1, "solid", "no [[solid]]"},
+      {"solid = []", 1, 1, "solid", "no [[solid]]"},
+      {"solid = 3", 1, 9, "solid", "found 3, must be a table [[solid]]"},
+      {"[solid]\nshape = 'box'", 1, 1, "solid", "write [[solid]], not [solid]"},
+      {"solid = [3]", 1, 10, "solid[1]", "found 3, must be a table of keys"},
+      {ROCK "[[cover]]\nspacing = 1", 6, 1, "cover", "write [cover], not [[cover]]"},
+      {ROCK "[matrial]\n", 6, 2, "matrial", "unknown key \"matrial\", did you mean \"material\"?"},
+      {ROCK "[quantum]\n", 6, 2, "quantum", "the keys here are: title, gravity, material,"},
+      {"titel = 'a'\n" ROCK, 1, 1, "titel", "did you mean \"title\"?"},
+      {"title = 3\n" ROCK, 1, 9, "title", "found 3, must be a text in quotes"},
+      {"gravity = -9.81\n" ROCK, 1, 11, "gravity", "found -9.81, must be 3 numbers [x, y, z] (m/s2)"},
+      {"gravity = [0, -9.81]\n" ROCK, 1, 11, "gravity", "found an array of 2 values, must be 3 numbers"},
+      {"gravity = [0, 0, nan]\n" ROCK, 1, 18, "gravity[3]", "found nan, must be a finite number (m/s2)"},
+      {"gravity = [0, 0, '-9.81']\n" ROCK, 1, 18, "gravity[3]", "found \"-9.81\", must be a number (m/s2)"},
+      {"gravity = [0, -1e31, 0]\n" ROCK, 1, 15, "gravity[2]", "found -1e31, must be at most 1e30 in size"},
+  };
+  for (const auto& wrong : cases) expect_error(wrong);
+}
+
+TEST(WrongModel, OfMaterials) {
+  const Wrong cases[] = {
+      {MATERIAL "density = 0", 8, 11, "material[1].density", "found 0, must be > 0 (kg/m3) (in \"a\")"},
+      {MATERIAL "density = true", 8, 11, "material[1].density", "found true, must be a number (kg/m3)"},
+      {MATERIAL "density = 1979-05-27", 8, 11, "material[1].density", "found a date or time, must be a number"},
+      {MATERIAL "young_modulus = 1e9\npoisson_ratio = 0.5", 9, 17, "material[1].poisson_ratio", "found 0.5, must be > -1 and < 0.5 ("},
+      {MATERIAL "young_modulus = 1e9\npoisson_ratio = -1", 9, 17, "material[1].poisson_ratio", "found -1, must be > -1 and < 0.5"},
+      {MATERIAL "young_modulus = 1e9", 6, 1, "material[1].poisson_ratio", "is missing, must be > -1 and < 0.5"},
+      {MATERIAL "young_modulus = inf\npoisson_ratio = 0.2", 8, 17, "material[1].young_modulus", "found inf, must be a finite number, > 0 (Pa)"},
+      {MATERIAL "[[material]]\nname = 'a'", 9, 8, "material[2].name", "\"a\" is already the name of material[1] (line 6)"},
+      {MATERIAL "desity = 1", 8, 1, "material[1].desity", "did you mean \"density\"?"},
+      {ROCK "[[material]]\nname = ''", 7, 8, "material[1].name", "must be one line of text, not empty"},
+      {ROCK "[[material]]\nname = \"a\\nb\"", 7, 8, "material[1].name", "must be one line of text"},
+      {ROCK "[[material]]\nname = 7", 7, 8, "material[1].name", "found 7, must be a text in quotes"},
+      {ROCK "[[joint_material]]\nfriction_angle = 90", 7, 18, "joint_material[1].friction_angle", "found 90, must be >= 0 and < 90 (deg)"},
+      {ROCK "[[joint_material]]\ncohesion = 1", 6, 1, "joint_material[1].friction_angle", "is missing, must be >= 0 and < 90"},
+      {ROCK "[[joint_material]]\nfriction = 3", 7, 1, "joint_material[1].friction", "did you mean \"friction_angle\"?"},
+      {ROCK "[[joint_material]]\nfriction_angle = 3\ncohesion = -1", 8, 12, "joint_material[1].cohesion", "found -1, must be >= 0 (Pa)"},
+      {ROCK "[[joint_material]]\nfriction_angle = 3\nnormal_stiffness = 0", 8, 20, "joint_material[1].normal_stiffness", "must be > 0 (Pa/m)"},
+  };
+  for (const auto& wrong : cases) expect_error(wrong);
+}
+
+TEST(WrongModel, OfSolids) {
+  const Wrong cases[] = {
+      {SOLID "shape = 'bax'", 2, 9, "solid[1].shape", "must be \"box\", \"halfspaces\" or \"prism\"; did you mean \"box\"?"},
+      {SOLID "min = [0, 0, 0]", 1, 1, "solid[1].shape", "is missing, must be \"box\""},
+      {SOLID "shpae = 'box'\nmin = [0, 0, 0]", 2, 1, "solid[1].shpae", "did you mean \"shape\"?"},
+      {SOLID "shape = 'box'\nmin = [0, 0, 0]", 1, 1, "solid[1].max", "is missing"},
+      {SOLID "shape = 'box'\nmin = [0, 0, 0]\nmax = [1, 0, 1]", 4, 7, "solid[1].max", "found y = 0.0, must be > min's 0.0 (m)"},
+      {SOLID "shape = 'box'\nmin = [0, 0, 0]\nmax = [1, 2e9, 1]", 4, 11, "solid[1].max[2]", "found 2e9, must be at most 1e9 in size (m)"},
+      {SOLID "shape = 'box'\nmin = [0, 0, 0]\nmax = [1e9, 1, 0.1]", 1, 1, "solid[1]", "is 0.1 m thick"},
+      {SOLID "name = 's'\noperation = 'subtract'\nshape = 'box'\nmin = [0, 0, 0]\nmax = [1, 1, 1]", 3, 13, "solid[1].operation", "must be \"add\""},
+      {SOLID "operation = 'union'\nshape = 'box'\nmin = [0, 0, 0]\nmax = [1, 1, 1]", 2, 13, "solid[1].operation", "must be \"add\", \"subtract\""},
+      {ROCK "material = 'granite'", 6, 12, "solid[1].material", "unknown material \"granite\"; the model has no [[material]]"},
+      {ROCK "material = 'b'\n[[material]]\nname = 'a'", 6, 12, "solid[1].material", "unknown material \"b\"; the model has: a"},
+      {ROCK "material = 'granit'\n[[material]]\nname = 'granite'", 6, 12, "solid[1].material", "did you mean \"granite\"?"},
+      {ROCK "material = 'granite'\n[[matrial]]\nname = 'granite'", 7, 3, "matrial", "did you mean \"material\"?"},
+      {ROCK "continues = ['xmin', 'zmni']", 6, 22, "solid[1].continues[2]", "unknown face \"zmni\", did you mean \"zmin\"?"},
+      {ROCK "continues = ['side']", 6, 14, "solid[1].continues[1]", "its faces are: xmin, xmax"},
+      {ROCK "continues = 'xmin'", 6, 13, "solid[1].continues", "must be an array of face names in quotes"},
+      {ROCK "continues = [0]", 6, 14, "solid[1].continues[1]", "found 0, must be a text in quotes"},
+      {ROCK ROCK, 7, 8, "solid[2].name", "\"rock\" is already the name of solid[1] (line 1)"},
+      {ROCK "extrude = [0, 0, 1]", 6, 1, "solid[1].extrude", "unknown key \"extrude\"; the keys here are: name, operation, shape, min, max, continues, material"},
+  };
+  for (const auto& wrong : cases) expect_error(wrong);
+}
+
+TEST(WrongModel, OfHalfspaces) {
+  const Wrong cases[] = {
+      {PLANES, 1, 1, "solid[1].planes", "is missing, must be 4 or more planes"},
+      {PLANES "planes = [{dip = 0, dip_direction = 0, point = [0, 0, 0], keep = 'above'}]", 3, 10, "solid[1].planes", "must be 4 or more planes"},
+      {PLANES "planes = 4", 3, 10, "solid[1].planes", "found 4, must be 4 or more planes"},
+      {ROCK PLANES "operation = '-'\nplanes = [{dip = 0, point = [0, 0, 0], keep = 'above'}]", 9, 11, "solid[2].planes[1].dip_direction", "is missing, must be 0 to 360"},
+      {ROCK PLANES "operation = '-'\nplanes = [{dip_direction = 0, point = [0, 0, 0], keep = 'above'}]", 9, 11, "solid[2].planes[1].dip", "is missing, must be 0 to 90 (deg)"},
+      {ROCK PLANES "operation = '-'\nplanes = [{point = [0, 0, 0], keep = 'above'}]", 9, 11, "solid[2].planes[1].dip", "needs dip and dip_direction (deg), or normal"},
+      {ROCK PLANES "operation = '-'\nplanes = [{normal = [0, 0, 1], point = [0, 0, 0]}]", 9, 11, "solid[2].planes[1].keep", "must be \"below\" or \"above\""},
+      {ROCK PLANES "operation = '-'\nplanes = [{normal = [0, 0, 1], keep = 'above'}]", 9, 11, "solid[2].planes[1].point", "is missing"},
+      {ROCK PLANES "operation = '-'\nplanes = [{normal = [0, 0, 1], dip = 4, point = [0, 0, 0], keep = 'above'}]", 9, 21, "solid[2].planes[1].normal", "not both"},
+  };
+  for (const auto& wrong : cases) expect_error(wrong);
+}
+
+TEST(WrongModel, OfPrisms) {
+  const Wrong cases[] = {
+      {PRISM "base = [[0, 0, 0], [1, 0, 0]]", 4, 8, "solid[1].base", "must be 3 or more points"},
+      {PRISM "base = [[0, 0, 0], [1, 0, 0], [0, 1]]", 4, 31, "solid[1].base[3]", "found an array of 2 values"},
+      {PRISM "base = [[1, 1, 1], [1, 1, 1], [1, 1, 1]]", 4, 8, "solid[1].base", "all points are equal"},
+      {PRISM "base = [[0, 0, 0], [1, 0, 0], [1, 0, 0], [0, 1, 0]]", 4, 8, "solid[1].base", "points 2 and 3 are equal"},
+      {PRISM "base = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 0]]", 4, 8, "solid[1].base", "points 4 and 1 are equal; the last edge closes by itself"},
+      {PRISM "base = [[0, 0, 0], [1, 0, 0], [2, 0, 0]]", 4, 8, "solid[1].base", "encloses no area"},
+      {PRISM "base = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0]]", 4, 8, "solid[1].base", "points 1, 2 and 3 are collinear"},
+      {PRISM "base = [[0, 0, 0], [1, 0, 0], [1, 1, 1e-6], [0, 1, 0]]", 4, 8, "solid[1].base", "is not in one plane with the others"},
+      {PRISM "base = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [3, 1, 0]]", 4, 8, "solid[1].base", "concave base is not supported yet"},
+      {PRISM "base = [[0, 0, 0], [1, 1, 0], [1, 0, 0], [0, 1, 0]]", 4, 8, "solid[1].base", "edges cross"},
+      {PRISM "base = [[0, 3, 0], [2, -3, 0], [-3, 1, 0], [3, 1, 0], [-2, -3, 0]]", 4, 8, "solid[1].base", "the edges cross each other"},
+      {SOLID "shape = 'prism'\nbase = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]", 1, 1, "solid[1].extrude", "is missing"},
+      {SOLID "shape = 'prism'\nbase = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nextrude = [0, 0, 0]", 4, 11, "solid[1].extrude", "must not be zero"},
+      {SOLID "shape = 'prism'\nbase = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nextrude = [1, 2, 0]", 4, 11, "solid[1].extrude", "lies in the plane of the base"},
+      {PRISM "base = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\ncontinues = ['sied']", 5, 14, "solid[1].continues[1]", "did you mean \"side\"?"},
+  };
+  for (const auto& wrong : cases) expect_error(wrong);
+}
+
+TEST(WrongModel, OfJoints) {
+  const Wrong cases[] = {
+      {ROCK "[[joint_set]]\nname = 'J1'\ndip = 91\ndip_direction = 0\nspacing = 1", 8, 7, "joint_set[1].dip", "found 91, must be 0 to 90 (deg) (in \"J1\")"},
+      {ROCK "[[joint_set]]\ndip = 9\ndip_direction = -90.0\nspacing = 1", 8, 17, "joint_set[1].dip_direction", "found -90.0, must be 0 to 360"},
+      {ROCK "[[joint_set]]\ndip = 9\ndip_direction = 9\nspacing = -1.0", 9, 11, "joint_set[1].spacing", "found -1.0, must be > 0 (m)"},
+      {ROCK "[[joint_set]]\ndip = 9\ndip_direction = 9", 6, 1, "joint_set[1].spacing", "is missing, must be > 0"},
+      {ROCK "[[joint_set]]\ndip = 9\ndip_direction = 9\nspcing = 1", 9, 1, "joint_set[1].spcing", "unknown key \"spcing\", did you mean \"spacing\"?"},
+      {SET "count = 0", 10, 9, "joint_set[1].count", "found 0, must be an integer >= 1"},
+      {SET "count = 2.5", 10, 9, "joint_set[1].count", "found 2.5, must be an integer >= 1"},
+      {SET "count = 3000000000", 10, 9, "joint_set[1].count", "must be an integer, 1 to 2147483647"},
+      {SET "material = 'clean'", 10, 12, "joint_set[1].material", "unknown joint material \"clean\"; the model has no [[joint_material]]"},
+      {SET "origin = [0, 0]", 10, 10, "joint_set[1].origin", "must be 3 numbers"},
+      {JOINT, 6, 1, "joint[1].dip", "needs dip and dip_direction (deg), or normal"},
+      {JOINT "dip = 3", 6, 1, "joint[1].dip_direction", "is missing, must be 0 to 360"},
+      {JOINT "normal = [0, 0, 0]", 8, 10, "joint[1].normal", "must not be zero"},
+      {JOINT "normal = [0, 0, 1]\ndip = 3\ndip_direction = 4", 8, 10, "joint[1].normal", "either a normal or dip and dip_direction, not both"},
+      {ROCK "[[joint]]\nnormal = [0, 0, 1]", 6, 1, "joint[1].point", "is missing"},
+      {ROCK "[[joint]]\nname = 'F1'\nnormal = [0, 0, 1]\npoint = [0, 0, 1e10]", 9, 16, "joint[1].point[3]", "must be at most 1e9 in size (m) (in \"F1\")"},
+      {SET "name = 'F'\n[[joint]]\nname = 'F'\nnormal = [0, 0, 1]\npoint = [1, 1, 1]", 12, 8, "joint[1].name", "already the name of joint_set[1] (line 6)"},
+  };
+  for (const auto& wrong : cases) expect_error(wrong);
+}
+
+TEST(WrongModel, OfCovers) {
+  const Wrong cases[] = {
+      {ROCK "[cover]\n", 6, 1, "cover.spacing", "is missing, must be > 0"},
+      {ROCK "[cover]\nspacing = 0", 7, 11, "cover.spacing", "found 0, must be > 0"},
+      {ROCK "[cover]\nspacing = 1\nlattice = 'tet7'", 8, 11, "cover.lattice", "found \"tet7\", must be \"tet6\""},
+      {ROCK "[cover]\nspacing = 1\norder = 3", 8, 9, "cover.order", "found 3, must be an integer, 0 to 2"},
+      {ROCK "[cover]\nspacing = 1\ndirections = [[0, 0], [90, 0]]", 8, 14, "cover.directions", "must be 3 pairs [dip, dip direction] (deg)"},
+      {ROCK "[cover]\nspacing = 1\ndirections = [[0, 0], [90, 0], [90, 90, 0]]", 8, 32, "cover.directions[3]", "must be 2 numbers"},
+      {ROCK "[cover]\nspacing = 1\ndirections = [[0, 0], [95, 0], [90, 90]]", 8, 24, "cover.directions[2][1]", "found 95, must be 0 to 90"},
+      {ROCK "[cover]\nspacing = 1\njoints = 'open'", 8, 10, "cover.joints", "must be \"separate\" or \"welded\""},
+  };
+  for (const auto& wrong : cases) expect_error(wrong);
+}
+
+TEST(WrongModel, OfConditions) {
+  const Wrong cases[] = {
+      {FIXED, 6, 1, "fixed[1].where", "must say one of face, box, point, plane or block_at"},
+      {FIXED "where = 'rock.zmin'", 7, 9, "fixed[1].where", "found \"rock.zmin\", must be a table of keys"},
+      {FIXED "where = {}", 7, 9, "fixed[1].where", "says no region, must have one of face, box"},
+      {FIXED "where = {fase = 'rock.zmin'}", 7, 10, "fixed[1].where.fase", "did you mean \"face\"?"},
+      {FIXED "where = {face = 'rock.zmin', point = [0, 0, 0]}", 7, 9, "fixed[1].where", "has both face and point"},
+      {FIXED "where = {face = 'zmin'}", 7, 17, "fixed[1].where.face", "must be \"solid.face\", e.g. \"rock.zmin\""},
+      {FIXED "where = {face = 'rok.zmin'}", 7, 17, "fixed[1].where.face", "unknown solid \"rok\", did you mean \"rock\"?"},
+      {FIXED "where = {face = 'rock.top'}", 7, 17, "fixed[1].where.face", "unknown face \"top\" of solid \"rock\"; its faces are: xmin,"},
+      {FIXED "where = {box = [[0, 0, 0], [1, -1, 1]]}", 7, 16, "fixed[1].where.box", "y = 0.0 is over the second's -1.0"},
+      {FIXED "where = {box = [0, 0, 0, 1, 1, 1]}", 7, 16, "fixed[1].where.box", "must be 2 corners"},
+      {FIXED "where = {plane = {point = [0, 0, 0]}}", 7, 18, "fixed[1].where.plane.normal", "is missing"},
+      {FIXED "where = {plane = {point = [0, 0, 0], normal = [0, 0, 1], tolerance = -1}}", 7, 70, "fixed[1].where.plane.tolerance", "found -1, must be >= 0 (m)"},
+      {FIXED "where = {block_at = [0, 0, 'a']}", 7, 28, "fixed[1].where.block_at[3]", "found \"a\", must be a number (m)"},
+      {FIXED "where = {block_at = [0, 0, 0]}\ncomponents = []", 8, 14, "fixed[1].components", "must be an array of one or more of"},
+      {FIXED "where = {block_at = [0, 0, 0]}\ncomponents = ['x', 'w']", 8, 20, "fixed[1].components[2]", "found \"w\", must be one or more of"},
+      {FIXED "where = {block_at = [0, 0, 0]}\ncomponents = ['x', 'x']", 8, 20, "fixed[1].components[2]", "\"x\" is given twice"},
+      {FIXED "where = {block_at = [0, 0, 0]}\nmethod = 'penality'", 8, 10, "fixed[1].method", "did you mean \"penalty\"?"},
+      {ROCK "[[point_load]]\npoint = [0, 0, 0]", 6, 1, "point_load[1].force", "is missing"},
+      {ROCK "[[point_load]]\npoint = [0, 0, 0]\nforce = 5", 8, 9, "point_load[1].force", "found 5, must be 3 numbers [x, y, z] (N)"},
+      {ROCK "[[monitor]]\nname = 'm'", 6, 1, "monitor[1].point", "is missing, must be 3 numbers [x, y, z] (in \"m\")"},
+      {ROCK "[[monitor]]\nname = 'm'\npoint = [1, 1, 1]\n[[monitor]]\nname = 'm'\npoint = [1, 1, 1]", 10, 8, "monitor[2].name", "already the name of monitor[1]"},
+  };
+  for (const auto& wrong : cases) expect_error(wrong);
+}
+
+TEST(WrongModel, OfAnalyses) {
+  const Wrong cases[] = {
+      {RUN "type = 'dynamik'", 7, 8, "analysis.type", "must be \"static\", \"quasi_static\" or \"dynamic\"; did you mean \"dynamic\"?"},
+      {RUN "time_step = 0", 7, 13, "analysis.time_step", "found 0, must be > 0 (s)"},
+      {RUN "time_step = 0.5\nend_time = 0.1", 8, 12, "analysis.end_time", "found 0.1, must be at least one time_step (0.5 s)"},
+      {RUN "time_step = 1e-12", 6, 1, "analysis.end_time", "more than 2147483647 times time_step"},
+      {RUN "steps = 0", 7, 9, "analysis.steps", "found 0, must be an integer >= 1"},
+      {RUN "steps = 5\nend_time = 1", 7, 9, "analysis.steps", "either steps or end_time, not both"},
+      {RUN "dynamic_ratio = 1.5", 7, 17, "analysis.dynamic_ratio", "found 1.5, must be 0 to 1"},
+      {RUN "type = 'quasi_static'\ndynamic_ratio = 0.5", 8, 17, "analysis.dynamic_ratio", "a quasi_static analysis has 0"},
+      {RUN "max_displacement_ratio = 0", 7, 26, "analysis.max_displacement_ratio", "must be > 0 and <= 1"},
+      {RUN "newmark = 0.25", 7, 11, "analysis.newmark", "must be a table"},
+      {RUN "newmark = {alpha = 1}", 7, 12, "analysis.newmark.alpha", "the keys here are: beta, gamma"},
+      {RUN "time = 1", 7, 1, "analysis.time", "did you mean \"time_step\"?"},
+      {ROCK "[solver]\ntolerance = 1", 7, 13, "solver.tolerance", "found 1, must be > 0 and < 1"},
+      {ROCK "[solver]\nmax_iterations = -5", 7, 18, "solver.max_iterations", "must be an integer >= 1"},
+      {ROCK "[output]\nevery = -1", 7, 9, "output.every", "found -1, must be an integer >= 0"},
+      {ROCK "[support]\ntarget_factor_of_safety = 0", 7, 27, "support.target_factor_of_safety", "must be > 0"},
+      {ROCK "[support]\nwater_pressure = -1", 7, 18, "support.water_pressure", "found -1, must be >= 0 (Pa)"},
+      {ROCK "[support]\nseismic_coefficient = 0.1", 7, 23, "support.seismic_coefficient", "must be 3 numbers [x, y, z] (fraction of g)"},
+      {ROCK "[support]\njoint_faces_only = 1", 7, 20, "support.joint_faces_only", "found 1, must be true or false"},
+  };
+  for (const auto& wrong : cases) expect_error(wrong);
+}
+
+TEST(WrongModel, TellsAllErrorsAtOnceByLine) {
+  const auto errors = errors_of(R"(gravity = [0, 0, inf]
+[[solid]]
+name = "rock"
+shape = "box"
+min = [0, 0, 0]
+max = [0, 4, -1]
+material = "granite"
+[[joint_set]]
+dip = 95
+dip_direction = "N"
+spcing = 2
+[cover]
+lattice = "hex8"
+spacing = -1
+[[fixed]]
+where = {face = "rock.zmin"}
+components = ["u"]
+[analysis]
+kinematics = "large"
+newmark = {beta = 0.3}
+[[bolt]]
+name = "b"
+)");
+  std::vector<std::string> found;
+  for (const auto& error : errors) found.push_back(std::to_string(error.place.line) + " " + error.place.key);
+  const std::vector<std::string> expected{
+      "1 gravity[3]",         "6 solid[1].max", "6 solid[1].max",       "7 solid[1].material",
+      "9 joint_set[1].dip",   "10 joint_set[1].dip_direction",          "11 joint_set[1].spcing",
+      "13 cover.lattice",     "14 cover.spacing",                       "17 fixed[1].components[1]",
+      "19 analysis.kinematics", "20 analysis.newmark.beta",             "21 bolt"};
+  EXPECT_EQ(found, expected) << listed(errors);
+}
+
+TEST(WrongModel, OfManyErrorsSaysHowManyMore) {
+  std::string text = ROCK;
+  for (int i = 0; i < 2000; ++i) text += "[[joint]]\n";  // each lacks an orientation and a point
+  const auto errors = errors_of(text);
+  ASSERT_EQ(errors.size(), 1001u);
+  EXPECT_EQ(errors.back().message, "and 3000 more errors");
+}
+
+}  // namespace
+}  // namespace rockfold
