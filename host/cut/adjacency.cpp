@@ -170,17 +170,19 @@ class PlaneMatcher {
 
   void finish(const Loose& loose) {
     if (!loose.touched) {
-      result_.free_parts.push_back({loose.ref.cell, loose.ref.face, free_origin(loose.ref), none,
-                                    polygon_moments(loose.polygon).area});
+      add_free_part(loose.ref, loose.polygon, none);
       return;
     }
     for (const Polygon& p : loose.rest) {
-      const Real area = polygon_moments(p).area;
-      if (!(area > 0)) continue;
-      result_.free_parts.push_back({loose.ref.cell, loose.ref.face, free_origin(loose.ref),
-                                    static_cast<Index>(result_.polygons.size()), area});
+      if (!(polygon_moments(p).area > 0)) continue;
+      add_free_part(loose.ref, p, static_cast<Index>(result_.polygons.size()));
       result_.polygons.push_back(p);
     }
+  }
+
+  void add_free_part(const FaceRef& ref, const Polygon& polygon, Index id) {
+    const PolygonMoments m = polygon_moments(polygon);
+    result_.free_parts.push_back({ref.cell, ref.face, free_origin(ref, m.centroid), id, m.area});
   }
 
   void add_fragment(const FaceRef& below, const FaceRef& above, Index polygon, Real area) {
@@ -191,9 +193,9 @@ class PlaneMatcher {
                                  area});
   }
 
-  // The face of a solid that a free part lies on: of the solid whose rock the cell is, if the plane bounds it; else of
-  // the last solid that was taken away there.
-  Index free_origin(const FaceRef& ref) const {
+  // The face of a solid that a free part lies on: of the solid whose rock the cell is, if the plane
+  // bounds it; else of the last solid that was taken away there. `middle` is the part's centroid.
+  Index free_origin(const FaceRef& ref, const Vec3& middle) const {
     const HalfSpaceId inside = face(ref).inside;
     const auto face_of = [](const ConvexBody& body, HalfSpaceId h) {
       const auto it = std::find(body.inside.begin(), body.inside.end(), h);
@@ -206,14 +208,13 @@ class PlaneMatcher {
     Index last = none;
     for (const ConvexBody& body : complex_.bodies) {
       const Index origin = face_of(body, inside ^ 1);
-      if (origin != none && borders(body, ref)) last = origin;
+      if (origin != none && (last == none || holds(body, middle))) last = origin;
     }
     return last;
   }
 
-  // Whether the middle of a face lies in the closure of a body.
-  bool borders(const ConvexBody& body, const FaceRef& ref) const {
-    const Vec3 x = polygon_moments(face_polygon(complex_.cells[ref.cell], face(ref))).centroid;
+  // Whether a point lies in the closure of a body.
+  bool holds(const ConvexBody& body, const Vec3& x) const {
     return std::all_of(body.inside.begin(), body.inside.end(), [&](HalfSpaceId h) {
       const Real d =
           dot(complex_.planes.normal(plane_of(h)), x) - complex_.planes.offset(plane_of(h));

@@ -64,6 +64,7 @@ SolveReport CoverSystem::solve(const SystemCoefficients& c, const std::vector<Ve
   how.pcg.tolerance = options.tolerance;
   how.pcg.max_iterations = options.max_iterations;
   how.gap_tolerance = options.gap_tolerance;
+  how.max_outer = options.max_outer;
   const SolveReport report = solve::solve_held(held, load.data().field, held.springs.target,
                                                result.data().field, Field(), how);
   x = result.get();

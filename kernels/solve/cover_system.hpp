@@ -34,6 +34,9 @@ struct SolveOptions {
   Real tolerance = 1e-8;  ///< ‖r‖ / ‖b‖
   Index max_iterations = 5000;
   Real gap_tolerance = 1e-10;  ///< of augmented fixed points, over the largest displacement
+  /// Updates of their multipliers at most. Where points are more than the covers near them can follow (a fixed face that cuts
+  /// lattice cells), the last digits of the gap cost many, and are of no use: the report says what is left.
+  Index max_outer = 50;
 };
 
 class CoverSystem {

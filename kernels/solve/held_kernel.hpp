@@ -31,7 +31,7 @@ void set_combination(HeldSystem& system, const Combination& c, Real spring_facto
 struct HeldOptions {
   PcgOptions pcg;
   Real gap_tolerance = 1e-10;  ///< largest gap / max(largest displacement, largest goal)
-  int max_outer = 50;
+  Index max_outer = 50;
 };
 
 /// x: start and result. `base`: what x is an increment to, for the size of displacements (empty: none). The multipliers

@@ -170,6 +170,8 @@ std::vector<LoosePart> find_loose_parts(const CoverArrays& covers, const FixedPo
     if (holding.any) found.motions = free_motions(holding);
     if (!holding.any || !found.motions.empty()) loose.push_back(found);
   }
+  std::sort(loose.begin(), loose.end(),
+            [](const LoosePart& a, const LoosePart& b) { return a.blocks < b.blocks; });
   return loose;
 }
 

@@ -14,7 +14,7 @@ struct LoosePart {
   std::vector<std::string> motions;  ///< each free rigid motion, in words; empty = nothing at all holds it
 };
 
-/// The parts whose fixed components leave a rigid motion free, in the order of their first cover.
+/// The parts whose fixed components leave a rigid motion free, in the order of their blocks.
 std::vector<LoosePart> find_loose_parts(const CoverArrays& covers, const FixedPoints& fixed);
 
 /// Throws Error(analysis) that names the blocks of loose parts, by ids from 1, and what they are free to do.

@@ -117,6 +117,7 @@ solve::HeldOptions options(const Motion::Data& m, Real reference) {
   how.pcg.max_iterations = m.solver.max_iterations;
   how.pcg.reference = reference;
   how.gap_tolerance = m.solver.gap_tolerance;
+  how.max_outer = m.solver.max_outer;
   return how;
 }
 

@@ -69,16 +69,11 @@ std::string number(Real value) {
 }
 
 [[noreturn]] void refuse(const SolveReport& report, Index step, Real time, const SolverSpec& solver) {
-  std::string message =
-      "step " + std::to_string(step) + ", time " + number(time) + " s: the solver did not converge: ";
-  if (!(report.residual <= solver.tolerance))
-    message += "residual " + number(report.residual) + " after " +
-               std::to_string(report.iterations) + " iterations, tolerance " +
-               number(solver.tolerance) + " (solver.tolerance, solver.max_iterations)";
-  else
-    message += "fixed points stay " + number(report.gap) +
-               " of the largest displacement away from their places";
-  throw Error(ErrorKind::analysis, message);
+  throw Error(ErrorKind::analysis,
+              "step " + std::to_string(step) + ", time " + number(time) +
+                  " s: the solver did not converge: residual " + number(report.residual) +
+                  " after " + std::to_string(report.iterations) + " iterations, tolerance " +
+                  number(solver.tolerance) + " (solver.tolerance, solver.max_iterations)");
 }
 
 /// The analysis under way: what its three kinds share.
@@ -114,6 +109,7 @@ class Run {
 /// Counts a solve; where it failed, goes back to the last good state, stores it and throws.
 void Run::accept(const SolveReport& report, Index step, Real time) {
   result_.iterations.pcg += report.iterations;
+  result_.support_gap = report.gap;
   if (report.converged) return;
   if (step > 0) {
     motion_.restore();

@@ -46,6 +46,7 @@ struct RunResult {
   std::vector<BlockMotion> blocks;       ///< [B]
   std::vector<Vec3> reactions;           ///< [N] N, force of each fixed point on the rock, at the end
   Energy energy;                         ///< J, at the end
+  Real support_gap = 0;  ///< distance of augmented fixed points from their places / largest displacement, last step
 
   struct Iterations {
     std::int64_t pcg = 0;

@@ -76,7 +76,7 @@ TEST(Solver, AugmentedPointsReachTheirPlacesAndTheReactionsBalanceTheLoad) {
   CoverSystem system = s.make();
   std::vector<Vec3> x(count);
   const auto b = system.apply({0, 1, 0}, std::vector<Vec3>(count, Vec3{0.001, -0.002, 0.004}));
-  const SolveReport report = system.solve({1, 0, 1}, b, x, {1e-10, 20000, 1e-10});
+  const SolveReport report = system.solve({1, 0, 1}, b, x, {1e-10, 20000, 1e-10, 200});
   EXPECT_TRUE(report.converged);
   EXPECT_LE(report.gap, 1e-10);
   for (std::size_t n = 0; n < s.fixed.points.size(); ++n) {
