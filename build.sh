@@ -259,19 +259,12 @@ kokkos_rung_3() {
   say "Kokkos: rung 3, the release $kokkos_version (SHA256 verified), built in $kokkos_found"
 }
 
-# Where apt may fetch the source package from, one "URI suite" a line: the mirrors this machine's apt uses, then the
-# distribution's own.
+# Where apt may fetch the source package from, one "URI suite" a line: the mirrors that this machine's apt uses.
 apt_sites() {
-  local VERSION_CODENAME='' ID=''
+  local VERSION_CODENAME=''
   . /etc/os-release
-  {
-    LC_ALL=C apt-get indextargets --format '$(SITE) $(RELEASE)' 'Created-By: Packages' 2>/dev/null |
-      grep -E " $VERSION_CODENAME$" || true
-    case $ID in
-      debian) printf '%s\n' "http://deb.debian.org/debian $VERSION_CODENAME" ;;
-      ubuntu) printf '%s\n' "http://archive.ubuntu.com/ubuntu $VERSION_CODENAME" ;;
-    esac
-  } | awk '!seen[$0]++'
+  LC_ALL=C apt-get indextargets --format '$(SITE) $(RELEASE)' 'Created-By: Packages' 2>/dev/null |
+    grep -E " $VERSION_CODENAME$" | awk '!seen[$0]++' || true
 }
 
 # The distribution's source package `trilinos` holds Kokkos in packages/kokkos. Its upstream archive is enough.

@@ -12,6 +12,7 @@
 #include "src/pipeline.hpp"
 #include "src/report/error_text.hpp"
 #include "src/report/names.hpp"
+#include "src/threads.hpp"
 
 namespace rockfold {
 namespace {
@@ -64,6 +65,7 @@ int answer(int argc, char** argv, bool json, Terminal& terminal) {
 
 int main(int argc, char** argv) {
   using namespace rockfold;
+  keep_waits_short(argv);
   open_standard_streams();
   std::signal(SIGPIPE, SIG_IGN);
   Terminal terminal(stderr, detect_terminal(stderr));

@@ -6,4 +6,8 @@ namespace rockfold {
 /// fewer where a container may use only some of their time. To be called before host or kernels start.
 void use_threads(int threads);
 
+/// Starts the program once more with the setting that keeps threads from burning time while they wait, unless the
+/// user has chosen one. OpenMP reads such settings before main() and never again. To be called first of all.
+void keep_waits_short(char** argv);
+
 }  // namespace rockfold

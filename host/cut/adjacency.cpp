@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 #include "host/parallel.hpp"
 #include "src/base/vector.hpp"
@@ -170,19 +171,27 @@ class PlaneMatcher {
 
   void finish(const Loose& loose) {
     if (!loose.touched) {
-      add_free_part(loose.ref, loose.polygon, none);
+      add_free_parts(loose.ref, loose.polygon, true);
       return;
     }
-    for (const Polygon& p : loose.rest) {
-      if (!(polygon_moments(p).area > 0)) continue;
-      add_free_part(loose.ref, p, static_cast<Index>(result_.polygons.size()));
-      result_.polygons.push_back(p);
-    }
+    for (const Polygon& p : loose.rest) add_free_parts(loose.ref, p, false);
   }
 
-  void add_free_part(const FaceRef& ref, const Polygon& polygon, Index id) {
-    const PolygonMoments m = polygon_moments(polygon);
-    result_.free_parts.push_back({ref.cell, ref.face, free_origin(ref, m.centroid), id, m.area});
+  struct Part {
+    Polygon polygon;
+    Index origin;
+  };
+
+  void add_free_parts(const FaceRef& ref, const Polygon& polygon, bool whole_face) {
+    std::vector<Part> parts = divide_by_origin(ref, polygon);
+    for (Part& part : parts) {
+      const Real area = polygon_moments(part.polygon).area;
+      if (!(area > 0)) continue;
+      const bool whole = whole_face && parts.size() == 1;
+      result_.free_parts.push_back({ref.cell, ref.face, part.origin,
+                                    whole ? none : static_cast<Index>(result_.polygons.size()), area});
+      if (!whole) result_.polygons.push_back(std::move(part.polygon));
+    }
   }
 
   void add_fragment(const FaceRef& below, const FaceRef& above, Index polygon, Real area) {
@@ -193,33 +202,41 @@ class PlaneMatcher {
                                  area});
   }
 
-  // The face of a solid that a free part lies on: of the solid whose rock the cell is, if the plane
-  // bounds it; else of the last solid that was taken away there. `middle` is the part's centroid.
-  Index free_origin(const FaceRef& ref, const Vec3& middle) const {
+  // The faces of solids that a free area lies on: of the solid whose rock the cell is, if the plane bounds it; else of
+  // the solids that were taken away there, each where no later one was.
+  std::vector<Part> divide_by_origin(const FaceRef& ref, const Polygon& polygon) {
     const HalfSpaceId inside = face(ref).inside;
-    const auto face_of = [](const ConvexBody& body, HalfSpaceId h) {
-      const auto it = std::find(body.inside.begin(), body.inside.end(), h);
-      return it == body.inside.end()
-                 ? none
-                 : body.first_origin + static_cast<Index>(it - body.inside.begin());
-    };
-    const Index own = face_of(complex_.bodies[complex_.cell_body[ref.cell]], inside);
-    if (own != none) return own;
-    Index last = none;
-    for (const ConvexBody& body : complex_.bodies) {
-      const Index origin = face_of(body, inside ^ 1);
-      if (origin != none && (last == none || holds(body, middle))) last = origin;
+    const Index own = origin_on(complex_.bodies[complex_.cell_body[ref.cell]], inside);
+    if (own != none) return {{polygon, own}};
+    std::vector<Part> parts;
+    std::vector<Polygon> left{polygon};
+    Index first_listed = none;
+    for (auto body = complex_.bodies.rbegin(); body != complex_.bodies.rend(); ++body) {
+      const Index origin = origin_on(*body, inside ^ 1);
+      if (origin == none) continue;
+      first_listed = origin;
+      Polygon bounds;
+      std::copy_if(body->inside.begin(), body->inside.end(), std::back_inserter(bounds.edge),
+                   [this](HalfSpaceId h) { return plane_of(h) != plane_; });
+      std::vector<Polygon> rest;
+      for (Polygon& p : left) {
+        Polygon common = clipper_.intersection(p, bounds);
+        if (common.empty()) {
+          rest.push_back(std::move(p));
+          continue;
+        }
+        clipper_.subtract(p, bounds, rest);
+        parts.push_back({std::move(common), origin});
+      }
+      left = std::move(rest);
     }
-    return last;
+    for (Polygon& p : left) parts.push_back({std::move(p), first_listed});  // rounding may leave a trace
+    return parts;
   }
 
-  // Whether a point lies in the closure of a body.
-  bool holds(const ConvexBody& body, const Vec3& x) const {
-    return std::all_of(body.inside.begin(), body.inside.end(), [&](HalfSpaceId h) {
-      const Real d =
-          dot(complex_.planes.normal(plane_of(h)), x) - complex_.planes.offset(plane_of(h));
-      return (is_above(h) ? d : -d) >= -complex_.planes.tolerance();
-    });
+  static Index origin_on(const ConvexBody& body, HalfSpaceId h) {
+    const auto it = std::find(body.inside.begin(), body.inside.end(), h);
+    return it == body.inside.end() ? none : body.first_origin + static_cast<Index>(it - body.inside.begin());
   }
 
   const Complex& complex_;

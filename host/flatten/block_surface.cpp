@@ -318,15 +318,17 @@ class SurfaceMerger {
   }
 
   void write(const std::vector<Index>& vertex_of, const std::vector<bool>& straight) {
-    std::unordered_map<Index, Index> number;  // vertex of the merge → vertex of the block
+    // Vertex of the surface → vertex of the block. Where two sheets of a surface touch, one point is two vertices.
+    std::unordered_map<Index, Index> number;
     Index c = 0, face = 0;
     for (const Loop& l : loops_) {
       while (face < l.face)
         surface_.loop_begin.push_back(static_cast<Index>(surface_.corner_begin.size()) - 1), ++face;
       for (const Index v : l.vertex) {
-        if (straight[vertex_of[c++]]) continue;
+        const Index of_surface = vertex_of[c++];
+        if (straight[of_surface]) continue;
         const auto [it, fresh] =
-            number.try_emplace(v, static_cast<Index>(surface_.vertices.size()));
+            number.try_emplace(of_surface, static_cast<Index>(surface_.vertices.size()));
         if (fresh) surface_.vertices.push_back(vertices_[v].x);
         surface_.corner_vertex.push_back(it->second);
       }

@@ -36,6 +36,40 @@ using Field = Kokkos::View<Real * [3], Kokkos::LayoutLeft, Memory>;
 
 using Range = Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>;
 
+/// Loops shorter than this are done by the calling thread: waking the others takes a few microseconds, and, where other
+/// programs hold the cores, milliseconds. No result depends on it.
+inline constexpr Index serial_limit = on_gpu ? 0 : 1024;
+
+/// f(i) for all i < n, in any order.
+template <class F>
+void for_each(const char* label, Index n, const F& f) {
+  if constexpr (!on_gpu) {
+    if (n <= serial_limit) {
+      for (Index i = 0; i < n; ++i) f(i);
+      return;
+    }
+  }
+  Kokkos::parallel_for(label, Range(0, n), f);
+}
+
+/// The largest f(i), at least 0, over all i < n; NaN counts for nothing.
+template <class F>
+Real largest(const char* label, Index n, const F& f) {
+  Real most = 0;
+  if (n <= serial_limit && !on_gpu) {
+    for (Index i = 0; i < n; ++i) most = f(i) > most ? f(i) : most;
+    return most;
+  }
+  Kokkos::parallel_reduce(
+      label, Range(0, n),
+      KOKKOS_LAMBDA(const Index i, Real& found) {
+        const Real value = f(i);
+        if (value > found) found = value;
+      },
+      Kokkos::Max<Real>(most));
+  return most > 0 ? most : 0;
+}
+
 template <class T>
 using Unmanaged = Kokkos::View<T*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
 

@@ -88,13 +88,16 @@ void sum_partials(const std::string& label, Index chunks, const Array<Real>& par
 
 template <int K, class Add>
 void sum_chunks(const std::string& label, Index n, const Array<Real>& partial, const Add& add) {
-  Kokkos::parallel_for(
-      label, Range(0, chunk_count(n)), KOKKOS_LAMBDA(const Index c) {
-        const Index begin = c * chunk_length;
-        const Index end = begin + chunk_length < n ? begin + chunk_length : n;
-        const Sums<K> sum = sum_of_chunk<K>(begin, end, add);
-        for (int k = 0; k < K; ++k) partial(c * K + k) = sum.value[k];
-      });
+  const auto sum_one = KOKKOS_LAMBDA(const Index c) {
+    const Index begin = c * chunk_length;
+    const Index end = begin + chunk_length < n ? begin + chunk_length : n;
+    const Sums<K> sum = sum_of_chunk<K>(begin, end, add);
+    for (int k = 0; k < K; ++k) partial(c * K + k) = sum.value[k];
+  };
+  if (chunk_count(n) == 1)
+    sum_one(0);
+  else
+    Kokkos::parallel_for(label, Range(0, chunk_count(n)), sum_one);
 }
 
 template <int K, class Then>

@@ -110,8 +110,8 @@ std::vector<Real> integrate_monomials(const ClosedSurfaces& surfaces) {
   const auto xyz = device::to_device("integrate::vertex_xyz", surfaces.vertex_xyz);
   const auto result = device::allocate<Real>(
       "integrate::monomials", monomial_count * static_cast<std::size_t>(bodies));
-  Kokkos::parallel_for(
-      "rockfold::integrate::monomials", device::Range(0, bodies), KOKKOS_LAMBDA(const Index s) {
+  device::for_each(
+      "rockfold::integrate::monomials", bodies, KOKKOS_LAMBDA(const Index s) {
         Real about[3];
         auto body =
             integrate::integrate_body<max_degree>(begin(s), begin(s + 1), vertex, xyz, about);

@@ -119,14 +119,12 @@ Index slice_count(const Operator& op) {
 void apply(const Operator& op, const Combination& c, const Field& x, const Field& y) {
   const DeviceStencil stencil = op.stencil;
   const DeviceBlocks block = op.block;
-  Kokkos::parallel_for(
-      "rockfold::solve::apply_blocks", device::Range(0, slice_count(op) * slice_lanes),
-      KOKKOS_LAMBDA(const Index i) {
+  device::for_each(
+      "rockfold::solve::apply_blocks", slice_count(op) * slice_lanes, KOKKOS_LAMBDA(const Index i) {
         apply_slice<1>(block, i / slice_lanes, i % slice_lanes, c, x, y);
       });
-  Kokkos::parallel_for(
-      "rockfold::solve::apply_stencil", device::Range(0, run_count(op) * slice_lanes),
-      KOKKOS_LAMBDA(const Index i) {
+  device::for_each(
+      "rockfold::solve::apply_stencil", run_count(op) * slice_lanes, KOKKOS_LAMBDA(const Index i) {
         const Index run = i / slice_lanes;
         for (Index k = i % slice_lanes; k < stencil.length(run); k += slice_lanes)
           apply_stencil_row(stencil, run, k, c, x, y);
@@ -141,15 +139,18 @@ void apply(const Operator& op, const Combination& c, const Field& x, const Field
                                        Kokkos::IndexType<Index>>;
   const DeviceStencil stencil = op.stencil;
   const DeviceBlocks block = op.block;
-  const Index slices = slice_count(op);
-  Kokkos::parallel_for(
-      "rockfold::solve::apply", Portions(0, slices + run_count(op), Kokkos::ChunkSize(16)),
-      KOKKOS_LAMBDA(const Index i) {
-        if (i < slices)
-          apply_slice<slice_lanes>(block, i, 0, c, x, y);
-        else
-          apply_run(stencil, i - slices, c, x, y);
-      });
+  const Index slices = slice_count(op), portions = slices + run_count(op);
+  const auto apply_portion = KOKKOS_LAMBDA(const Index i) {
+    if (i < slices)
+      apply_slice<slice_lanes>(block, i, 0, c, x, y);
+    else
+      apply_run(stencil, i - slices, c, x, y);
+  };
+  if (op.covers <= device::serial_limit)
+    for (Index i = 0; i < portions; ++i) apply_portion(i);
+  else
+    Kokkos::parallel_for("rockfold::solve::apply", Portions(0, portions, Kokkos::ChunkSize(16)),
+                         apply_portion);
 }
 
 #endif
@@ -157,10 +158,8 @@ void apply(const Operator& op, const Combination& c, const Field& x, const Field
 void diagonal_blocks(const Operator& op, const Combination& c, const Blocks& d) {
   const DeviceStencil stencil = op.stencil;
   const DeviceBlocks block = op.block;
-  Kokkos::parallel_for(
-      "rockfold::solve::stencil_diagonal",
-      device::Range(0, static_cast<Index>(stencil.first.extent(0))),
-      KOKKOS_LAMBDA(const Index run) {
+  device::for_each(
+      "rockfold::solve::stencil_diagonal", static_cast<Index>(stencil.first.extent(0)), KOKKOS_LAMBDA(const Index run) {
         const Real* diagonal = &stencil.table(stencil.material(run) * DeviceStencil::table_size +
                                               10 * half_neighbours + 1);
         Real combined[9];
@@ -170,9 +169,8 @@ void diagonal_blocks(const Operator& op, const Combination& c, const Blocks& d) 
           for (int k = 0; k < 6; ++k) d(p, k) = combined[at[k]];
         }
       });
-  Kokkos::parallel_for(
-      "rockfold::solve::block_diagonal",
-      device::Range(0, static_cast<Index>(block.row.extent(0))), KOKKOS_LAMBDA(const Index slot) {
+  device::for_each(
+      "rockfold::solve::block_diagonal", static_cast<Index>(block.row.extent(0)), KOKKOS_LAMBDA(const Index slot) {
         const Index p = block.row(slot);
         if (p == none) return;
         const Real* diagonal = &block.diagonal(7 * static_cast<std::size_t>(slot));
@@ -182,9 +180,8 @@ void diagonal_blocks(const Operator& op, const Combination& c, const Blocks& d) 
 }
 
 void invert_blocks(const Blocks& d) {
-  Kokkos::parallel_for(
-      "rockfold::solve::invert_blocks", device::Range(0, static_cast<Index>(d.extent(0))),
-      KOKKOS_LAMBDA(const Index p) {
+  device::for_each(
+      "rockfold::solve::invert_blocks", static_cast<Index>(d.extent(0)), KOKKOS_LAMBDA(const Index p) {
         Real scale[3];
         for (int i = 0; i < 3; ++i) scale[i] = d(p, i) > 0 ? 1 / device::math::sqrt(d(p, i)) : 0;
         Real inverse[6];

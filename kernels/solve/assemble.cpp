@@ -95,8 +95,8 @@ KOKKOS_INLINE_FUNCTION void add_element(const Assembly& as, Index slot, Index e,
 }
 
 void assemble_blocks(const Assembly& as, Index slots) {
-  Kokkos::parallel_for(
-      "rockfold::solve::assemble", device::Range(0, slots), KOKKOS_LAMBDA(const Index slot) {
+  device::for_each(
+      "rockfold::solve::assemble", slots, KOKKOS_LAMBDA(const Index slot) {
         for (Index s = as.block.source_begin(slot); s < as.block.source_begin(slot + 1); ++s) {
           const Source source = as.block.source(s);
           if (source >= 0)

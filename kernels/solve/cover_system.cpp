@@ -75,7 +75,7 @@ std::vector<Vec3> CoverSystem::reactions(const std::vector<Vec3>& x) const {
   const auto& springs = data_->held.springs;
   CoverVector motion(x), force(springs.points.count);
   if (springs.any())
-    solve::spring_reactions(springs, motion.data().field, springs.target, force.data().field);
+    solve::spring_reactions(springs, data_->held.spring_factor, motion.data().field, springs.target, force.data().field);
   return force.get();
 }
 

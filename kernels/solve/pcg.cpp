@@ -96,8 +96,8 @@ void take_step(const PcgWork& work, const Blocks& inverse, const Field& x) {
 /// p = z + β p.
 void turn(const PcgWork& work) {
   const PcgWork w = work;
-  Kokkos::parallel_for(
-      "rockfold::solve::pcg_direction", device::Range(0, rows(w)), KOKKOS_LAMBDA(const Index i) {
+  device::for_each(
+      "rockfold::solve::pcg_direction", rows(w), KOKKOS_LAMBDA(const Index i) {
         const Real share = w.scalar(beta);
         for (int d = 0; d < 3; ++d) w.p(i, d) = w.z(i, d) + share * w.p(i, d);
       });

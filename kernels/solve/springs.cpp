@@ -1,7 +1,5 @@
 #include "kernels/solve/springs_kernel.hpp"
 
-#include <algorithm>
-
 namespace rockfold::solve {
 namespace {
 
@@ -27,7 +25,7 @@ void build_rows(const MaterialPoints& points, Index covers, Springs& springs) {
   springs.row_entry = device::to_device("solve::spring_row_entry", entry);
 }
 
-device::Range points_of(const Springs& springs) { return {0, springs.points.count}; }
+Index points_of(const Springs& springs) { return springs.points.count; }
 
 }  // namespace
 
@@ -43,9 +41,8 @@ DevicePoints upload(const MaterialPoints& points) {
 }
 
 void interpolate(const DevicePoints& points, const Field& x, const Field& value) {
-  Kokkos::parallel_for(
-      "rockfold::solve::interpolate", device::Range(0, points.count),
-      KOKKOS_LAMBDA(const Index n) {
+  device::for_each(
+      "rockfold::solve::interpolate", points.count, KOKKOS_LAMBDA(const Index n) {
         for (int d = 0; d < 3; ++d) value(n, d) = interpolate_one(points, n, d, x);
       });
 }
@@ -79,9 +76,8 @@ Springs build_springs(const FixedPoints& fixed, Index covers) {
 void scatter(const Springs& springs, Real scale, const Field& value, const Field& y) {
   const auto row = springs.row, begin = springs.row_begin, entry = springs.row_entry;
   const auto weight = springs.points.weight;
-  Kokkos::parallel_for(
-      "rockfold::solve::scatter", device::Range(0, static_cast<Index>(row.extent(0))),
-      KOKKOS_LAMBDA(const Index t) {
+  device::for_each(
+      "rockfold::solve::scatter", static_cast<Index>(row.extent(0)), KOKKOS_LAMBDA(const Index t) {
         Real sum[3] = {0, 0, 0};
         for (Index i = begin(t); i < begin(t + 1); ++i)
           for (int d = 0; d < 3; ++d) sum[d] += weight(entry(i)) * value(entry(i) / 4, d);
@@ -92,7 +88,7 @@ void scatter(const Springs& springs, Real scale, const Field& value, const Field
 void apply_springs(const Springs& springs, Real factor, const Field& x, const Field& y) {
   if (!springs.any()) return;
   const Springs s = springs;
-  Kokkos::parallel_for(
+  device::for_each(
       "rockfold::solve::stretch", points_of(springs), KOKKOS_LAMBDA(const Index n) {
         for (int d = 0; d < 3; ++d)
           s.force(n, d) = s.stiffness(n, d) * interpolate_one(s.points, n, d, x);
@@ -103,7 +99,7 @@ void apply_springs(const Springs& springs, Real factor, const Field& x, const Fi
 void add_spring_load(const Springs& springs, Real factor, const Field& goal, const Field& b) {
   if (!springs.any()) return;
   const Springs s = springs;
-  Kokkos::parallel_for(
+  device::for_each(
       "rockfold::solve::spring_load", points_of(springs), KOKKOS_LAMBDA(const Index n) {
         for (int d = 0; d < 3; ++d)
           s.force(n, d) = factor * s.stiffness(n, d) * goal(n, d) - s.multiplier(n, d);
@@ -113,9 +109,8 @@ void add_spring_load(const Springs& springs, Real factor, const Field& goal, con
 
 void add_spring_diagonal(const Springs& springs, Real factor, const Blocks& block) {
   const Springs s = springs;
-  Kokkos::parallel_for(
-      "rockfold::solve::spring_diagonal",
-      device::Range(0, static_cast<Index>(springs.row.extent(0))), KOKKOS_LAMBDA(const Index t) {
+  device::for_each(
+      "rockfold::solve::spring_diagonal", static_cast<Index>(springs.row.extent(0)), KOKKOS_LAMBDA(const Index t) {
         for (Index i = s.row_begin(t); i < s.row_begin(t + 1); ++i) {
           const Real w = s.points.weight(s.row_entry(i));
           for (int d = 0; d < 3; ++d)
@@ -128,9 +123,8 @@ void stiffen_springs(const Springs& springs, Real factor, const Blocks& block) {
   if (!springs.any()) return;
   const Springs s = springs;
   // A cover shares its diagonal (mean of x, y, z) among its points by their squared weights.
-  Kokkos::parallel_for(
-      "rockfold::solve::share_diagonal",
-      device::Range(0, static_cast<Index>(springs.row.extent(0))), KOKKOS_LAMBDA(const Index t) {
+  device::for_each(
+      "rockfold::solve::share_diagonal", static_cast<Index>(springs.row.extent(0)), KOKKOS_LAMBDA(const Index t) {
         const Index begin = s.row_begin(t), end = s.row_begin(t + 1), p = s.row(t);
         Real squares = 0;
         for (Index i = begin; i < end; ++i) {
@@ -143,7 +137,7 @@ void stiffen_springs(const Springs& springs, Real factor, const Blocks& block) {
           s.share(s.row_entry(i)) = squares > 0 ? w * w / squares * mean : 0;
         }
       });
-  Kokkos::parallel_for(
+  device::for_each(
       "rockfold::solve::stiffen", points_of(springs), KOKKOS_LAMBDA(const Index n) {
         Real wanted = 0;
         for (int a = 0; a < 4; ++a) wanted += 10 / factor * s.share(4 * n + a);
@@ -157,26 +151,23 @@ void stiffen_springs(const Springs& springs, Real factor, const Blocks& block) {
 Real multiplier_change(const Springs& springs, Real factor, const Field& x, const Field& goal,
                        const Field& change) {
   const Springs s = springs;
-  Real largest = 0;
-  Kokkos::parallel_reduce(
-      "rockfold::solve::multiplier_change", points_of(springs),
-      KOKKOS_LAMBDA(const Index n, Real& worst) {
+  return device::largest(
+      "rockfold::solve::multiplier_change", points_of(springs), KOKKOS_LAMBDA(const Index n) {
+        Real worst = 0;
         for (int d = 0; d < 3; ++d) {
           change(n, d) = 0;
           if (!(s.augmented(n, d) > 0)) continue;
           const Real gap = interpolate_one(s.points, n, d, x) - goal(n, d);
           change(n, d) = device::math::sqrt(factor * s.stiffness(n, d)) * gap;
-          const Real size = device::math::fabs(gap);
-          if (!(size <= worst)) worst = size;
+          worst = device::math::fmax(worst, device::math::fabs(gap));
         }
-      },
-      Kokkos::Max<Real>(largest));
-  return std::max(largest, 0.0);
+        return worst;
+      });
 }
 
 void scale_by_stiffness(const Springs& springs, Real factor, Real power, const Field& values) {
   const Springs s = springs;
-  Kokkos::parallel_for(
+  device::for_each(
       "rockfold::solve::scale_by_stiffness", points_of(springs), KOKKOS_LAMBDA(const Index n) {
         for (int d = 0; d < 3; ++d)
           if (s.augmented(n, d) > 0)
@@ -184,28 +175,26 @@ void scale_by_stiffness(const Springs& springs, Real factor, Real power, const F
       });
 }
 
-void spring_reactions(const Springs& springs, const Field& x, const Field& goal,
+void spring_reactions(const Springs& springs, Real factor, const Field& x, const Field& goal,
                       const Field& reaction) {
   const Springs s = springs;
-  Kokkos::parallel_for(
+  device::for_each(
       "rockfold::solve::reactions", points_of(springs), KOKKOS_LAMBDA(const Index n) {
         for (int d = 0; d < 3; ++d) {
           const Real gap = interpolate_one(s.points, n, d, x) - goal(n, d);
-          reaction(n, d) = s.augmented(n, d) > 0 ? -s.multiplier(n, d) : -s.stiffness(n, d) * gap;
+          reaction(n, d) = -s.multiplier(n, d) - factor * s.stiffness(n, d) * gap;
         }
       });
 }
 
 Real largest_entry(const Field& x) {
-  Real largest = 0;
-  Kokkos::parallel_reduce(
-      "rockfold::solve::largest_entry", device::Range(0, static_cast<Index>(x.extent(0))),
-      KOKKOS_LAMBDA(const Index p, Real& worst) {
-        for (int d = 0; d < 3; ++d)
-          if (!(device::math::fabs(x(p, d)) <= worst)) worst = device::math::fabs(x(p, d));
-      },
-      Kokkos::Max<Real>(largest));
-  return std::max(largest, 0.0);
+  return device::largest(
+      "rockfold::solve::largest_entry", static_cast<Index>(x.extent(0)),
+      KOKKOS_LAMBDA(const Index p) {
+        using device::math::fabs;
+        using device::math::fmax;
+        return fmax(fabs(x(p, 0)), fmax(fabs(x(p, 1)), fabs(x(p, 2))));
+      });
 }
 
 }  // namespace rockfold::solve

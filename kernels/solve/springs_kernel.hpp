@@ -74,11 +74,11 @@ Real multiplier_change(const Springs& springs, Real factor, const Field& x, cons
 /// values *= (factor · k)^power at augmented points.
 void scale_by_stiffness(const Springs& springs, Real factor, Real power, const Field& values);
 
-/// reaction(n, d): the force of each point on the rock, −λ or −k (N x − goal), N.
-void spring_reactions(const Springs& springs, const Field& x, const Field& goal,
+/// reaction(n, d): the force of each point on the rock, −λ − factor · k (N x − goal), N.
+void spring_reactions(const Springs& springs, Real factor, const Field& x, const Field& goal,
                       const Field& reaction);
 
-/// max |x|, and NaN if any entry is.
+/// max |x|.
 Real largest_entry(const Field& x);
 
 }  // namespace rockfold::solve

@@ -8,6 +8,15 @@
 #define ROCKFOLD_SIMD_VERSIONS
 #endif
 
+// y never overlaps the others: a row's own x is another vector.
+#if defined(__clang__)
+#define ROCKFOLD_NO_ALIAS _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define ROCKFOLD_NO_ALIAS _Pragma("GCC ivdep")
+#else
+#define ROCKFOLD_NO_ALIAS
+#endif
+
 namespace rockfold::solve {
 
 void stencil_start(Index length, Real scale, const Components& x, Real* const* y) {
@@ -21,11 +30,10 @@ void stencil_add(Index length, const Real* c, const Components& x, const Compone
   const Real *x0 = x.x[0], *x1 = x.x[1], *x2 = x.x[2];
   const Real *p0 = plus.x[0], *p1 = plus.x[1], *p2 = plus.x[2];
   const Real *m0 = minus.x[0], *m1 = minus.x[1], *m2 = minus.x[2];
-  Real* __restrict y0 = y[0];
-  Real* __restrict y1 = y[1];
-  Real* __restrict y2 = y[2];
+  Real *y0 = y[0], *y1 = y[1], *y2 = y[2];
   const Real c0 = c[0], c1 = c[1], c2 = c[2], c3 = c[3], c4 = c[4], c5 = c[5], c6 = c[6], c7 = c[7],
              c8 = c[8];
+  ROCKFOLD_NO_ALIAS
   for (Index k = 0; k < length; ++k) {
     const Real t0 = (p0[k] - x0[k]) + (m0[k] - x0[k]);
     const Real t1 = (p1[k] - x1[k]) + (m1[k] - x1[k]);

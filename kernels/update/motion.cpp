@@ -62,20 +62,15 @@ Motion::Data make_data(const MotionSetup& setup) {
 }
 
 Real largest_motion(const solve::DevicePoints& points, const Field& x) {
-  Real largest = 0;
-  Kokkos::parallel_reduce(
-      "rockfold::update::largest_motion", device::Range(0, points.count),
-      KOKKOS_LAMBDA(const Index n, Real& worst) {
+  return device::largest(
+      "rockfold::update::largest_motion", points.count, KOKKOS_LAMBDA(const Index n) {
         Real square = 0;
         for (int d = 0; d < 3; ++d) {
           const Real u = solve::interpolate_one(points, n, d, x);
           square += u * u;
         }
-        const Real length = device::math::sqrt(square);
-        if (length > worst) worst = length;
-      },
-      Kokkos::Max<Real>(largest));
-  return std::max(largest, 0.0);
+        return device::math::sqrt(square);
+      });
 }
 
 }  // namespace

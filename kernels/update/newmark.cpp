@@ -12,8 +12,8 @@ using solve::Combination;
 constexpr Combination stiffness_only{1, 0};
 constexpr Combination mass_only{0, 1};
 
-device::Range covers_of(const Motion::Data& m) { return {0, m.held.op.covers}; }
-device::Range fixed_of(const Motion::Data& m) { return {0, m.held.springs.points.count}; }
+Index covers_of(const Motion::Data& m) { return m.held.op.covers; }
+Index fixed_of(const Motion::Data& m) { return m.held.springs.points.count; }
 
 void prepare(Motion::Data& m, Real dt) {
   if (m.step_length == dt) return;
@@ -47,7 +47,7 @@ Real balance_forces(const Motion::Data& m, bool inertia) {
 void inertia_forces(const Motion::Data& m, Real dt) {
   const auto v = m.now.velocity, a = m.now.acceleration, w = m.work;
   const Real of_velocity = 1 / (m.beta * dt), of_acceleration = 1 / (2 * m.beta) - 1;
-  Kokkos::parallel_for(
+  device::for_each(
       "rockfold::update::inertia", covers_of(m), KOKKOS_LAMBDA(const Index p) {
         for (int d = 0; d < 3; ++d)
           w(p, d) = of_velocity * v(p, d) + of_acceleration * a(p, d);
@@ -58,7 +58,7 @@ void inertia_forces(const Motion::Data& m, Real dt) {
 /// Δd = Δt v + Δt²/2 a: exact for free flight, and the start of the solution otherwise.
 void predict(const Motion::Data& m, Real dt) {
   const auto v = m.now.velocity, a = m.now.acceleration, x = m.increment;
-  Kokkos::parallel_for(
+  device::for_each(
       "rockfold::update::predict", covers_of(m), KOKKOS_LAMBDA(const Index p) {
         for (int d = 0; d < 3; ++d) x(p, d) = dt * v(p, d) + 0.5 * dt * dt * a(p, d);
       });
@@ -68,7 +68,7 @@ void predict(const Motion::Data& m, Real dt) {
 void aim(const Motion::Data& m) {
   const solve::Springs s = m.held.springs;
   const auto d = m.now.displacement, goal = m.goal;
-  Kokkos::parallel_for(
+  device::for_each(
       "rockfold::update::aim", fixed_of(m), KOKKOS_LAMBDA(const Index n) {
         for (int i = 0; i < 3; ++i)
           goal(n, i) = s.target(n, i) - solve::interpolate_one(s.points, n, i, d);
@@ -79,7 +79,7 @@ void aim(const Motion::Data& m) {
 void move_covers(const Motion::Data& m, Real dt) {
   const auto d = m.now.displacement, v = m.now.velocity, a = m.now.acceleration, x = m.increment;
   const Real beta = m.beta, gamma = m.gamma;
-  Kokkos::parallel_for(
+  device::for_each(
       "rockfold::update::move", covers_of(m), KOKKOS_LAMBDA(const Index p) {
         for (int i = 0; i < 3; ++i) {
           const Real before = a(p, i), predicted = dt * v(p, i) + 0.5 * dt * dt * before;
@@ -97,7 +97,7 @@ void update_reactions(Motion::Data& m) {
   if (!s.any()) return;
   const auto x = m.increment, before = m.now.reaction, goal = m.goal;
   const auto out = m.sums;
-  solve::spring_reactions(s, x, goal, s.force);
+  solve::spring_reactions(s, m.held.spring_factor, x, goal, s.force);
   device::sum_then<1>(
       "rockfold::update::support_work", s.points.count, m.partial,
       KOKKOS_LAMBDA(const Index n, Sums<1>& sum) {
@@ -147,11 +147,9 @@ SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
   device::copy_to_device(guess, m.now.acceleration);
   const SolveReport report = solve::solve_held(m.held, m.right, m.goal, m.now.acceleration, Field(),
                                                options(m, reference));
-  const auto reaction = m.now.reaction, multiplier = m.now.multiplier;
-  Kokkos::parallel_for(
-      "rockfold::update::first_reactions", fixed_of(m), KOKKOS_LAMBDA(const Index n) {
-        for (int d = 0; d < 3; ++d) reaction(n, d) = -multiplier(n, d);
-      });
+  if (m.held.springs.any())
+    solve::spring_reactions(m.held.springs, m.held.spring_factor, m.now.acceleration, m.goal,
+                            m.now.reaction);
   return report;
 }
 
@@ -165,7 +163,7 @@ SolveReport solve_equilibrium(Motion::Data& m) {
                                                m.now.displacement, options(m, reference));
   update_reactions(m);
   const auto d = m.now.displacement, x = m.increment;
-  Kokkos::parallel_for(
+  device::for_each(
       "rockfold::update::displace", covers_of(m), KOKKOS_LAMBDA(const Index p) {
         for (int i = 0; i < 3; ++i) d(p, i) += x(p, i);
       });
@@ -194,7 +192,7 @@ void hand_on(Motion::Data& m) {
   const Real share = m.dynamic_ratio;
   const bool keep_acceleration = share > 0;
   const auto v = m.now.velocity, a = m.now.acceleration;
-  Kokkos::parallel_for(
+  device::for_each(
       "rockfold::update::hand_on", covers_of(m), KOKKOS_LAMBDA(const Index p) {
         for (int d = 0; d < 3; ++d) {
           v(p, d) *= share;

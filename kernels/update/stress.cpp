@@ -34,9 +34,8 @@ Stresses fetch(const Array<Real>& flat) {
 void stress_of_points(const ElementTable& table, const Field& d, const TrackedPoints::Data& at) {
   const auto element = at.element;
   const auto stress = at.stress;
-  Kokkos::parallel_for(
-      "rockfold::update::point_stress", device::Range(0, at.points.count),
-      KOKKOS_LAMBDA(const Index n) { stress_of_element(table, d, element(n), &stress(6 * n)); });
+  device::for_each(
+      "rockfold::update::point_stress", at.points.count, KOKKOS_LAMBDA(const Index n) { stress_of_element(table, d, element(n), &stress(6 * n)); });
 }
 
 }  // namespace
@@ -68,9 +67,8 @@ std::vector<std::array<Real, 6>> Motion::element_stress() const {
   const auto d = data_->now.displacement;
   const auto stress = device::allocate<Real>("update::element_stress",
                                              6 * static_cast<std::size_t>(table.count()));
-  Kokkos::parallel_for(
-      "rockfold::update::element_stress", device::Range(0, table.count()),
-      KOKKOS_LAMBDA(const Index e) {
+  device::for_each(
+      "rockfold::update::element_stress", table.count(), KOKKOS_LAMBDA(const Index e) {
         update::stress_of_element(table, d, e, &stress(6 * static_cast<std::size_t>(e)));
       });
   return update::fetch(stress);

@@ -128,7 +128,7 @@ std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks) {
 std::string support_summary(const KeyblockReport& report, const BlockArrays& blocks,
                             std::size_t most) {
   auto keys = report.keyblocks;
-  if (keys.empty()) return fact("key blocks", "none: no block can move");
+  if (keys.empty()) return fact("key blocks", "none: no block moves under these loads");
   std::stable_sort(keys.begin(), keys.end(),
                    [](const auto& a, const auto& b) { return a.support_force > b.support_force; });
   Real force = 0, volume = 0;

@@ -24,7 +24,7 @@ void expect_refusal(const Model& model, const std::string& part_of_message, cons
   const Error error = refusal(model);
   EXPECT_EQ(error.kind(), ErrorKind::model);
   EXPECT_NE(std::string(error.what()).find(part_of_message), std::string::npos) << error.what();
-  EXPECT_NE(error.place().key.find(part_of_key), std::string::npos) << error.place().key;
+  EXPECT_NE(error.diagnostics().front().place.key.find(part_of_key), std::string::npos) << error.diagnostics().front().place.key;
 }
 
 Model halfspaces(const std::vector<std::pair<Vec3, Vec3>>& normals_and_points) {

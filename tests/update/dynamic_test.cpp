@@ -34,14 +34,13 @@ TEST(Dynamic, AFreeBlockFallsExactly) {
   EXPECT_NEAR(e.dissipated / e.kinetic, 0, 1e-11);
 }
 
-/// A stiff block on one soft support shared by its corners: one mode, ω² = Σk / m.
+/// A block on springs that share its mass node by node, so that it moves as one whatever its stiffness: one mode, ω² = Σk / m.
 struct Oscillator {
   Rock rock = whole_box({2, 2, 2}, 0.5);
   Real omega = 20;
 
   Oscillator() {
-    rock.materials = {{2000, 1e14, 0}};
-    // All 27 nodes alike would shake the block unevenly: springs in proportion to each node's own mass keep it rigid.
+    rock.materials = {{2000, 1e7, 0.2}};
     const Real mass = 2000;
     rock.hold([](const Vec3&) { return true; }, 1, false);
     std::vector<Vec3> ones(rock.covers().cover_node.size(), Vec3{1, 1, 1});
@@ -80,9 +79,9 @@ TEST(Dynamic, AnOscillatorHasThePeriodErrorOfAverageAcceleration) {
     for (int step = 1; step <= 30; ++step) {
       ASSERT_TRUE(motion.step(dt).converged);
       const PointMotion at = motion.at(point);
-      // From rest with v = 1: d = sin(n·angle)/ω, v = cos(n·angle). The block's own give is k/E ~ 1e-8 of that.
-      EXPECT_NEAR(at.velocity[0][0], std::cos(step * angle), 1e-6);
-      EXPECT_NEAR(at.displacement[0][0] * oscillator.omega, std::sin(step * angle), 1e-6);
+      // In place with v = 1: d = sin(n·angle)/ω, v = cos(n·angle). Tolerance of a solve 1e-12, 30 steps.
+      EXPECT_NEAR(at.velocity[0][0], std::cos(step * angle), 1e-9);
+      EXPECT_NEAR(at.displacement[0][0] * oscillator.omega, std::sin(step * angle), 1e-9);
     }
   }
 }
@@ -126,7 +125,7 @@ TEST(QuasiStatic, ConvergesToTheStaticAnswerFromOneSide) {
   Motion statics(setup);
   ASSERT_TRUE(statics.solve_static().converged);
   const Real answer = statics.at(tip).displacement[0][2];
-  for (Real dt : {0.005, 0.02, 1.0}) {
+  for (Real dt : {0.01, 0.02, 1.0}) {
     setup.dynamic_ratio = 0;
     Motion motion(setup);
     ASSERT_TRUE(motion.start(dt).converged);
@@ -138,8 +137,8 @@ TEST(QuasiStatic, ConvergesToTheStaticAnswerFromOneSide) {
       EXPECT_GE(now, answer * (1 + 1e-9)) << "overshoots at step " << step;
       before = now;
     }
-    // The slowest mode, ω ≈ 60 1/s, loses 4/(4 + ω²Δt²) a step: 0.978^100 at the shortest step.
-    EXPECT_NEAR(before / answer, 1, dt < 0.01 ? 0.2 : 1e-8);
+    // The slowest mode has ω ≈ 50 1/s and loses 4/(4 + ω²Δt²) a step: 0.94^100 and 0.8^100 at the shorter steps.
+    EXPECT_NEAR(before / answer, 1, dt < 0.015 ? 0.01 : 1e-6);
   }
 }
 

@@ -27,6 +27,7 @@ TEST(Static, ALinearDisplacementOnTheBoundaryGivesConstantStress) {
   rock.hold(on_boundary, 1e4, true, patch_field);
   MotionSetup setup = rock.setup();
   setup.solver.max_outer = 300;
+  setup.solver.gap_tolerance = 1e-12;  // an element's strain is a difference over its thickness
   Motion motion(setup);
   const SolveReport report = motion.solve_static();
   ASSERT_TRUE(report.converged);
@@ -50,7 +51,7 @@ Rock column(Index cells_high) {
 }
 
 TEST(Static, AColumnSettlesUnderItsWeightAsTheClosedFormSays) {
-  Real coarse = 0;
+  Real coarse = 1;
   for (Index cells : {5, 10, 20}) {
     const Rock rock = column(cells);
     const Real spacing = 10.0 / cells;
@@ -66,7 +67,7 @@ TEST(Static, AColumnSettlesUnderItsWeightAsTheClosedFormSays) {
     EXPECT_LT(error, 0.02 * 0.0098) << cells;
     // The stress in the lowest layer is that of its middle: ρg (H − h/2).
     EXPECT_NEAR(base / (-2000 * 9.8 * (10 - spacing / 2)), 1, 0.15);
-    if (coarse > 0) EXPECT_LT(error, coarse * 0.6) << cells;
+    EXPECT_LT(error, coarse * 0.6) << cells;
     coarse = error;
 
     Vec3 total{};

@@ -1,0 +1,10 @@
+// The memory bandwidth of the device, as STREAM's triad measures it: the yardstick of kernels that only move numbers.
+#pragma once
+
+namespace rockfold {
+
+/// Bytes a second of a[i] = b[i] + s·c[i], 24 bytes an element as STREAM counts (McCalpin 1995), the best of several passes over
+/// arrays of 64 MiB each. Throws Error(analysis) where the answer is wrong.
+double measure_triad();
+
+}  // namespace rockfold

@@ -1,0 +1,132 @@
+// The kernels against the memory bandwidth measured in the same run.
+//
+// Bytes that must be moved, counted as STREAM counts (no write-allocate):
+//   apply          48 a row (x in, y out), for block rows 84 more a stored neighbour
+//   PCG iteration  apply + 336 a row: see kernels/solve/pcg_kernel.hpp
+// `of_triad` is bytes / time / triad: 1 = as fast as memory allows. Moments and assembly are computation: their rate alone.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "generated/version.hpp"
+#include "kernels/device/bandwidth.hpp"
+#include "kernels/device/device.hpp"
+#include "kernels/integrate/moments.hpp"
+#include "kernels/solve/cover_system.hpp"
+#include "perf/box_rock.hpp"
+
+namespace rockfold {
+namespace {
+
+constexpr Index cells = 69;  // 70³ covers: 1,029,000 unknowns
+constexpr Real side = 1.0 / cells;
+const std::vector<ElasticMaterial> materials{{2500, 1e9, 0.25}};
+double triad = 0;
+
+/// The cube with its lowest covers on springs.
+struct Bench {
+  CoverArrays covers;
+  PieceMoments moments;
+  FixedPoints fixed;
+
+  explicit Bench(int cut_layers) : covers(box_rock(cells, cut_layers)), moments(piece_moments(covers)) {
+    for (Index p = 0; p < (cells + 1) * (cells + 1); ++p) {
+      fixed.points.element.push_back(0);
+      fixed.points.cover.push_back({p, p, p, p});
+      fixed.points.weight.push_back({1, 0, 0, 0});
+      fixed.component.push_back({1, 1, 1});
+      fixed.value.push_back({});
+      fixed.stiffness.push_back(1e9 * side);
+      fixed.augmented.push_back(0);
+    }
+  }
+  static const Bench& get(int cut_layers) {
+    static std::map<int, Bench> made;
+    return made.try_emplace(cut_layers, cut_layers).first->second;
+  }
+};
+
+std::vector<Vec3> waves(Index covers) {
+  std::vector<Vec3> x(covers);
+  for (Index p = 0; p < covers; ++p) x[p] = {std::sin(0.1 * p), std::cos(0.37 * p), std::sin(1.3 * p)};
+  return x;
+}
+
+Real total(const std::vector<Vec3>& x) {
+  Real sum = 0;
+  for (const Vec3& v : x) sum += std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
+  return sum;
+}
+
+void report(benchmark::State& state, double bytes) {
+  state.counters["bytes"] = bytes;
+  state.counters["of_triad"] = benchmark::Counter(bytes * double(state.iterations()) / triad,
+                                                  benchmark::Counter::kIsRate);
+}
+
+void moments(benchmark::State& state) {
+  const CoverArrays& covers = Bench::get(1).covers;
+  PieceMoments m;
+  for (auto _ : state) m = piece_moments(covers);
+  Real volume = 0;
+  for (Real v : m.volume) volume += v;
+  if (std::abs(volume - cells / 3.0 * side) > 1e-9) state.SkipWithError("wrong volume");
+  state.SetItemsProcessed(state.iterations() * covers.piece_count());
+}
+
+void assemble(benchmark::State& state) {
+  const Bench& bench = Bench::get(static_cast<int>(state.range(0)));
+  for (auto _ : state) {
+    const CoverSystem system(bench.covers, bench.moments, materials, bench.fixed);
+    benchmark::DoNotOptimize(system.covers());
+  }
+  state.SetItemsProcessed(state.iterations() * 3 * bench.covers.cover_count());
+}
+
+void apply(benchmark::State& state) {
+  const Bench& bench = Bench::get(static_cast<int>(state.range(0)));
+  const CoverSystem system(bench.covers, bench.moments, materials);
+  const std::vector<Vec3> values = waves(system.covers());
+  const CoverVector x(values);
+  CoverVector y(system.covers());
+  for (auto _ : state) system.apply({1, 1e6, 0}, x, y);
+  static const Real expected = total(
+      CoverSystem(Bench::get(0).covers, {}, materials).apply({1, 1e6, 0}, values));
+  if (std::abs(total(y.get()) / expected - 1) > 1e-12) state.SkipWithError("wrong answer");
+  report(state, system.size().bytes());
+}
+
+void pcg_iteration(benchmark::State& state) {
+  const Bench& bench = Bench::get(static_cast<int>(state.range(0)));
+  CoverSystem system(bench.covers, bench.moments, materials, bench.fixed);
+  const std::vector<Vec3> load(system.covers(), Vec3{0, 0, -1});
+  constexpr Index iterations = 50;
+  for (auto _ : state) {
+    std::vector<Vec3> x(load.size());
+    const SolveReport done = system.solve({1, 0, 1}, load, x, {1e-14, iterations});
+    if (done.iterations != iterations || !(done.residual < 10)) state.SkipWithError("wrong answer");
+  }
+  report(state, iterations * (system.size().bytes() + 336.0 * system.covers()));
+}
+
+BENCHMARK(moments)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(assemble)->ArgName("cut_layers")->Arg(0)->Arg(1)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(apply)->ArgName("cut_layers")->Arg(0)->Arg(1)->Arg(3)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(pcg_iteration)->ArgName("cut_layers")->Arg(0)->Arg(1)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace rockfold
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  const rockfold::DeviceScope device;
+  rockfold::triad = rockfold::measure_triad();
+  benchmark::AddCustomContext("rockfold", std::string(rockfold::version) + " " + rockfold::commit);
+  benchmark::AddCustomContext("device", rockfold::device_description());
+  char text[40];
+  std::snprintf(text, sizeof text, "%.1f", rockfold::triad / 1e9);
+  benchmark::AddCustomContext("triad GB/s", text);
+  benchmark::RunSpecifiedBenchmarks();
+}
