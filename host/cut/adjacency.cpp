@@ -186,10 +186,14 @@ class PlaneMatcher {
     std::vector<Part> parts = divide_by_origin(ref, polygon);
     for (Part& part : parts) {
       const Real area = polygon_moments(part.polygon).area;
-      if (!(area > 0)) continue;
       const bool whole = whole_face && parts.size() == 1;
+      // Where no solid ends, the rules of intent have moved the neighbours of a joint's face aside by
+      // up to the tolerance: a whole face stays the joint's, a sliver beside fragments is nothing.
+      if (part.origin == none && whole) part.origin = complex_.joint_of_plane[plane_];
+      if (!(area > 0) || part.origin == none) continue;
       result_.free_parts.push_back({ref.cell, ref.face, part.origin,
-                                    whole ? none : static_cast<Index>(result_.polygons.size()), area});
+                                    whole ? none : static_cast<Index>(result_.polygons.size()),
+                                    area});
       if (!whole) result_.polygons.push_back(std::move(part.polygon));
     }
   }
@@ -230,13 +234,16 @@ class PlaneMatcher {
       }
       left = std::move(rest);
     }
-    for (Polygon& p : left) parts.push_back({std::move(p), first_listed});  // rounding may leave a trace
+    for (Polygon& p : left)
+      parts.push_back({std::move(p), first_listed});  // rounding may leave a trace
     return parts;
   }
 
   static Index origin_on(const ConvexBody& body, HalfSpaceId h) {
     const auto it = std::find(body.inside.begin(), body.inside.end(), h);
-    return it == body.inside.end() ? none : body.first_origin + static_cast<Index>(it - body.inside.begin());
+    return it == body.inside.end()
+               ? none
+               : body.first_origin + static_cast<Index>(it - body.inside.begin());
   }
 
   const Complex& complex_;

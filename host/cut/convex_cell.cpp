@@ -30,15 +30,51 @@ BoundingBall bounding_ball(const CellView& cell) {
 
 CellSide CellSplitter::classify(const CellView& cell, Index plane) {
   side_.resize(cell.vertices.size());
-  bool below = false, above = false;
-  for (std::size_t v = 0; v < cell.vertices.size(); ++v) {
-    const int s = planes_.side(cell.vertices[v], plane, intent);
-    side_[v] = static_cast<std::int8_t>(s);
-    below = below || s < 0;
-    above = above || s > 0;
-  }
+  for (std::size_t v = 0; v < cell.vertices.size(); ++v)
+    side_[v] = static_cast<std::int8_t>(planes_.side(cell.vertices[v], plane, intent));
+  const CellSide side = summary();
+  return side != CellSide::split || is_convex_split(cell) ? side : repair(cell, plane);
+}
+
+CellSide CellSplitter::summary() const {
+  const bool below = std::find(side_.begin(), side_.end(), -1) != side_.end();
+  const bool above = std::find(side_.begin(), side_.end(), 1) != side_.end();
   if (!below) return CellSide::above;
   return above ? CellSide::split : CellSide::below;
+}
+
+// A plane meets a convex polygon's boundary in at most two points, or along one edge.
+bool CellSplitter::is_convex_split(const CellView& cell) const {
+  for (const auto& face : cell.faces) {
+    const auto* corner = &cell.corners[face.begin];
+    int runs[3] = {0, 0, 0}, zeros = 0;  // runs of −, 0, +
+    std::int8_t before = side_[corner[face.count - 1].vertex];
+    for (std::int32_t k = 0; k < face.count; ++k) {
+      const std::int8_t side = side_[corner[k].vertex];
+      if (side != before) ++runs[side + 1];
+      if (side == 0) ++zeros;
+      before = side;
+    }
+    if (runs[0] > 1 || runs[2] > 1 || zeros > 2) return false;
+    if (zeros == 2 && runs[0] == 1 && runs[2] == 1 && runs[1] == 1) return false;
+  }
+  return true;
+}
+
+// The wider the band about the plane that is taken to one side, the fewer the vertices that still disagree.
+CellSide CellSplitter::repair(const CellView& cell, Index plane) {
+  ++intent.near_decisions;
+  intent.near_planes.push_back(plane);
+  for (Real band = planes_.tolerance(); band < 1e5 * planes_.tolerance(); band *= 10)
+    for (const int to : {1, -1}) {
+      for (std::size_t v = 0; v < cell.vertices.size(); ++v) {
+        const Real d = planes_.distance(cell.vertices[v], plane);
+        side_[v] = static_cast<std::int8_t>(std::abs(d) <= band ? to : d > 0 ? 1 : -1);
+      }
+      const CellSide side = summary();
+      if (side != CellSide::split || is_convex_split(cell)) return side;
+    }
+  throw std::logic_error("a plane meets a face of a cell more than twice");
 }
 
 void CellSplitter::split(const CellView& cell, Index plane, ConvexCell* below, ConvexCell* above) {

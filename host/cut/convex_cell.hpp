@@ -62,6 +62,8 @@ class CellSplitter {
   explicit CellSplitter(const PlaneTable& planes) : planes_(planes) {}
 
   /// Finds the side of each vertex; `split` if some lie strictly above and some strictly below.
+  /// Vertices that earlier decisions of intent moved by up to the tolerance can look as if the
+  /// plane cut a face twice: then those nearest to the plane are all put on one side of it.
   CellSide classify(const CellView& cell, Index plane);
 
   /// After classify() returned `split`: writes the two parts. Either pointer may be null.
@@ -75,6 +77,9 @@ class CellSplitter {
     std::int32_t low, high;  // vertices of the edge, low < high
     std::int32_t vertex;     // the new vertex, numbered after the cell's own
   };
+  CellSide summary() const;
+  bool is_convex_split(const CellView& cell) const;
+  CellSide repair(const CellView& cell, Index plane);
   void make_cut_vertices(const CellView& cell, Index plane);
   std::int32_t find_cut_vertex(std::int32_t u, std::int32_t v) const;
   void write_part(const CellView& cell, HalfSpaceId inside, ConvexCell& part);

@@ -349,14 +349,17 @@ class SurfaceMerger {
 };
 
 // Whether the block is one cell and each face of it has one origin.
-bool is_plain_cell(const CellView& cell, const std::vector<BoundaryArea>& areas,
-                   std::vector<Index>& origin) {
+bool is_plain_cell(const Complex& complex, const CellView& cell,
+                   const std::vector<BoundaryArea>& areas, std::vector<Index>& origin) {
   origin.assign(cell.faces.size(), none);
   for (const BoundaryArea& a : areas) {
     if (a.cell != areas.front().cell || (origin[a.face] != none && origin[a.face] != a.origin))
       return false;
     origin[a.face] = a.origin;
   }
+  // A face thinner than rounding may have no area of its own.
+  for (std::size_t f = 0; f < origin.size(); ++f)
+    if (origin[f] == none) origin[f] = complex.joint_of_plane[plane_of(cell.faces[f].inside)];
   return std::find(origin.begin(), origin.end(), none) == origin.end();
 }
 
@@ -383,7 +386,7 @@ BlockSurface cell_surface(const CellView& cell, const std::vector<BoundaryArea>&
 BlockSurface make_block_surface(const Complex& complex, const std::vector<BoundaryArea>& areas) {
   const CellView cell = complex.cells[areas.front().cell];
   std::vector<Index> origin;
-  if (is_plain_cell(cell, areas, origin)) return cell_surface(cell, areas, origin);
+  if (is_plain_cell(complex, cell, areas, origin)) return cell_surface(cell, areas, origin);
   return SurfaceMerger(complex, areas).run();
 }
 

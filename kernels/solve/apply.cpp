@@ -3,7 +3,7 @@
 // Bytes moved: a stencil row reads x and writes y once (neighbours come from cache): 48 bytes, with the write-allocate 72.
 // A block row reads for each neighbour 80 bytes of values and 4 of column, which is nearly all that it moves.
 #include "kernels/solve/operator_kernel.hpp"
-#include "kernels/solve/stencil_simd.hpp"
+#include "kernels/solve/simd.hpp"
 
 namespace rockfold::solve {
 namespace {
@@ -32,7 +32,54 @@ void apply_run(const DeviceStencil& stencil, Index run, const Combination& c, co
   }
 }
 
+/// A slice of block rows on a core.
+void apply_slice(const DeviceBlocks& block, Index slice, const Combination& c, const Field& x,
+                 const Field& y) {
+  const Index slot = slice * slice_lanes, begin = block.slice_begin(slice);
+  Real own[3][slice_lanes], sum[3][slice_lanes];
+  for (int l = 0; l < slice_lanes; ++l) {
+    const Index p = block.row(slot + l);
+    const Real mass = c.mass * block.diagonal(7 * static_cast<std::size_t>(slot + l) + 6);
+    for (int i = 0; i < 3; ++i) {
+      own[i][l] = p == none ? 0 : x(p, i);
+      sum[i][l] = mass * own[i][l];
+    }
+  }
+  slice_add(block.slice_begin(slice + 1) - begin, block.column.data() + begin * slice_lanes,
+            block.value.data() + static_cast<std::size_t>(begin) * 10 * slice_lanes, c.stiffness,
+            c.mass, {{&x(0, 0), &x(0, 1), &x(0, 2)}}, own, sum);
+  for (int l = 0; l < slice_lanes; ++l) {
+    const Index p = block.row(slot + l);
+    if (p == none) continue;
+    for (int i = 0; i < 3; ++i) y(p, i) = sum[i][l];
+  }
+}
+
 #else
+/// One row of a slice on a GPU.
+KOKKOS_INLINE_FUNCTION void apply_block_row(const DeviceBlocks& block, Index slot,
+                                            const Combination& c, const Field& x, const Field& y) {
+  const Index p = block.row(slot), slice = slot / slice_lanes;
+  if (p == none) return;
+  const Real mass = c.mass * block.diagonal(7 * static_cast<std::size_t>(slot) + 6);
+  Real own[3], sum[3];
+  for (int i = 0; i < 3; ++i) {
+    own[i] = x(p, i);
+    sum[i] = mass * own[i];
+  }
+  for (Index k = block.slice_begin(slice); k < block.slice_begin(slice + 1); ++k) {
+    const Index q = block.column(k * slice_lanes + slot % slice_lanes);
+    const Real* v = &block.value(static_cast<std::size_t>(k) * 10 * slice_lanes + slot % slice_lanes);
+    const Real m = c.mass * v[9 * slice_lanes];
+    Real t[3];
+    for (int j = 0; j < 3; ++j) t[j] = c.stiffness * (x(q, j) - own[j]);
+    for (int i = 0; i < 3; ++i)
+      sum[i] += v[3 * i * slice_lanes] * t[0] + v[(3 * i + 1) * slice_lanes] * t[1] +
+                v[(3 * i + 2) * slice_lanes] * t[2] + m * x(q, i);
+  }
+  for (int i = 0; i < 3; ++i) y(p, i) = sum[i];
+}
+
 /// One row of a run on a GPU.
 KOKKOS_INLINE_FUNCTION void apply_stencil_row(const DeviceStencil& stencil, Index run, Index k,
                                               const Combination& c, const Field& x,
@@ -56,45 +103,6 @@ KOKKOS_INLINE_FUNCTION void apply_stencil_row(const DeviceStencil& stencil, Inde
   for (int i = 0; i < 3; ++i) y(p, i) = sum[i];
 }
 #endif
-
-/// `Lanes` rows of a slice from lane `first` on.
-template <int Lanes>
-KOKKOS_INLINE_FUNCTION void apply_slice(const DeviceBlocks& block, Index slice, int first,
-                                        const Combination& c, const Field& x, const Field& y) {
-  const Index slot = slice * slice_lanes + first;
-  Real own[3][Lanes], sum[3][Lanes];
-  for (int l = 0; l < Lanes; ++l) {
-    const Index p = block.row(slot + l);
-    const Real mass = c.mass * block.diagonal(7 * static_cast<std::size_t>(slot + l) + 6);
-    for (int i = 0; i < 3; ++i) {
-      own[i][l] = p == none ? 0 : x(p, i);
-      sum[i][l] = mass * own[i][l];
-    }
-  }
-  for (Index k = block.slice_begin(slice); k < block.slice_begin(slice + 1); ++k) {
-    const Index* column = &block.column(k * slice_lanes + first);
-    const Real* v = &block.value(static_cast<std::size_t>(k) * 10 * slice_lanes + first);
-    Real there[3][Lanes], t[3][Lanes];
-    for (int l = 0; l < Lanes; ++l)
-      for (int i = 0; i < 3; ++i) there[i][l] = x(column[l], i);
-    for (int i = 0; i < 3; ++i)
-      for (int l = 0; l < Lanes; ++l) {
-        t[i][l] = c.stiffness * (there[i][l] - own[i][l]);
-        there[i][l] *= c.mass;
-      }
-    const Real* mass = v + 9 * slice_lanes;
-    for (int i = 0; i < 3; ++i)
-      for (int l = 0; l < Lanes; ++l)
-        sum[i][l] += v[(3 * i) * slice_lanes + l] * t[0][l] +
-                     v[(3 * i + 1) * slice_lanes + l] * t[1][l] +
-                     v[(3 * i + 2) * slice_lanes + l] * t[2][l] + mass[l] * there[i][l];
-  }
-  for (int l = 0; l < Lanes; ++l) {
-    const Index p = block.row(slot + l);
-    if (p == none) continue;
-    for (int i = 0; i < 3; ++i) y(p, i) = sum[i][l];
-  }
-}
 
 /// The inverse of a symmetric block with unit diagonal, or of its diagonal alone where it is singular: its determinant, 1 for
 /// the identity, is then rounding alone.
@@ -121,7 +129,7 @@ void apply(const Operator& op, const Combination& c, const Field& x, const Field
   const DeviceBlocks block = op.block;
   device::for_each(
       "rockfold::solve::apply_blocks", slice_count(op) * slice_lanes, KOKKOS_LAMBDA(const Index i) {
-        apply_slice<1>(block, i / slice_lanes, i % slice_lanes, c, x, y);
+        apply_block_row(block, i, c, x, y);
       });
   device::for_each(
       "rockfold::solve::apply_stencil", run_count(op) * slice_lanes, KOKKOS_LAMBDA(const Index i) {
@@ -142,7 +150,7 @@ void apply(const Operator& op, const Combination& c, const Field& x, const Field
   const Index slices = slice_count(op), portions = slices + run_count(op);
   const auto apply_portion = KOKKOS_LAMBDA(const Index i) {
     if (i < slices)
-      apply_slice<slice_lanes>(block, i, 0, c, x, y);
+      apply_slice(block, i, c, x, y);
     else
       apply_run(stencil, i - slices, c, x, y);
   };

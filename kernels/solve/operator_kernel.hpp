@@ -6,6 +6,7 @@
 #include "kernels/device/device_kernel.hpp"
 #include "kernels/solve/element_kernel.hpp"
 #include "kernels/solve/rows.hpp"
+#include "kernels/solve/simd.hpp"
 
 namespace rockfold::solve {
 
@@ -13,7 +14,7 @@ using device::Array;
 using device::Field;
 
 /// Rows of a slice: SIMD lanes on a core, a warp on a GPU.
-inline constexpr int slice_lanes = device::on_gpu ? 32 : 8;
+inline constexpr int slice_lanes = device::on_gpu ? 32 : simd_lanes;
 
 /// y = (stiffness · K + mass · M) x.
 struct Combination {

@@ -1,4 +1,4 @@
-// The inner loop of stencil rows on a core. Plain C++, compiled for each instruction set where the compiler can; without
+// The inner loops of the operator on a core. Plain C++, compiled for each instruction set where the compiler can; without
 // contracted multiply-adds (see src/build_settings.cmake) all versions give the same digits.
 #pragma once
 
@@ -17,5 +17,13 @@ void stencil_start(Index length, Real scale, const Components& x, Real* const* y
 /// y_i[k] += Σ_j c[3i+j] ((plus_j[k] − x_j[k]) + (minus_j[k] − x_j[k])) for k < length.
 void stencil_add(Index length, const Real* c, const Components& x, const Components& plus,
                  const Components& minus, Real* const* y);
+
+/// Rows that stand side by side in a slice of block rows on a core: one AVX-512 register, two of AVX2.
+inline constexpr int simd_lanes = 8;
+
+/// sum_i[l] += Σ over `columns` of the block times stiffness · (x there − own) + mass entry · mass · x there.
+/// column: [columns][8]; value: [columns][10][8], block of 9 and mass entry; own, sum: [3][8].
+void slice_add(Index columns, const Index* column, const Real* value, Real stiffness, Real mass,
+               const Components& x, const Real (*own)[simd_lanes], Real (*sum)[simd_lanes]);
 
 }  // namespace rockfold::solve

@@ -1,4 +1,4 @@
-#include "kernels/solve/stencil_simd.hpp"
+#include "kernels/solve/simd.hpp"
 
 // Function versions are chosen when the program starts, before the sanitizers are ready: not both.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && \
@@ -42,6 +42,25 @@ void stencil_add(Index length, const Real* c, const Components& x, const Compone
     y1[k] += c3 * t0 + c4 * t1 + c5 * t2;
     y2[k] += c6 * t0 + c7 * t1 + c8 * t2;
   }
+}
+
+ROCKFOLD_SIMD_VERSIONS
+void slice_add(Index columns, const Index* column, const Real* value, Real stiffness, Real mass,
+               const Components& x, const Real (*own)[simd_lanes], Real (*sum)[simd_lanes]) {
+  constexpr int n = simd_lanes;
+  const Real *x0 = x.x[0], *x1 = x.x[1], *x2 = x.x[2];
+  Real s0[n], s1[n], s2[n];
+  for (int l = 0; l < n; ++l) s0[l] = sum[0][l], s1[l] = sum[1][l], s2[l] = sum[2][l];
+  for (Index k = 0; k < columns; ++k, column += n, value += 10 * n)
+    for (int l = 0; l < n; ++l) {
+      const Real u0 = x0[column[l]], u1 = x1[column[l]], u2 = x2[column[l]];
+      const Real t0 = stiffness * (u0 - own[0][l]), t1 = stiffness * (u1 - own[1][l]),
+                 t2 = stiffness * (u2 - own[2][l]), m = mass * value[9 * n + l];
+      s0[l] += value[l] * t0 + value[n + l] * t1 + value[2 * n + l] * t2 + m * u0;
+      s1[l] += value[3 * n + l] * t0 + value[4 * n + l] * t1 + value[5 * n + l] * t2 + m * u1;
+      s2[l] += value[6 * n + l] * t0 + value[7 * n + l] * t1 + value[8 * n + l] * t2 + m * u2;
+    }
+  for (int l = 0; l < n; ++l) sum[0][l] = s0[l], sum[1][l] = s1[l], sum[2][l] = s2[l];
 }
 
 }  // namespace rockfold::solve
