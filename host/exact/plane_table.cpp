@@ -17,6 +17,7 @@ constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 constexpr Real relative_tolerance = 1e-10;        // DESIGN.md, rules 2 and 5
 constexpr Real guard_sine_squared = 1e-3 * 1e-3;  // rule 5: sine of the angle over 1e-3
 constexpr Real near_factor = 100;                 // rule 5: what is reported as near
+constexpr Real far_factor = 1000;              // no vertex is moved by more than 1e-7·L
 // Below this determinant of the unit normals a vertex is computed exactly: above it the bound of `vertex` keeps
 // the error under 50·48·ε·L ≈ 5e-13·L, two orders below the tolerance of rule 5.
 constexpr Real ill_conditioned = 0.02;
@@ -156,27 +157,44 @@ int PlaneTable::exact_side(const Vertex& vertex, Index plane) const {
   return CGAL::sign(value) * CGAL::sign(det);
 }
 
+// Four planes miss a common point by four distances, that of each from the meeting point of the others: one 4×4
+// determinant over the 3×3 determinant of the normals that meet. The least of them over the one of `vertex` from `s`.
+Real PlaneTable::least_share(const Vertex& vertex, Index s) const {
+  const Vec3 &a = normal_[vertex.plane[0]], &b = normal_[vertex.plane[1]],
+             &c = normal_[vertex.plane[2]], &n = normal_[s];
+  const Vec3 ab = cross(a, b), cn = cross(c, n);
+  const Real own = std::abs(dot(ab, c));
+  return own /
+         std::max({own, std::abs(dot(ab, n)), std::abs(dot(a, cn)), std::abs(dot(b, cn))});
+}
+
 int PlaneTable::side(const Vertex& vertex, Index plane, IntentCount& intent) const {
   const auto& p = vertex.plane;
   if (plane == p[0] || plane == p[1] || plane == p[2]) return 0;
   const Real d = distance(vertex, plane);
   const Real magnitude = std::abs(d);
+  const int sign = d > 0 ? 1 : -1;
   // Rounding of the unit normal (2 ε a component), of the products and of the offset.
   const Real error = vertex.error + 8 * epsilon *
                                         (std::abs(vertex.x[0]) + std::abs(vertex.x[1]) +
                                          std::abs(vertex.x[2]) + std::abs(offset_[plane]));
-  if (magnitude > near_factor * tolerance_ + error) return d > 0 ? 1 : -1;
+  if (magnitude > far_factor * tolerance_ + error) return sign;
 
   const bool guarded = !nearly_parallel(plane, p[0]) && !nearly_parallel(plane, p[1]) &&
                        !nearly_parallel(plane, p[2]);
-  if (!guarded) return magnitude > error ? (d > 0 ? 1 : -1) : exact_side(vertex, plane);
+  if (!guarded) return magnitude > error ? sign : exact_side(vertex, plane);
+  if (magnitude <= error) return 0;
 
-  if (magnitude * near_factor > tolerance_ + near_factor * error) {
+  // The least distance, so that the answer is the same whichever of the four is asked about: planes that all pass a
+  // point within a quarter of the tolerance are concurrent however badly three of them define it.
+  const Real least = magnitude * least_share(vertex, plane);
+  if (least > near_factor * tolerance_) return sign;
+  if (least * near_factor > tolerance_) {
     ++intent.near_decisions;
     intent.near_planes.push_back(plane);
   }
-  if (magnitude > tolerance_) return d > 0 ? 1 : -1;
-  if (magnitude > error) ++intent.vertices_identified;
+  if (least > tolerance_) return sign;
+  ++intent.vertices_identified;
   return 0;
 }
 

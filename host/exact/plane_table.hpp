@@ -90,6 +90,7 @@ class PlaneTable {
  private:
   struct Store;  // exact coefficients
   bool nearly_parallel(Index p, Index q) const;
+  Real least_share(const Vertex& vertex, Index s) const;
   int exact_side(const Vertex& vertex, Index plane) const;
   Vec3 exact_position(const std::array<Index, 3>& p) const;
 

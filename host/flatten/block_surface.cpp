@@ -6,8 +6,11 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include <fmt/format.h>
+
 #include "host/cut/union_find.hpp"
 #include "host/flatten/vertex_merge.hpp"
+#include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -387,7 +390,17 @@ BlockSurface make_block_surface(const Complex& complex, const std::vector<Bounda
   const CellView cell = complex.cells[areas.front().cell];
   std::vector<Index> origin;
   if (is_plain_cell(complex, cell, areas, origin)) return cell_surface(cell, areas, origin);
-  return SurfaceMerger(complex, areas).run();
+  try {
+    return SurfaceMerger(complex, areas).run();
+  } catch (const std::logic_error& error) {
+    const Vec3 x = bounding_ball(cell).centre + complex.planes.centre();
+    throw Error(
+        ErrorKind::analysis,
+        fmt::format(
+            "the surface of the block at ({:.6g}, {:.6g}, {:.6g}) does not close: {}; planes "
+            "that nearly coincide there are neither one plane nor clearly two",
+            x[0], x[1], x[2], error.what()));
+  }
 }
 
 }  // namespace rockfold

@@ -27,34 +27,33 @@ void add(Vector& y, Real s, const Vector& x) {
 
 }  // namespace
 
+void Anderson::learn(Pair pair) {
+  const Real before = dot(pair.df, pair.df);
+  for (int pass = 0; pass < 2; ++pass)  // twice is enough (Kahan)
+    for (const Pair& known : pairs_) {
+      const Real share = dot(known.df, pair.df);
+      add(pair.df, -share, known.df);
+      add(pair.dx, -share, known.dx);
+    }
+  const Real length = std::sqrt(dot(pair.df, pair.df));
+  // A change that is all but a combination of known ones has nothing to tell but rounding.
+  if (!(length * length > 1e-8 * before)) return;
+  for (Real& v : pair.df) v /= length;
+  for (Real& v : pair.dx) v /= length;
+  pairs_.push_back(std::move(pair));
+  if (pairs_.size() > depth_) pairs_.pop_front();
+}
+
 std::vector<Real> Anderson::next(const Vector& x, const Vector& f) {
-  if (!last_x_.empty()) {
-    pairs_.push_front({difference(x, last_x_), difference(f, last_f_)});
-    if (pairs_.size() > depth_) pairs_.pop_back();
-  }
+  if (!last_x_.empty()) learn({difference(x, last_x_), difference(f, last_f_)});
   last_x_ = x;
   last_f_ = f;
-  // Gram-Schmidt on the changes of f, newest first, carrying the changes of x along: each orthogonal part takes its share
-  // out of f. A change that is all but a combination of newer ones has nothing to tell.
+  // What of f the known changes can take away, they do; the rest goes the plain way.
   Vector rest = f, result = x;
-  std::vector<Pair> orthogonal;
-  for (const Pair& pair : pairs_) {
-    Pair p = pair;
-    const Real before = dot(p.df, p.df);
-    for (int pass = 0; pass < 2; ++pass)
-      for (const Pair& q : orthogonal) {
-        const Real share = dot(q.df, p.df);
-        add(p.df, -share, q.df);
-        add(p.dx, -share, q.dx);
-      }
-    const Real length = std::sqrt(dot(p.df, p.df));
-    if (!(length * length > 1e-8 * before)) continue;
-    for (Real& v : p.df) v /= length;
-    for (Real& v : p.dx) v /= length;
-    const Real share = dot(p.df, rest);
-    add(rest, -share, p.df);
-    add(result, -share, p.dx);
-    orthogonal.push_back(std::move(p));
+  for (const Pair& known : pairs_) {
+    const Real share = dot(known.df, rest);
+    add(rest, -share, known.df);
+    add(result, -share, known.dx);
   }
   add(result, 1, rest);
   return result;

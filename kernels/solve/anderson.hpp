@@ -24,11 +24,15 @@ class Anderson {
   void forget();
 
  private:
+  /// A change of x and the change of f that comes with it; the df of all pairs are orthonormal. Where f is linear any
+  /// combination of pairs is a pair, so that old ones can go one by one.
   struct Pair {
     std::vector<Real> dx, df;
   };
+  void learn(Pair pair);
+
   std::size_t depth_;
-  std::deque<Pair> pairs_;
+  std::deque<Pair> pairs_;  ///< oldest first
   std::vector<Real> last_x_, last_f_;
 };
 

@@ -21,7 +21,7 @@ struct HeldSystem {
   Field load;      ///< b with the springs' part
   /// What the multipliers' iteration has learned; it stays true from step to step. As deep as pays: each outer iteration costs
   /// some ten applications, a pair costs two vectors of the fixed points.
-  Anderson acceleration{20};
+  Anderson acceleration{80};
 };
 HeldSystem make_held_system(Operator op, Springs springs);
 

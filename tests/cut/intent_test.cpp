@@ -16,7 +16,7 @@ namespace {
 const Real size = std::sqrt(3.0);
 
 // x = y = z = 1/2 and a fourth plane that misses their point by `miss` times L. Each of the others misses the point of the
-// remaining three by √3 times that.
+// remaining three by √3 times that; the least counts.
 Model four_planes(Real miss) {
   Model model = box_model({0, 0, 0}, {1, 1, 1});
   for (const Vec3& n : {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) add_joint(model, n, {0.5, 0.5, 0.5});
@@ -29,7 +29,7 @@ Real smallest(const Blocks& blocks) {
 }
 
 TEST(FourPlanesThatNearlyMeet, MeetWhereTheyMissByLess) {
-  for (const Real miss : {0.0, 1e-12, -1e-12, 1e-11, -1e-11, 0.55e-10, -0.55e-10}) {
+  for (const Real miss : {0.0, 1e-12, -1e-12, 1e-11, -1e-11, 0.95e-10, -0.95e-10}) {
     const Blocks blocks = cut(four_planes(miss));
     EXPECT_EQ(blocks.arrays.block_count(), 14) << miss;
     EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{82, 132, 78})) << miss;
@@ -66,6 +66,30 @@ TEST(FourPlanesThatNearlyMeet, AreReportedWhereTheDecisionIsNear) {
     const IntentReport intent = cut(four_planes(miss)).cutting.totals.intent;
     EXPECT_EQ(intent.near_decisions, 0) << miss;
     EXPECT_TRUE(intent.near_planes.empty()) << miss;
+  }
+}
+
+// Any number of planes through one point, each off by noise of up to 1.7e-11·L: the blocks are those of the planes without
+// the noise. (Up to a quarter of the tolerance, the least of four distances is within it for every four planes.)
+TEST(ManyPlanesThatNearlyMeet, MeetWhereEachIsOffByNoise) {
+  std::mt19937 random(5);
+  std::normal_distribution<Real> gauss;
+  const auto any = [&] { return Vec3{gauss(random), gauss(random), gauss(random)}; };
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 common = 0.5 * any();
+    std::vector<Vec3> normals(4 + i % 7);
+    for (Vec3& n : normals) n = normalized(any());
+    const Real noise = i % 2 ? 0.7e-11 : 1e-12;
+    Model model = box_model({-5, -5, -5}, {5, 5, 5});
+    for (const Vec3& n : normals) {
+      const Real off = std::min(2.4, std::abs(gauss(random))) * noise * (10 * size);  // L = 10·√3 m
+      add_joint(model, n, common + off * n);
+    }
+    const Blocks blocks = cut(model);
+    // Planes in general position through one point make n(n − 1) + 2 blocks.
+    const auto n = static_cast<Index>(normals.size());
+    EXPECT_EQ(blocks.arrays.block_count(), n * (n - 1) + 2) << i;
+    EXPECT_NEAR(sum(blocks.arrays.volume), 1000, 1e-5) << i;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "host/exact/plane_exact.hpp"
@@ -54,8 +55,10 @@ struct Planes {
 
 inline int sign(const Exact& x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
-/// DESIGN.md, rule 5, on exact numbers: on the plane if within 1e-10 of the size and at an angle of sine over 1e-3 with
-/// each of the vertex' planes; the exact sign otherwise. `decided` is false so near a threshold that doubles may differ.
+/// DESIGN.md, rule 5, on exact numbers: on the plane if the least of the four distances by which the planes miss a common
+/// point is within 1e-10 of the size, the plane makes an angle of sine over 1e-3 with each of the vertex' planes, and the
+/// vertex is not moved by more than 1e-7 of the size; the exact sign otherwise. `decided` is false so near a threshold that
+/// doubles may differ.
 struct Answer {
   int side = 0;
   bool decided = true;
@@ -63,12 +66,21 @@ struct Answer {
 inline Answer rule_five(const Planes& planes, const std::array<Index, 3>& vertex, Index s, Real size) {
   const ExactVec3 x = planes.meeting_point(vertex);
   const Real distance = std::abs(planes.distance(x, s));
+  Real least = distance;
+  for (int i = 0; i < 3; ++i) {
+    std::array<Index, 3> other = vertex;
+    std::swap(other[i], s);
+    const auto& n = planes.exact_planes;
+    if (dot(n[other[0]].n, cross(n[other[1]].n, n[other[2]].n)) != 0)
+      least = std::min(least, std::abs(planes.distance(planes.meeting_point(other), s)));
+    std::swap(other[i], s);
+  }
   Real smallest = 1;
   for (const Index p : vertex) smallest = std::min(smallest, planes.sine(p, s));
   const int exact_sign = sign(planes.value(x, s));
-  const bool on = distance <= 1e-10 * size && smallest > 1e-3;
-  const bool near_distance = std::abs(distance / (1e-10 * size) - 1) < 0.02;
-  const bool near_angle = std::abs(smallest / 1e-3 - 1) < 1e-6 && distance < 1.1e-10 * size;
+  const bool on = least <= 1e-10 * size && smallest > 1e-3 && distance <= 1e-7 * size;
+  const bool near_distance = std::abs(least / (1e-10 * size) - 1) < 0.02 || std::abs(distance / (1e-7 * size) - 1) < 1e-3;
+  const bool near_angle = std::abs(smallest / 1e-3 - 1) < 1e-6 && least < 1.1e-10 * size;
   return {on ? 0 : exact_sign, !near_distance && !near_angle};
 }
 

@@ -125,6 +125,33 @@ TEST_F(Side, OfAVertexOnItsOwnPlanesIsOn) {
   EXPECT_EQ(intent.vertices_identified + intent.near_decisions, 0);
 }
 
+// Whichever of four nearly concurrent planes is asked about, the answer is the same: on, or not on.
+TEST_F(Side, IsOnForAllFourOfNearlyConcurrentPlanesOrForNone) {
+  int on = 0, off = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 common = any_point(1);
+    Planes planes({}, 1);
+    for (int p = 0; p < 4; ++p) {
+      const Vec3 n = normalized(any_vector());
+      planes.add(n, common + (std::pow(10.0, -11 + i % 5 * 0.5) * gauss(random)) * n);
+    }
+    Real smallest = 1, determinant = 1;
+    for (Index p = 0; p < 4; ++p) {
+      for (Index q = 0; q < p; ++q) smallest = std::min(smallest, planes.sine(p, q));
+      const auto& t = planes.table;
+      determinant = std::min(determinant, std::abs(dot(t.normal((p + 1) % 4), cross(t.normal((p + 2) % 4), t.normal((p + 3) % 4)))));
+    }
+    if (smallest < 1.1e-3 || determinant < 2e-3) continue;  // guarded, or a vertex moved by more than 1e-7
+    int zeros = 0;
+    IntentCount intent;
+    for (Index s = 0; s < 4; ++s) zeros += planes.table.side(planes.table.vertex((s + 1) % 4, (s + 2) % 4, (s + 3) % 4), s, intent) == 0;
+    EXPECT_TRUE(zeros == 0 || zeros == 4) << zeros;
+    ++(zeros == 0 ? off : on);
+  }
+  EXPECT_GT(on, 500);
+  EXPECT_GT(off, 500);
+}
+
 // What is counted: an identification is a miss beyond rounding and within the tolerance; a near decision lies within a
 // factor 100 of the tolerance on either side.
 TEST_F(Side, CountsWhatIntentDecided) {
