@@ -4,11 +4,11 @@
 //   apply          48 a row (x in, y out), for block rows 84 more a stored neighbour
 //   PCG iteration  apply + 336 a row: see kernels/solve/pcg_kernel.hpp
 // `of_triad` is bytes / time / triad: 1 = as fast as memory allows. Moments and assembly are computation: their rate alone.
-#include <benchmark/benchmark.h>
-
 #include <cmath>
 #include <cstdio>
 #include <map>
+
+#include <benchmark/benchmark.h>
 
 #include "generated/version.hpp"
 #include "kernels/device/bandwidth.hpp"
@@ -31,7 +31,8 @@ struct Bench {
   PieceMoments moments;
   FixedPoints fixed;
 
-  explicit Bench(int cut_layers) : covers(box_rock(cells, cut_layers)), moments(piece_moments(covers)) {
+  explicit Bench(int cut_layers)
+      : covers(box_rock(cells, cut_layers)), moments(piece_moments(covers)) {
     for (Index p = 0; p < (cells + 1) * (cells + 1); ++p) {
       fixed.points.element.push_back(0);
       fixed.points.cover.push_back({p, p, p, p});
@@ -50,7 +51,8 @@ struct Bench {
 
 std::vector<Vec3> waves(Index covers) {
   std::vector<Vec3> x(covers);
-  for (Index p = 0; p < covers; ++p) x[p] = {std::sin(0.1 * p), std::cos(0.37 * p), std::sin(1.3 * p)};
+  for (Index p = 0; p < covers; ++p)
+    x[p] = {std::sin(0.1 * p), std::cos(0.37 * p), std::sin(1.3 * p)};
   return x;
 }
 
@@ -62,8 +64,8 @@ Real total(const std::vector<Vec3>& x) {
 
 void report(benchmark::State& state, double bytes) {
   state.counters["bytes"] = bytes;
-  state.counters["of_triad"] = benchmark::Counter(bytes * double(state.iterations()) / triad,
-                                                  benchmark::Counter::kIsRate);
+  state.counters["of_triad"] =
+      benchmark::Counter(bytes * double(state.iterations()) / triad, benchmark::Counter::kIsRate);
 }
 
 void moments(benchmark::State& state) {
@@ -92,8 +94,8 @@ void apply(benchmark::State& state) {
   const CoverVector x(values);
   CoverVector y(system.covers());
   for (auto _ : state) system.apply({1, 1e6, 0}, x, y);
-  static const Real expected = total(
-      CoverSystem(Bench::get(0).covers, {}, materials).apply({1, 1e6, 0}, values));
+  static const Real expected =
+      total(CoverSystem(Bench::get(0).covers, {}, materials).apply({1, 1e6, 0}, values));
   if (std::abs(total(y.get()) / expected - 1) > 1e-12) state.SkipWithError("wrong answer");
   report(state, system.size().bytes());
 }
@@ -112,9 +114,25 @@ void pcg_iteration(benchmark::State& state) {
 }
 
 BENCHMARK(moments)->UseRealTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(assemble)->ArgName("cut_layers")->Arg(0)->Arg(1)->UseRealTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(apply)->ArgName("cut_layers")->Arg(0)->Arg(1)->Arg(3)->UseRealTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(pcg_iteration)->ArgName("cut_layers")->Arg(0)->Arg(1)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(assemble)
+    ->ArgName("cut_layers")
+    ->Arg(0)
+    ->Arg(1)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(apply)
+    ->ArgName("cut_layers")
+    ->Arg(0)
+    ->Arg(1)
+    ->Arg(3)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(pcg_iteration)
+    ->ArgName("cut_layers")
+    ->Arg(0)
+    ->Arg(1)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace rockfold

@@ -12,6 +12,7 @@
 #include "host/cut/union_find.hpp"
 #include "host/parallel.hpp"
 #include "src/base/error.hpp"
+#include "src/base/sum.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -50,7 +51,7 @@ CellStore enclosing_cell(CuttingInput& input) {
 struct Rock {
   CellStore cells;
   std::vector<Index> body;
-  Real volume = 0;
+  Sum volume;
 };
 
 Rock keep_rock(const CellStore& cells, const Complex& complex, const Model& model) {
@@ -140,13 +141,16 @@ Cutting cut_blocks(const Model& model, Progress& progress) {
 
   Cutting cutting;
   cutting.totals.cells = complex->cells.size();
-  cutting.totals.solid_volume = rock.volume;
+  cutting.totals.solid_volume = rock.volume.value();
+  Sum joint_area, dangling_joint_area;
   for (const Fragment& f : complex->fragments) {
     if (f.joint == none) continue;
-    cutting.totals.joint_area += f.area;
+    joint_area += f.area;
     if (complex->cell_block[f.cell[0]] == complex->cell_block[f.cell[1]])
-      cutting.totals.dangling_joint_area += f.area;
+      dangling_joint_area += f.area;
   }
+  cutting.totals.joint_area = joint_area.value();
+  cutting.totals.dangling_joint_area = dangling_joint_area.value();
   cutting.totals.intent = intent_report(*complex, intent, input.planes_identified);
   cutting.complex = std::move(complex);
   return cutting;

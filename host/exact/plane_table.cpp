@@ -17,7 +17,7 @@ constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 constexpr Real relative_tolerance = 1e-10;        // DESIGN.md, rules 2 and 5
 constexpr Real guard_sine_squared = 1e-3 * 1e-3;  // rule 5: sine of the angle over 1e-3
 constexpr Real near_factor = 100;                 // rule 5: what is reported as near
-constexpr Real far_factor = 1000;              // no vertex is moved by more than 1e-7·L
+constexpr Real far_factor = 1000;                 // no vertex is moved by more than 1e-7·L
 // Below this determinant of the unit normals a vertex is computed exactly: above it the bound of `vertex` keeps
 // the error under 50·48·ε·L ≈ 5e-13·L, two orders below the tolerance of rule 5.
 constexpr Real ill_conditioned = 0.02;
@@ -164,8 +164,7 @@ Real PlaneTable::least_share(const Vertex& vertex, Index s) const {
              &c = normal_[vertex.plane[2]], &n = normal_[s];
   const Vec3 ab = cross(a, b), cn = cross(c, n);
   const Real own = std::abs(dot(ab, c));
-  return own /
-         std::max({own, std::abs(dot(ab, n)), std::abs(dot(a, cn)), std::abs(dot(b, cn))});
+  return own / std::max({own, std::abs(dot(ab, n)), std::abs(dot(a, cn)), std::abs(dot(b, cn))});
 }
 
 int PlaneTable::side(const Vertex& vertex, Index plane, IntentCount& intent) const {

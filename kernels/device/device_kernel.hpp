@@ -2,10 +2,11 @@
 // between the versions of Kokkos (3.4 to 5) that Rockfold builds with.
 #pragma once
 
-#include <Kokkos_Core.hpp>
 #include <array>
 #include <string>
 #include <vector>
+
+#include <Kokkos_Core.hpp>
 
 #include "src/base/types.hpp"
 
@@ -32,7 +33,7 @@ template <class T>
 using Array = Kokkos::View<T*, Memory>;
 
 /// A vector quantity of the covers: (p, d) with all x, then all y, then all z, so that neighbouring covers load as one.
-using Field = Kokkos::View<Real * [3], Kokkos::LayoutLeft, Memory>;
+using Field = Kokkos::View<Real* [3], Kokkos::LayoutLeft, Memory>;
 
 using Range = Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>;
 

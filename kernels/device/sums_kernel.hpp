@@ -22,7 +22,9 @@ struct Sums {
 /// Items of a chunk. Part of the result's definition: another length rounds differently.
 inline constexpr Index chunk_length = 1024;
 
-inline Index chunk_count(Index n) { return (n + chunk_length - 1) / chunk_length; }
+inline Index chunk_count(Index n) {
+  return (n + chunk_length - 1) / chunk_length;
+}
 
 /// The sum of one chunk. On a core four interleaved sums hide the latency of an addition.
 template <int K, class Add>

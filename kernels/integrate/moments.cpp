@@ -108,8 +108,8 @@ std::vector<Real> integrate_monomials(const ClosedSurfaces& surfaces) {
   const auto begin = device::to_device("integrate::triangle_begin", surfaces.triangle_begin);
   const auto vertex = device::to_device("integrate::triangle_vertex", surfaces.triangle_vertex);
   const auto xyz = device::to_device("integrate::vertex_xyz", surfaces.vertex_xyz);
-  const auto result = device::allocate<Real>(
-      "integrate::monomials", monomial_count * static_cast<std::size_t>(bodies));
+  const auto result = device::allocate<Real>("integrate::monomials",
+                                             monomial_count * static_cast<std::size_t>(bodies));
   device::for_each(
       "rockfold::integrate::monomials", bodies, KOKKOS_LAMBDA(const Index s) {
         Real about[3];

@@ -16,7 +16,9 @@
 namespace rockfold::integrate {
 
 /// The number of monomials up to a degree.
-constexpr int count_to(int degree) { return (degree + 1) * (degree + 2) * (degree + 3) / 6; }
+constexpr int count_to(int degree) {
+  return (degree + 1) * (degree + 2) * (degree + 3) / 6;
+}
 
 /// monomial_index for the device.
 KOKKOS_INLINE_FUNCTION constexpr int index_of(int a, int b, int c) {

@@ -69,7 +69,8 @@ KOKKOS_INLINE_FUNCTION void apply_block_row(const DeviceBlocks& block, Index slo
   }
   for (Index k = block.slice_begin(slice); k < block.slice_begin(slice + 1); ++k) {
     const Index q = block.column(k * slice_lanes + slot % slice_lanes);
-    const Real* v = &block.value(static_cast<std::size_t>(k) * 10 * slice_lanes + slot % slice_lanes);
+    const Real* v =
+        &block.value(static_cast<std::size_t>(k) * 10 * slice_lanes + slot % slice_lanes);
     const Real m = c.mass * v[9 * slice_lanes];
     Real t[3];
     for (int j = 0; j < 3; ++j) t[j] = c.stiffness * (x(q, j) - own[j]);
@@ -115,7 +116,9 @@ KOKKOS_INLINE_FUNCTION void invert_unit_block(Real xy, Real yz, Real zx, Real* i
     inverse[k] = regular ? cofactor[k] / determinant : (k < 3 ? 1.0 : 0.0);
 }
 
-Index run_count(const Operator& op) { return static_cast<Index>(op.stencil.first.extent(0)); }
+Index run_count(const Operator& op) {
+  return static_cast<Index>(op.stencil.first.extent(0));
+}
 Index slice_count(const Operator& op) {
   return static_cast<Index>(op.block.slice_begin.extent(0)) - 1;
 }
@@ -128,9 +131,8 @@ void apply(const Operator& op, const Combination& c, const Field& x, const Field
   const DeviceStencil stencil = op.stencil;
   const DeviceBlocks block = op.block;
   device::for_each(
-      "rockfold::solve::apply_blocks", slice_count(op) * slice_lanes, KOKKOS_LAMBDA(const Index i) {
-        apply_block_row(block, i, c, x, y);
-      });
+      "rockfold::solve::apply_blocks", slice_count(op) * slice_lanes,
+      KOKKOS_LAMBDA(const Index i) { apply_block_row(block, i, c, x, y); });
   device::for_each(
       "rockfold::solve::apply_stencil", run_count(op) * slice_lanes, KOKKOS_LAMBDA(const Index i) {
         const Index run = i / slice_lanes;
@@ -167,7 +169,8 @@ void diagonal_blocks(const Operator& op, const Combination& c, const Blocks& d) 
   const DeviceStencil stencil = op.stencil;
   const DeviceBlocks block = op.block;
   device::for_each(
-      "rockfold::solve::stencil_diagonal", static_cast<Index>(stencil.first.extent(0)), KOKKOS_LAMBDA(const Index run) {
+      "rockfold::solve::stencil_diagonal", static_cast<Index>(stencil.first.extent(0)),
+      KOKKOS_LAMBDA(const Index run) {
         const Real* diagonal = &stencil.table(stencil.material(run) * DeviceStencil::table_size +
                                               10 * half_neighbours + 1);
         Real combined[9];
@@ -178,7 +181,8 @@ void diagonal_blocks(const Operator& op, const Combination& c, const Blocks& d) 
         }
       });
   device::for_each(
-      "rockfold::solve::block_diagonal", static_cast<Index>(block.row.extent(0)), KOKKOS_LAMBDA(const Index slot) {
+      "rockfold::solve::block_diagonal", static_cast<Index>(block.row.extent(0)),
+      KOKKOS_LAMBDA(const Index slot) {
         const Index p = block.row(slot);
         if (p == none) return;
         const Real* diagonal = &block.diagonal(7 * static_cast<std::size_t>(slot));
@@ -189,7 +193,8 @@ void diagonal_blocks(const Operator& op, const Combination& c, const Blocks& d) 
 
 void invert_blocks(const Blocks& d) {
   device::for_each(
-      "rockfold::solve::invert_blocks", static_cast<Index>(d.extent(0)), KOKKOS_LAMBDA(const Index p) {
+      "rockfold::solve::invert_blocks", static_cast<Index>(d.extent(0)),
+      KOKKOS_LAMBDA(const Index p) {
         Real scale[3];
         for (int i = 0; i < 3; ++i) scale[i] = d(p, i) > 0 ? 1 / device::math::sqrt(d(p, i)) : 0;
         Real inverse[6];

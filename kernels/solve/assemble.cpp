@@ -48,8 +48,8 @@ struct Assembly {
 };
 
 /// The place of column q among the sorted columns of a row; padding repeats the row's own id at the end.
-KOKKOS_INLINE_FUNCTION Index find_column(const DeviceBlocks& block, Index begin, Index end, int lane,
-                                         Index q) {
+KOKKOS_INLINE_FUNCTION Index find_column(const DeviceBlocks& block, Index begin, Index end,
+                                         int lane, Index q) {
   while (begin < end && block.column(begin * slice_lanes + lane) != q) ++begin;
   return begin;
 }
@@ -166,15 +166,15 @@ Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
   op.block = upload(rows.block);
 
   using device::to_device;
-  assemble_blocks({op.block, to_device("solve::tets", std::vector<TetTable>{tets}),
-                   to_device("solve::elastic", elastic), to_device("solve::cell", cell_table),
-                   element_moments(covers, moments),
-                   to_device("solve::regular_cover", covers.regular_cover),
-                   to_device("solve::regular_material", covers.regular_material),
-                   to_device("solve::element_cover", covers.element_cover),
-                   to_device("solve::element_material", covers.element_material),
-                   to_device("solve::element_tet", covers.element_tet)},
-                  static_cast<Index>(rows.block.row.size()));
+  assemble_blocks(
+      {op.block, to_device("solve::tets", std::vector<TetTable>{tets}),
+       to_device("solve::elastic", elastic), to_device("solve::cell", cell_table),
+       element_moments(covers, moments), to_device("solve::regular_cover", covers.regular_cover),
+       to_device("solve::regular_material", covers.regular_material),
+       to_device("solve::element_cover", covers.element_cover),
+       to_device("solve::element_material", covers.element_material),
+       to_device("solve::element_tet", covers.element_tet)},
+      static_cast<Index>(rows.block.row.size()));
   Kokkos::fence();
   return op;
 }

@@ -19,7 +19,9 @@ CoverVector& CoverVector::operator=(CoverVector&&) noexcept = default;
 void CoverVector::set(const std::vector<Vec3>& values) {
   device::copy_to_device(values, data_->field);
 }
-std::vector<Vec3> CoverVector::get() const { return device::copy_to_host(data_->field); }
+std::vector<Vec3> CoverVector::get() const {
+  return device::copy_to_host(data_->field);
+}
 
 struct CoverSystem::Data {
   solve::HeldSystem held;
@@ -28,13 +30,14 @@ struct CoverSystem::Data {
 CoverSystem::CoverSystem(const CoverArrays& covers, const PieceMoments& moments,
                          const std::vector<ElasticMaterial>& materials, const FixedPoints& fixed)
     : data_(new Data{
-          solve::make_held_system(solve::build_operator(covers, moments, materials),
-                                  solve::build_springs(fixed, covers.cover_count()))}) {}
+          solve::make_held_system(solve::build_operator(covers, moments, materials), fixed)}) {}
 CoverSystem::~CoverSystem() = default;
 CoverSystem::CoverSystem(CoverSystem&&) noexcept = default;
 CoverSystem& CoverSystem::operator=(CoverSystem&&) noexcept = default;
 
-Index CoverSystem::covers() const { return data_->held.op.covers; }
+Index CoverSystem::covers() const {
+  return data_->held.op.covers;
+}
 
 OperatorSize CoverSystem::size() const {
   const auto& op = data_->held.op;
@@ -75,8 +78,9 @@ std::vector<Vec3> CoverSystem::reactions(const std::vector<Vec3>& x) const {
   const auto& springs = data_->held.springs;
   CoverVector motion(x), force(springs.points.count);
   if (springs.any())
-    solve::spring_reactions(springs, data_->held.spring_factor, motion.data().field, springs.target, force.data().field);
-  return force.get();
+    solve::spring_reactions(springs, data_->held.spring_factor, motion.data().field, springs.target,
+                            force.data().field);
+  return data_->held.shares.share_out(force.get());
 }
 
 }  // namespace rockfold

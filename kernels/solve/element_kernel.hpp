@@ -34,8 +34,8 @@ KOKKOS_INLINE_FUNCTION void add_stiffness(const Elastic& m, Real volume, const R
   const Real shear = m.mu * (ga[0] * gb[0] + ga[1] * gb[1] + ga[2] * gb[2]);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      k[3 * i + j] += volume * (m.lambda * ga[i] * gb[j] + m.mu * gb[i] * ga[j] +
-                                (i == j ? shear : 0));
+      k[3 * i + j] +=
+          volume * (m.lambda * ga[i] * gb[j] + m.mu * gb[i] * ga[j] + (i == j ? shear : 0));
 }
 
 /// moments: volume, first x y z, second xx yy zz xy yz zx.
@@ -54,7 +54,8 @@ KOKKOS_INLINE_FUNCTION Real mass_entry(Real density, const Real* moments, Real c
 /// Stress (xx yy zz xy yz zx) of an element whose corners move by d[a].
 KOKKOS_INLINE_FUNCTION void element_stress(const Elastic& m, const Real (*gradient)[3],
                                            const Real (*d)[3], Real* stress) {
-  Real h[3][3] = {};  // displacement gradient; differences to corner 0: a translation leaves no stress
+  Real h[3][3] =
+      {};  // displacement gradient; differences to corner 0: a translation leaves no stress
   for (int a = 1; a < 4; ++a)
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) h[i][j] += (d[a][i] - d[0][i]) * gradient[a][j];

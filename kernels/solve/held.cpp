@@ -33,7 +33,8 @@ void update_multipliers(HeldSystem& system) {
   scale_by_stiffness(springs, factor, -0.5, springs.multiplier);
   const auto flat = [](const Field& field) {
     std::vector<Real> values;
-    for (const Vec3& v : device::copy_to_host(field)) values.insert(values.end(), v.begin(), v.end());
+    for (const Vec3& v : device::copy_to_host(field))
+      values.insert(values.end(), v.begin(), v.end());
     return values;
   };
   const std::vector<Real> next =
@@ -50,13 +51,15 @@ bool any_augmented(const Springs& springs) {
 
 }  // namespace
 
-HeldSystem make_held_system(Operator op, Springs springs) {
+HeldSystem make_held_system(Operator op, const FixedPoints& fixed) {
   HeldSystem system;
+  MergedPoints merged = merge_points(fixed);
+  system.springs = build_springs(merged.fixed, op.covers);
+  system.shares = std::move(merged.shares);
   system.work = make_pcg_work(op.covers);
   system.inverse = Blocks("rockfold::solve::inverse_diagonal", op.covers);
   system.load = device::make_field("solve::load", op.covers);
   system.op = std::move(op);
-  system.springs = std::move(springs);
   return system;
 }
 

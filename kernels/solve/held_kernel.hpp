@@ -4,6 +4,7 @@
 #pragma once
 
 #include "kernels/solve/anderson.hpp"
+#include "kernels/solve/merge_points.hpp"
 #include "kernels/solve/pcg_kernel.hpp"
 #include "kernels/solve/solve_report.hpp"
 #include "kernels/solve/springs_kernel.hpp"
@@ -13,7 +14,8 @@ namespace rockfold::solve {
 /// αK + βM + γ NᵀkN with its preconditioner.
 struct HeldSystem {
   Operator op;
-  Springs springs;
+  Springs springs;     ///< of the merged points
+  PointShares shares;  ///< of the points given in them
   PcgWork work;
   Combination combination;
   Real spring_factor = 1;
@@ -21,9 +23,9 @@ struct HeldSystem {
   Field load;      ///< b with the springs' part
   /// What the multipliers' iteration has learned; it stays true from step to step. As deep as pays: each outer iteration costs
   /// some ten applications, a pair costs two vectors of the fixed points.
-  Anderson acceleration{80};
+  Anderson acceleration{40};
 };
-HeldSystem make_held_system(Operator op, Springs springs);
+HeldSystem make_held_system(Operator op, const FixedPoints& fixed);
 
 /// Chooses α, β, γ; with `stiffen`, also the stiffness of augmented points that suits them.
 void set_combination(HeldSystem& system, const Combination& c, Real spring_factor, bool stiffen);

@@ -71,14 +71,11 @@ void rotate(Mat6& a, Mat6& v, int p, int q) {
   const Real t = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
   const Real c = 1 / std::sqrt(t * t + 1), s = t * c;
   for (int k = 0; k < 6; ++k)
-    std::tie(a[k][p], a[k][q]) =
-        std::pair{c * a[k][p] - s * a[k][q], s * a[k][p] + c * a[k][q]};
+    std::tie(a[k][p], a[k][q]) = std::pair{c * a[k][p] - s * a[k][q], s * a[k][p] + c * a[k][q]};
   for (int k = 0; k < 6; ++k)
-    std::tie(a[p][k], a[q][k]) =
-        std::pair{c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]};
+    std::tie(a[p][k], a[q][k]) = std::pair{c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]};
   for (int k = 0; k < 6; ++k)
-    std::tie(v[k][p], v[k][q]) =
-        std::pair{c * v[k][p] - s * v[k][q], s * v[k][p] + c * v[k][q]};
+    std::tie(v[k][p], v[k][q]) = std::pair{c * v[k][p] - s * v[k][q], s * v[k][p] + c * v[k][q]};
 }
 
 /// Eigenvectors (columns of v) of a symmetric matrix, which becomes its eigenvalues (Jacobi's method).
@@ -157,8 +154,8 @@ std::vector<LoosePart> find_loose_parts(const CoverArrays& covers, const FixedPo
   for (std::size_t n = 0; n < fixed.points.size(); ++n) {
     const Index part = parts.root(fixed.points.cover[n][0]);
     const Frame& frame = frames[part];
-    const Vec3 arm = (1 / frame.size()) *
-                     (position_of_point(covers, fixed.points, n) - frame.centre());
+    const Vec3 arm =
+        (1 / frame.size()) * (position_of_point(covers, fixed.points, n) - frame.centre());
     for (int d = 0; d < 3; ++d)
       if (fixed.component[n][d]) holdings[part].add(arm, d);
   }

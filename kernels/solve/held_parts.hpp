@@ -10,8 +10,9 @@ namespace rockfold {
 
 /// A connected part (covers joined through elements) that may still move as a rigid body.
 struct LoosePart {
-  std::vector<Index> blocks;         ///< ascending, from 0
-  std::vector<std::string> motions;  ///< each free rigid motion, in words; empty = nothing at all holds it
+  std::vector<Index> blocks;  ///< ascending, from 0
+  std::vector<std::string>
+      motions;  ///< each free rigid motion, in words; empty = nothing at all holds it
 };
 
 /// The parts whose fixed components leave a rigid motion free, in the order of their blocks.

@@ -54,7 +54,7 @@ Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
 void apply(const Operator& op, const Combination& c, const Field& x, const Field& y);
 
 /// The diagonal blocks of αK + βM, [P] xx yy zz xy yz zx.
-using Blocks = Kokkos::View<Real * [6], Kokkos::LayoutLeft, device::Memory>;
+using Blocks = Kokkos::View<Real* [6], Kokkos::LayoutLeft, device::Memory>;
 void diagonal_blocks(const Operator& op, const Combination& c, const Blocks& d);
 
 /// Inverts the diagonal blocks in place. A block is first scaled to a unit diagonal, so that an element of volume 1e-20 is as

@@ -23,10 +23,14 @@ KOKKOS_INLINE_FUNCTION void precondition_row(const Blocks& d, const Real* r, Ind
   z[2] = d(p, 5) * r[0] + d(p, 4) * r[1] + d(p, 2) * r[2];
 }
 
-Index rows(const PcgWork& work) { return static_cast<Index>(work.r.extent(0)); }
+Index rows(const PcgWork& work) {
+  return static_cast<Index>(work.r.extent(0));
+}
 
 /// The one transfer of an iteration.
-void fetch_scalars(const PcgWork& work) { Kokkos::deep_copy(work.host_scalar, work.scalar); }
+void fetch_scalars(const PcgWork& work) {
+  Kokkos::deep_copy(work.host_scalar, work.scalar);
+}
 
 /// r = b − A x, z = D⁻¹ r, p = z; returns ‖r‖.
 Real start(const PcgWork& work, const Apply& a, const Blocks& inverse, const Field& b,
@@ -165,7 +169,8 @@ PcgReport solve_pcg(const PcgWork& work, const Apply& a, const Blocks& inverse, 
   while (!(residual <= target) && report.iterations < options.max_iterations) {
     if (!(residual < 0.5 * before)) break;  // a restart that gains nothing: rounding, or NaN
     before = residual;
-    if (std::isnan(iterate(work, a, inverse, x, target, options.max_iterations, report.iterations))) {
+    if (std::isnan(
+            iterate(work, a, inverse, x, target, options.max_iterations, report.iterations))) {
       residual = std::numeric_limits<Real>::quiet_NaN();
       break;
     }

@@ -12,16 +12,17 @@
 namespace rockfold::solve {
 
 struct PcgOptions {
-  Real tolerance = 1e-8;       ///< ‖r‖ / reference
+  Real tolerance = 1e-8;  ///< ‖r‖ / reference
   Index max_iterations = 5000;
-  Real reference = 0;          ///< N, what residuals are measured against where it exceeds ‖b‖
-  Real reduction = 0;          ///< > 0: stop where the starting residual has shrunk to this share instead
+  Real reference = 0;  ///< N, what residuals are measured against where it exceeds ‖b‖
+  Real reduction = 0;  ///< > 0: stop where the starting residual has shrunk to this share instead
 };
 
 struct PcgReport {
   Index iterations = 0;
-  Real residual = 0;   ///< true ‖b − A x‖ / max(‖b‖, reference) at the end; NaN if the solve broke down
-  Real reference = 0;  ///< max(‖b‖, reference)
+  Real residual =
+      0;  ///< true ‖b − A x‖ / max(‖b‖, reference) at the end; NaN if the solve broke down
+  Real reference = 0;      ///< max(‖b‖, reference)
   bool converged = false;  ///< the tolerance, or the reduction asked for, was reached
 };
 
@@ -31,8 +32,8 @@ using Apply = std::function<void(const Field& x, const Field& y)>;
 /// The vectors that a solve needs; allocated once.
 struct PcgWork {
   Field r, z, p, q;
-  Array<Real> partial;                    ///< sums of chunks
-  Array<Real> scalar;                     ///< see pcg.cpp
+  Array<Real> partial;  ///< sums of chunks
+  Array<Real> scalar;   ///< see pcg.cpp
   decltype(Kokkos::create_mirror_view(Array<Real>())) host_scalar;
 };
 PcgWork make_pcg_work(Index covers);

@@ -6,7 +6,9 @@
 namespace rockfold::solve {
 namespace {
 
-constexpr Offset corner_offset(int c) { return {c & 1, c >> 1 & 1, c >> 2 & 1}; }
+constexpr Offset corner_offset(int c) {
+  return {c & 1, c >> 1 & 1, c >> 2 & 1};
+}
 
 /// Which covers are stencil rows, and their eight cells.
 struct StencilCovers {
@@ -117,8 +119,7 @@ void gather_columns(const CoverArrays& covers, PlainRows& rows) {
       const Source source = rows.source[s];
       if (source >= 0) {
         for (int c = 0; c < 8; ++c)
-          if (couple[source % 8][c])
-            add(covers.regular_cover[source / 8 * 8 + c]);
+          if (couple[source % 8][c]) add(covers.regular_cover[source / 8 * 8 + c]);
       } else {
         for (int a = 0; a < 4; ++a) add(covers.element_cover[(-1 - source) / 4 * 4 + a]);
       }

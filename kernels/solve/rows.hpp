@@ -39,10 +39,12 @@ struct StencilRuns {
 using Source = std::int64_t;
 
 struct BlockRows {
-  int lanes = 1;                    ///< rows of a slice
-  std::vector<Index> row;           ///< [S·lanes] cover of each lane, none where a slice is not full
-  std::vector<Index> slice_begin;   ///< [S+1] first column of each slice, in units of `lanes` entries
-  std::vector<Index> column;        ///< [slice_begin[S]][lanes] neighbouring cover; the row's own where a row is shorter
+  int lanes = 1;           ///< rows of a slice
+  std::vector<Index> row;  ///< [S·lanes] cover of each lane, none where a slice is not full
+  std::vector<Index>
+      slice_begin;  ///< [S+1] first column of each slice, in units of `lanes` entries
+  std::vector<Index>
+      column;  ///< [slice_begin[S]][lanes] neighbouring cover; the row's own where a row is shorter
   std::vector<Index> source_begin;  ///< [S·lanes+1]
   std::vector<Source> source;       ///< regular cells first, ascending; then elements, ascending
 

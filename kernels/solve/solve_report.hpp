@@ -8,9 +8,12 @@ namespace rockfold {
 struct SolveReport {
   Index iterations = 0;  ///< of conjugate gradients, over all outer iterations
   Index outer = 0;       ///< updates of the multipliers
-  Real residual = 0;     ///< true ‖b − A x‖ / ‖b‖ of the last solve; NaN where numbers left their range
-  Real gap = 0;          ///< largest distance of an augmented fixed point from its place / largest displacement
-  bool converged = true; ///< the residual is within the tolerance; the gap may be as large as it says
+  Real residual =
+      0;  ///< true ‖b − A x‖ / ‖b‖ of the last solve; NaN where numbers left their range
+  Real gap =
+      0;  ///< largest distance of an augmented fixed point from its place / largest displacement
+  bool converged =
+      true;  ///< the residual is within the tolerance; the gap may be as large as it says
 };
 
 }  // namespace rockfold

@@ -18,14 +18,15 @@ void build_rows(const MaterialPoints& points, Index covers, Springs& springs) {
   }
   std::vector<Index> entry(4 * points.size());
   for (std::size_t n = 0; n < points.size(); ++n)
-    for (int a = 0; a < 4; ++a)
-      entry[begin[points.cover[n][a]]++] = static_cast<Index>(4 * n + a);
+    for (int a = 0; a < 4; ++a) entry[begin[points.cover[n][a]]++] = static_cast<Index>(4 * n + a);
   springs.row = device::to_device("solve::spring_row", row);
   springs.row_begin = device::to_device("solve::spring_row_begin", row_begin);
   springs.row_entry = device::to_device("solve::spring_row_entry", entry);
 }
 
-Index points_of(const Springs& springs) { return springs.points.count; }
+Index points_of(const Springs& springs) {
+  return springs.points.count;
+}
 
 }  // namespace
 
@@ -110,7 +111,8 @@ void add_spring_load(const Springs& springs, Real factor, const Field& goal, con
 void add_spring_diagonal(const Springs& springs, Real factor, const Blocks& block) {
   const Springs s = springs;
   device::for_each(
-      "rockfold::solve::spring_diagonal", static_cast<Index>(springs.row.extent(0)), KOKKOS_LAMBDA(const Index t) {
+      "rockfold::solve::spring_diagonal", static_cast<Index>(springs.row.extent(0)),
+      KOKKOS_LAMBDA(const Index t) {
         for (Index i = s.row_begin(t); i < s.row_begin(t + 1); ++i) {
           const Real w = s.points.weight(s.row_entry(i));
           for (int d = 0; d < 3; ++d)
@@ -124,7 +126,8 @@ void stiffen_springs(const Springs& springs, Real factor, const Blocks& block) {
   const Springs s = springs;
   // A cover shares its diagonal (mean of x, y, z) among its points by their squared weights.
   device::for_each(
-      "rockfold::solve::share_diagonal", static_cast<Index>(springs.row.extent(0)), KOKKOS_LAMBDA(const Index t) {
+      "rockfold::solve::share_diagonal", static_cast<Index>(springs.row.extent(0)),
+      KOKKOS_LAMBDA(const Index t) {
         const Index begin = s.row_begin(t), end = s.row_begin(t + 1), p = s.row(t);
         Real squares = 0;
         for (Index i = begin; i < end; ++i) {

@@ -14,8 +14,8 @@ namespace rockfold::solve {
 /// Material points on the device.
 struct DevicePoints {
   Index count = 0;
-  Array<Index> cover;   ///< [N][4]
-  Array<Real> weight;   ///< [N][4]
+  Array<Index> cover;  ///< [N][4]
+  Array<Real> weight;  ///< [N][4]
 };
 DevicePoints upload(const MaterialPoints& points);
 
@@ -32,12 +32,13 @@ KOKKOS_INLINE_FUNCTION Real interpolate_one(const DevicePoints& points, Index n,
 struct Springs {
   DevicePoints points;
   Field given_stiffness;  ///< (n, d) N/m as the model asks, 0 where a component is free
-  Field stiffness;        ///< (n, d) N/m in use: raised for augmented points in stiff or heavy surroundings
-  Field augmented;        ///< (n, d) 1 where a multiplier works
-  Field multiplier;       ///< (n, d) N
-  Field target;           ///< (n, d) m, prescribed displacement
-  Field force;            ///< (n, d) work space
-  Array<Real> share;      ///< [N][4] work space
+  Field
+      stiffness;  ///< (n, d) N/m in use: raised for augmented points in stiff or heavy surroundings
+  Field augmented;    ///< (n, d) 1 where a multiplier works
+  Field multiplier;   ///< (n, d) N
+  Field target;       ///< (n, d) m, prescribed displacement
+  Field force;        ///< (n, d) work space
+  Array<Real> share;  ///< [N][4] work space
 
   // The transpose: which points act on a cover, so that each cover is written by one thread.
   Array<Index> row;        ///< [T] covers touched, ascending

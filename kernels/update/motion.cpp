@@ -36,11 +36,10 @@ namespace {
 
 Motion::Data make_data(const MotionSetup& setup) {
   const Index covers = setup.covers.cover_count();
-  const Index fixed = static_cast<Index>(setup.fixed.points.size());
   Motion::Data m;
   m.held = solve::make_held_system(
-      solve::build_operator(setup.covers, setup.moments, setup.materials),
-      solve::build_springs(setup.fixed, covers));
+      solve::build_operator(setup.covers, setup.moments, setup.materials), setup.fixed);
+  const Index fixed = m.held.springs.points.count;
   m.elements = make_element_table(setup.covers, setup.materials);
   m.now = make_moving_state(covers, fixed);
   m.held.springs.multiplier = m.now.multiplier;  // one and the same array: saved with the state
@@ -49,8 +48,8 @@ Motion::Data make_data(const MotionSetup& setup) {
   m.right = device::make_field("update::right", covers);
   m.work = device::make_field("update::work", covers);
   m.goal = device::make_field("update::goal", fixed);
-  m.partial = device::allocate<Real>("update::partial",
-                                     2 * device::chunk_count(std::max(covers, fixed)));
+  m.partial =
+      device::allocate<Real>("update::partial", 2 * device::chunk_count(std::max(covers, fixed)));
   m.sums = device::Array<Real>("rockfold::update::sums", 2);
   m.gravity = setup.gravity;
   m.beta = setup.beta;
@@ -87,7 +86,9 @@ void Motion::set_motion(const StateArrays& state) {
   data_->now.time = state.time;
 }
 
-SolveReport Motion::solve_static() { return update::solve_equilibrium(*data_); }
+SolveReport Motion::solve_static() {
+  return update::solve_equilibrium(*data_);
+}
 SolveReport Motion::start(Real dt) {
   if (data_->dynamic_ratio == 0) return {};  // no acceleration is handed on
   return update::solve_initial_acceleration(*data_, dt);
@@ -115,7 +116,9 @@ SolveReport Motion::step(Real dt, int substeps, const TrackedPoints* watched, Re
   return total;
 }
 
-Real Motion::largest_increment() const { return data_->largest_increment; }
+Real Motion::largest_increment() const {
+  return data_->largest_increment;
+}
 
 void Motion::save() {
   Data& m = *data_;
@@ -124,9 +127,13 @@ void Motion::save() {
   update::copy_state(m.now, m.saved);
 }
 
-void Motion::restore() { update::copy_state(data_->saved, data_->now); }
+void Motion::restore() {
+  update::copy_state(data_->saved, data_->now);
+}
 
-Real Motion::time() const { return data_->now.time; }
+Real Motion::time() const {
+  return data_->now.time;
+}
 
 StateArrays Motion::state() const {
   const auto& now = data_->now;
@@ -134,7 +141,9 @@ StateArrays Motion::state() const {
           device::copy_to_host(now.acceleration)};
 }
 
-std::vector<Vec3> Motion::reactions() const { return device::copy_to_host(data_->now.reaction); }
+std::vector<Vec3> Motion::reactions() const {
+  return data_->held.shares.share_out(device::copy_to_host(data_->now.reaction));
+}
 
 Energy Motion::energy() const {
   const Data& m = *data_;

@@ -26,10 +26,10 @@ struct MotionSetup {
   const PieceMoments& moments;
   const std::vector<ElasticMaterial>& materials;
   const FixedPoints& fixed;
-  Vec3 gravity{};                   ///< m/s²
-  MaterialPoints loaded{};          ///< points that forces act on
-  std::vector<Vec3> forces{};       ///< [loaded.size()] N
-  Real beta = 0.25, gamma = 0.5;    ///< Newmark's
+  Vec3 gravity{};                 ///< m/s²
+  MaterialPoints loaded{};        ///< points that forces act on
+  std::vector<Vec3> forces{};     ///< [loaded.size()] N
+  Real beta = 0.25, gamma = 0.5;  ///< Newmark's
   Real dynamic_ratio = 1;
   SolveOptions solver{};
 };
@@ -51,7 +51,8 @@ class Motion {
   SolveReport start(Real dt);
   /// Hands the velocity on, then takes `substeps` steps of length dt / substeps. Stops at the first that does not converge, and,
   /// where `watched` is given, at the first that moves one of its points by more than `limit` m: largest_increment().
-  SolveReport step(Real dt, int substeps = 1, const TrackedPoints* watched = nullptr, Real limit = 0);
+  SolveReport step(Real dt, int substeps = 1, const TrackedPoints* watched = nullptr,
+                   Real limit = 0);
   Real largest_increment() const;
 
   /// Remembers the present state, and goes back to it.

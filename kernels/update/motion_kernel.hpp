@@ -10,8 +10,8 @@ namespace rockfold {
 struct TrackedPoints::Data {
   solve::DevicePoints points;
   device::Array<Index> element;
-  device::Field value;           ///< work space
-  device::Array<Real> stress;    ///< [N][6] work space
+  device::Field value;         ///< work space
+  device::Array<Real> stress;  ///< [N][6] work space
 };
 
 namespace update {
@@ -37,12 +37,12 @@ struct Motion::Data {
   device::Field increment;  ///< Δd
   device::Field right;      ///< right-hand side
   device::Field work;
-  device::Field goal;       ///< of the fixed points, for the unknown being solved for
+  device::Field goal;  ///< of the fixed points, for the unknown being solved for
   device::Array<Real> partial, sums;
   Vec3 gravity{};
   Real beta, gamma, dynamic_ratio;
   SolveOptions solver;
-  Real step_length = 0;     ///< that the system is prepared for; 0 = for none
+  Real step_length = 0;  ///< that the system is prepared for; 0 = for none
   Real largest_increment = 0;
 };
 

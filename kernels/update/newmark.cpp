@@ -12,8 +12,12 @@ using solve::Combination;
 constexpr Combination stiffness_only{1, 0};
 constexpr Combination mass_only{0, 1};
 
-Index covers_of(const Motion::Data& m) { return m.held.op.covers; }
-Index fixed_of(const Motion::Data& m) { return m.held.springs.points.count; }
+Index covers_of(const Motion::Data& m) {
+  return m.held.op.covers;
+}
+Index fixed_of(const Motion::Data& m) {
+  return m.held.springs.points.count;
+}
 
 void prepare(Motion::Data& m, Real dt) {
   if (m.step_length == dt) return;
@@ -49,8 +53,7 @@ void inertia_forces(const Motion::Data& m, Real dt) {
   const Real of_velocity = 1 / (m.beta * dt), of_acceleration = 1 / (2 * m.beta) - 1;
   device::for_each(
       "rockfold::update::inertia", covers_of(m), KOKKOS_LAMBDA(const Index p) {
-        for (int d = 0; d < 3; ++d)
-          w(p, d) = of_velocity * v(p, d) + of_acceleration * a(p, d);
+        for (int d = 0; d < 3; ++d) w(p, d) = of_velocity * v(p, d) + of_acceleration * a(p, d);
       });
   solve::apply(m.held.op, mass_only, w, m.right);
 }
@@ -102,8 +105,8 @@ void update_reactions(Motion::Data& m) {
       "rockfold::update::support_work", s.points.count, m.partial,
       KOKKOS_LAMBDA(const Index n, Sums<1>& sum) {
         for (int d = 0; d < 3; ++d) {
-          sum.value[0] += 0.5 * (before(n, d) + s.force(n, d)) *
-                          solve::interpolate_one(s.points, n, d, x);
+          sum.value[0] +=
+              0.5 * (before(n, d) + s.force(n, d)) * solve::interpolate_one(s.points, n, d, x);
           before(n, d) = s.force(n, d);
         }
       },

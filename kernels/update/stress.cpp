@@ -35,7 +35,8 @@ void stress_of_points(const ElementTable& table, const Field& d, const TrackedPo
   const auto element = at.element;
   const auto stress = at.stress;
   device::for_each(
-      "rockfold::update::point_stress", at.points.count, KOKKOS_LAMBDA(const Index n) { stress_of_element(table, d, element(n), &stress(6 * n)); });
+      "rockfold::update::point_stress", at.points.count,
+      KOKKOS_LAMBDA(const Index n) { stress_of_element(table, d, element(n), &stress(6 * n)); });
 }
 
 }  // namespace
@@ -65,8 +66,8 @@ PointMotion Motion::at(const TrackedPoints& points) const {
 std::vector<std::array<Real, 6>> Motion::element_stress() const {
   const update::ElementTable table = data_->elements;
   const auto d = data_->now.displacement;
-  const auto stress = device::allocate<Real>("update::element_stress",
-                                             6 * static_cast<std::size_t>(table.count()));
+  const auto stress =
+      device::allocate<Real>("update::element_stress", 6 * static_cast<std::size_t>(table.count()));
   device::for_each(
       "rockfold::update::element_stress", table.count(), KOKKOS_LAMBDA(const Index e) {
         update::stress_of_element(table, d, e, &stress(6 * static_cast<std::size_t>(e)));

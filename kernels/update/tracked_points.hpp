@@ -25,10 +25,11 @@ class TrackedPoints {
 
 /// [N] each, in the order of the points.
 struct PointMotion {
-  std::vector<Vec3> displacement;           ///< m
-  std::vector<Vec3> velocity;               ///< m/s
-  std::vector<Vec3> acceleration;           ///< m/s²
-  std::vector<std::array<Real, 6>> stress;  ///< Pa, xx yy zz xy yz zx, of the element that holds the point
+  std::vector<Vec3> displacement;  ///< m
+  std::vector<Vec3> velocity;      ///< m/s
+  std::vector<Vec3> acceleration;  ///< m/s²
+  std::vector<std::array<Real, 6>>
+      stress;  ///< Pa, xx yy zz xy yz zx, of the element that holds the point
 };
 
 }  // namespace rockfold

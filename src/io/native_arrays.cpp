@@ -1,6 +1,6 @@
 #include "src/io/native_arrays.hpp"
 
-#include <numeric>
+#include "src/base/sum.hpp"
 
 namespace rockfold {
 namespace {
@@ -60,8 +60,9 @@ void write_block_totals(File& file, const BlockArrays& blocks) {
   file.set_integers(group, "faces", {count(blocks.face_area)});
   file.set_integers(group, "vertices", {count(blocks.vertex)});
   file.set_integers(group, "interfaces", {count(blocks.interfaces)});
-  file.set_real(group, "volume",
-                std::accumulate(blocks.volume.begin(), blocks.volume.end(), Real{0}));
+  Sum volume;
+  for (const Real v : blocks.volume) volume += v;
+  file.set_real(group, "volume", volume.value());
 }
 
 void write_lattice(File& file, const Lattice& lattice) {

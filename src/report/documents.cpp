@@ -1,8 +1,7 @@
 #include "src/report/documents.hpp"
 
-#include <numeric>
-
 #include "generated/version.hpp"
+#include "src/base/sum.hpp"
 #include "src/model/check_model.hpp"
 #include "src/report/document_parts.hpp"
 #include "src/report/names.hpp"
@@ -34,7 +33,9 @@ Json head_json(const DocumentHead& head) {
 }
 
 Real total_volume(const BlockArrays& blocks) {
-  return std::accumulate(blocks.volume.begin(), blocks.volume.end(), Real{0});
+  Sum sum;
+  for (const Real v : blocks.volume) sum += v;
+  return sum.value();
 }
 
 Json check_document(const DocumentHead& head, const Model& model) {

@@ -41,9 +41,9 @@ class Averages {
 
 }  // namespace
 
-std::vector<BlockMotion> average_block_motion(const CoverArrays& covers, const PieceMoments& moments,
-                                              const std::vector<Vec3>& displacement,
-                                              Index blocks) {
+std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
+                                              const PieceMoments& moments,
+                                              const std::vector<Vec3>& displacement, Index blocks) {
   Averages sums(covers.lattice, blocks);
   for (Index r = 0; r < covers.regular_count(); ++r)
     for (int t = 0; t < 6; ++t) {
@@ -56,7 +56,8 @@ std::vector<BlockMotion> average_block_motion(const CoverArrays& covers, const P
     const Vec3* d[4];
     for (int a = 0; a < 4; ++a) d[a] = &displacement[covers.element_cover[4 * e + a]];
     for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
-      sums.add(covers.piece_block[q], covers.element_tet[e], moments.volume[q], moments.first[q], d);
+      sums.add(covers.piece_block[q], covers.element_tet[e], moments.volume[q], moments.first[q],
+               d);
   }
   return sums.take();
 }

@@ -10,7 +10,8 @@
 namespace rockfold {
 
 /// Averages over the blocks' volume; `displacement` is that of the covers.
-std::vector<BlockMotion> average_block_motion(const CoverArrays& covers, const PieceMoments& moments,
+std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
+                                              const PieceMoments& moments,
                                               const std::vector<Vec3>& displacement, Index blocks);
 
 }  // namespace rockfold

@@ -3,10 +3,7 @@
 namespace rockfold {
 
 Recorder::Recorder(const RunInput& input, const StoreState& store, RunResult& result)
-    : store_(store),
-      result_(result),
-      monitors_(input.monitors),
-      every_(input.model.output.every) {
+    : store_(store), result_(result), monitors_(input.monitors), every_(input.model.output.every) {
   for (const Monitor& monitor : input.model.monitors) {
     result_.monitors.emplace_back();
     result_.monitors.back().name = monitor.name;

@@ -68,7 +68,8 @@ std::string number(Real value) {
   return text.str();
 }
 
-[[noreturn]] void refuse(const SolveReport& report, Index step, Real time, const SolverSpec& solver) {
+[[noreturn]] void refuse(const SolveReport& report, Index step, Real time,
+                         const SolverSpec& solver) {
   throw Error(ErrorKind::analysis,
               "step " + std::to_string(step) + ", time " + number(time) +
                   " s: the solver did not converge: residual " + number(report.residual) +
@@ -168,8 +169,7 @@ void Run::march(Progress& progress) {
 
 /// The block vertex that has moved furthest.
 void find_largest_displacement(const RunInput& input, const Motion& motion, RunResult& result) {
-  const std::vector<Vec3> moved =
-      motion.at(TrackedPoints(input.block_vertices)).displacement;
+  const std::vector<Vec3> moved = motion.at(TrackedPoints(input.block_vertices)).displacement;
   for (Index b = 0; b < input.blocks.block_count(); ++b)
     for (Index v = input.blocks.vertex_begin[b]; v < input.blocks.vertex_begin[b + 1]; ++v)
       if (result.largest_at_block == none || norm(moved[v]) > result.largest_displacement) {

@@ -13,13 +13,13 @@ namespace rockfold {
 
 /// What the analysis reads; the points come from host/cover.
 struct RunInput {
-  const Model& model;                     ///< `analysis` must be set
+  const Model& model;  ///< `analysis` must be set
   const CoverArrays& covers;
   const BlockArrays& blocks;
   const FixedPoints& fixed;
-  const MaterialPoints& monitors;         ///< one for each of Model::monitors, all in the rock
-  const MaterialPoints& loads;            ///< one for each of Model::point_loads, all in the rock
-  const MaterialPoints& block_vertices;   ///< in the order of BlockArrays::vertex
+  const MaterialPoints& monitors;        ///< one for each of Model::monitors, all in the rock
+  const MaterialPoints& loads;           ///< one for each of Model::point_loads, all in the rock
+  const MaterialPoints& block_vertices;  ///< in the order of BlockArrays::vertex
 };
 
 /// Called for each state to be stored, in time order, so that the result file is written as the run goes.

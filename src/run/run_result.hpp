@@ -39,14 +39,15 @@ struct BlockMotion {
 };
 
 struct RunResult {
-  Index steps = 0;            ///< steps done
-  Real time = 0;              ///< s reached
-  bool interrupted = false;   ///< a signal stopped the run after the last step counted above
+  Index steps = 0;           ///< steps done
+  Real time = 0;             ///< s reached
+  bool interrupted = false;  ///< a signal stopped the run after the last step counted above
   std::vector<MonitorHistory> monitors;  ///< in the order of Model::monitors
   std::vector<BlockMotion> blocks;       ///< [B]
-  std::vector<Vec3> reactions;           ///< [N] N, force of each fixed point on the rock, at the end
-  Energy energy;                         ///< J, at the end
-  Real support_gap = 0;  ///< distance of augmented fixed points from their places / largest displacement, last step
+  std::vector<Vec3> reactions;  ///< [N] N, force of each fixed point on the rock, at the end
+  Energy energy;                ///< J, at the end
+  Real support_gap =
+      0;  ///< distance of augmented fixed points from their places / largest displacement, last step
 
   struct Iterations {
     std::int64_t pcg = 0;
@@ -57,9 +58,9 @@ struct RunResult {
     Real assemble = 0, solve = 0, output = 0;
   } seconds;
 
-  Real largest_displacement = 0;   ///< m, of any block vertex at the end
-  Index largest_at_block = none;   ///< the block that has it
-  Index largest_substeps = 1;      ///< the finest subdivision that max_displacement_ratio asked for
+  Real largest_displacement = 0;  ///< m, of any block vertex at the end
+  Index largest_at_block = none;  ///< the block that has it
+  Index largest_substeps = 1;     ///< the finest subdivision that max_displacement_ratio asked for
 };
 
 }  // namespace rockfold

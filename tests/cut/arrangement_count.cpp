@@ -19,7 +19,9 @@ struct Plane {
 LongVec cross(const LongVec& a, const LongVec& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-Long dot(const LongVec& a, const LongVec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Long dot(const LongVec& a, const LongVec& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 class Counter {
  public:
@@ -34,13 +36,15 @@ class Counter {
       LongVec n{normal[0], normal[1], normal[2]};
       const Long length = std::sqrt(dot(n, n));
       for (Long& x : n) x /= length;
-      planes_.push_back({n, n[0] * (point[0] - centre[0]) + n[1] * (point[1] - centre[1]) + n[2] * (point[2] - centre[2])});
+      planes_.push_back({n, n[0] * (point[0] - centre[0]) + n[1] * (point[1] - centre[1]) +
+                                n[2] * (point[2] - centre[2])});
     }
   }
 
   ArrangementCount run() {
     for (const Plane& p : planes_)
-      if (decide(std::abs(p.n[0]) * half_[0] + std::abs(p.n[1]) * half_[1] + std::abs(p.n[2]) * half_[2] - std::abs(p.d)))
+      if (decide(std::abs(p.n[0]) * half_[0] + std::abs(p.n[1]) * half_[1] +
+                 std::abs(p.n[2]) * half_[2] - std::abs(p.d)))
         ++count_.planes;
     for (std::size_t i = 0; i < planes_.size(); ++i)
       for (std::size_t j = i + 1; j < planes_.size(); ++j) {
@@ -97,7 +101,8 @@ class Counter {
 
 }  // namespace
 
-ArrangementCount count_cells(const Vec3& low, const Vec3& high, const std::vector<PointAndNormal>& planes) {
+ArrangementCount count_cells(const Vec3& low, const Vec3& high,
+                             const std::vector<PointAndNormal>& planes) {
   return Counter(low, high, planes).run();
 }
 

@@ -21,6 +21,7 @@ struct ArrangementCount {
   long double clearance = 1;
   long cells() const { return 1 + planes + lines + points; }
 };
-ArrangementCount count_cells(const Vec3& low, const Vec3& high, const std::vector<PointAndNormal>& planes);
+ArrangementCount count_cells(const Vec3& low, const Vec3& high,
+                             const std::vector<PointAndNormal>& planes);
 
 }  // namespace rockfold::test

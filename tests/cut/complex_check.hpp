@@ -26,7 +26,8 @@ struct ComplexRules {
 
 class ComplexChecker {
  public:
-  ComplexChecker(const Complex& complex, const ComplexRules& rules) : complex_(complex), rules_(rules) {}
+  ComplexChecker(const Complex& complex, const ComplexRules& rules)
+      : complex_(complex), rules_(rules) {}
 
   std::vector<std::string> run() {
     corner_begin_.push_back(0);
@@ -40,7 +41,8 @@ class ComplexChecker {
   }
 
  private:
-  using HalfEdge = std::size_t;  // a corner of the complex: the edge from it to the next one of its face
+  using HalfEdge =
+      std::size_t;  // a corner of the complex: the edge from it to the next one of its face
   static constexpr HalfEdge outside = static_cast<HalfEdge>(-1);
 
   template <class... Parts>
@@ -65,7 +67,8 @@ class ComplexChecker {
       const auto& face = cell.faces[f];
       if (face.count < 3) fault("cell ", c, " face ", f, ": ", face.count, " corners");
       for (std::int32_t k = 0; k < face.count; ++k) {
-        const std::int32_t u = cell.corners[face.begin + k].vertex, v = cell.corners[face.begin + (k + 1) % face.count].vertex;
+        const std::int32_t u = cell.corners[face.begin + k].vertex,
+                           v = cell.corners[face.begin + (k + 1) % face.count].vertex;
         face_of_corner_[corner_begin_[c] + face.begin + k] = {c, static_cast<Index>(f)};
         ++uses[u];
         if (!edges.try_emplace({u, v}, Place{f, face.begin + k}).second)
@@ -85,18 +88,21 @@ class ComplexChecker {
               cell.corners[place.corner].neighbour, " and meets ", cell.faces[other.face].inside);
     }
     if (std::count(uses.begin(), uses.end(), 0) > 0) fault("cell ", c, ": a vertex without a face");
-    const auto euler = static_cast<std::int64_t>(cell.vertices.size()) - static_cast<std::int64_t>(cell.corners.size() / 2) +
+    const auto euler = static_cast<std::int64_t>(cell.vertices.size()) -
+                       static_cast<std::int64_t>(cell.corners.size() / 2) +
                        static_cast<std::int64_t>(cell.faces.size());
     if (euler != 2) fault("cell ", c, ": V − E + F = ", euler);
     check_convexity(c, cell);
-    if (!(complex_.moments[c].volume > 0)) fault("cell ", c, ": volume ", complex_.moments[c].volume);
+    if (!(complex_.moments[c].volume > 0))
+      fault("cell ", c, ": volume ", complex_.moments[c].volume);
   }
 
   void check_convexity(Index c, const CellView& cell) {
     IntentCount ignored;
     for (const auto& face : cell.faces) {
       for (const Vertex& v : cell.vertices)
-        if (complex_.planes.side(v, plane_of(face.inside), ignored) == (is_above(face.inside) ? -1 : 1))
+        if (complex_.planes.side(v, plane_of(face.inside), ignored) ==
+            (is_above(face.inside) ? -1 : 1))
           fault("cell ", c, ": a vertex on the wrong side of plane ", plane_of(face.inside), " by ",
                 complex_.planes.distance(v, plane_of(face.inside)));
       for (const auto& corner : cell.corners.subspan(face.begin, face.count))
@@ -107,8 +113,12 @@ class ComplexChecker {
 
   const ConvexCell::Face& face(Index cell, Index f) const { return complex_.cells[cell].faces[f]; }
 
-  Real area_of(Index cell, Index f) const { return polygon_moments(face_polygon(complex_.cells[cell], face(cell, f))).area; }
-  Real allowed() const { return rules_.area_tolerance * complex_.planes.model_size() * complex_.planes.model_size(); }
+  Real area_of(Index cell, Index f) const {
+    return polygon_moments(face_polygon(complex_.cells[cell], face(cell, f))).area;
+  }
+  Real allowed() const {
+    return rules_.area_tolerance * complex_.planes.model_size() * complex_.planes.model_size();
+  }
 
   void check_parts() {
     std::vector<Real> covered(complex_.cells.face_begin(complex_.cells.size()), 0);
@@ -117,9 +127,11 @@ class ComplexChecker {
       covered[complex_.cells.face_begin(cell) + f] += area;
     };
     for (const Fragment& f : complex_.fragments) {
-      const HalfSpaceId below = face(f.cell[0], f.face[0]).inside, above = face(f.cell[1], f.face[1]).inside;
+      const HalfSpaceId below = face(f.cell[0], f.face[0]).inside,
+                        above = face(f.cell[1], f.face[1]).inside;
       if (plane_of(below) != plane_of(above) || is_above(below) || !is_above(above))
-        fault("cells ", f.cell[0], " and ", f.cell[1], " share an area but lie in half-spaces ", below, " and ", above);
+        fault("cells ", f.cell[0], " and ", f.cell[1], " share an area but lie in half-spaces ",
+              below, " and ", above);
       for (int s = 0; s < 2; ++s) {
         cover(f.cell[s], f.face[s], f.area);
         if (rules_.whole_faces && !(std::abs(area_of(f.cell[s], f.face[s]) - f.area) <= allowed()))
@@ -136,7 +148,8 @@ class ComplexChecker {
       for (std::size_t f = 0; f < cell.faces.size(); ++f) {
         const Real area = area_of(c, static_cast<Index>(f));
         const Real parts = covered[complex_.cells.face_begin(c) + static_cast<std::int64_t>(f)];
-        if (!(std::abs(area - parts) <= allowed())) fault("cell ", c, " face ", f, ": area ", area, ", its parts ", parts);
+        if (!(std::abs(area - parts) <= allowed()))
+          fault("cell ", c, " face ", f, ": area ", area, ", its parts ", parts);
       }
     }
   }
@@ -152,17 +165,21 @@ class ComplexChecker {
     for (const Fragment& f : complex_.fragments) {
       const auto &a = face(f.cell[0], f.face[0]), &b = face(f.cell[1], f.face[1]);
       if (a.count != b.count) {
-        fault("cells ", f.cell[0], " and ", f.cell[1], ": faces of ", a.count, " and ", b.count, " corners");
+        fault("cells ", f.cell[0], " and ", f.cell[1], ": faces of ", a.count, " and ", b.count,
+              " corners");
         continue;
       }
-      const HalfEdge first_a = corner_begin_[f.cell[0]] + a.begin, first_b = corner_begin_[f.cell[1]] + b.begin;
+      const HalfEdge first_a = corner_begin_[f.cell[0]] + a.begin,
+                     first_b = corner_begin_[f.cell[1]] + b.begin;
       std::int32_t nearest = 0;
       for (std::int32_t k = 1; k < b.count; ++k)
-        if (norm(start_of(first_b + k) - start_of(first_a)) < norm(start_of(first_b + nearest) - start_of(first_a)))
+        if (norm(start_of(first_b + k) - start_of(first_a)) <
+            norm(start_of(first_b + nearest) - start_of(first_a)))
           nearest = k;
       for (std::int32_t k = 0; k < a.count; ++k) {
         // a's corner k is b's corner nearest − k; the edge that leaves it in a enters it in b.
-        const HalfEdge in_a = first_a + k, in_b = first_b + (nearest - k - 1 + 2 * b.count) % b.count;
+        const HalfEdge in_a = first_a + k,
+                       in_b = first_b + (nearest - k - 1 + 2 * b.count) % b.count;
         const HalfEdge same_corner = first_b + (nearest - k + b.count) % b.count;
         if (norm(start_of(same_corner) - start_of(in_a)) > 4 * complex_.planes.tolerance())
           fault("cells ", f.cell[0], " and ", f.cell[1], ": corners of the shared face differ");
@@ -196,17 +213,18 @@ class ComplexChecker {
       } while (e != outside && e != start && ++steps < 1000);
       if (e == outside) continue;  // an edge of the solid
       if (e != start || std::abs(turned - 2 * std::numbers::pi) > 1e-9)
-        fault("cell ", face_of_corner_[start].first, ": the walk around an edge turns by ", turned, " in ", steps, " steps");
+        fault("cell ", face_of_corner_[start].first, ": the walk around an edge turns by ", turned,
+              " in ", steps, " steps");
     }
   }
 
   const Complex& complex_;
   const ComplexRules rules_;
   std::vector<std::string> faults_;
-  std::vector<HalfEdge> corner_begin_;                     // [cells + 1]
-  std::vector<std::pair<Index, Index>> face_of_corner_;    // cell, face
-  std::vector<HalfEdge> opposite_;                         // the reversed edge in the same cell
-  std::vector<HalfEdge> across_;                           // the reversed edge in the neighbouring cell
+  std::vector<HalfEdge> corner_begin_;                   // [cells + 1]
+  std::vector<std::pair<Index, Index>> face_of_corner_;  // cell, face
+  std::vector<HalfEdge> opposite_;                       // the reversed edge in the same cell
+  std::vector<HalfEdge> across_;  // the reversed edge in the neighbouring cell
 };
 
 /// One line for each rule broken (at most 20); empty if the complex is consistent.

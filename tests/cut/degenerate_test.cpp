@@ -1,10 +1,10 @@
 // Planes that share points and lines in every way: through lattice points, with small integer normals, many of them given
 // twice. Against brute force in integers; straight, and turned so that nothing is exact any more.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <random>
 #include <set>
+
+#include <gtest/gtest.h>
 
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
@@ -23,7 +23,9 @@ struct LatticeJoint {
 
 std::vector<LatticeJoint> random_joints(unsigned seed) {
   std::mt19937 random(seed);
-  const auto small = [&](int low, int high) { return static_cast<std::int64_t>(low + static_cast<int>(random() % (high - low + 1))); };
+  const auto small = [&](int low, int high) {
+    return std::int64_t{low} + static_cast<std::int64_t>(random() % (high - low + 1));
+  };
   std::vector<LatticeJoint> joints(3 + random() % 10);
   const int steep = 1 + static_cast<int>(seed % 3);
   for (auto& [normal, point] : joints) {
@@ -40,7 +42,9 @@ struct Placement {
   Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, shift{};
   Vec3 direction(const Vec3& v) const { return v[0] * x + v[1] * y + v[2] * z; }
   Vec3 point(const Vec3& p) const { return direction(p) + shift; }
-  Vec3 back(const Vec3& p) const { return {dot(p - shift, x), dot(p - shift, y), dot(p - shift, z)}; }
+  Vec3 back(const Vec3& p) const {
+    return {dot(p - shift, x), dot(p - shift, y), dot(p - shift, z)};
+  }
 };
 Placement random_placement(unsigned seed, Real far) {
   std::mt19937 random(seed + 77);
@@ -64,27 +68,29 @@ Model model_of(const std::vector<LatticeJoint>& joints, const Placement* placeme
   if (placement) {
     std::vector<std::pair<Vec3, Vec3>> faces;
     for (const Vec3& axis : {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
-      faces.push_back({p.direction(-axis), p.point({0, 0, 0})});
-      faces.push_back({p.direction(axis), p.point({edge, edge, edge})});
+      faces.emplace_back(p.direction(-axis), p.point({0, 0, 0}));
+      faces.emplace_back(p.direction(axis), p.point({edge, edge, edge}));
     }
     model.solids.push_back(convex_solid("rock", faces));
   } else {
     model = box_model({0, 0, 0}, {edge, edge, edge});
   }
-  for (const LatticeJoint& j : joints) add_joint(model, p.direction(real(j.normal)), p.point(real(j.point)));
+  for (const LatticeJoint& j : joints)
+    add_joint(model, p.direction(real(j.normal)), p.point(real(j.point)));
   return model;
 }
 
 // Each block is a cell of the arrangement, each another one, and together they fill the box: so they are all of its cells.
-void check_against_brute_force(const BlockArrays& a, const std::vector<LatticeJoint>& joints, const Placement& placement,
-                               Real tolerance) {
+void check_against_brute_force(const BlockArrays& a, const std::vector<LatticeJoint>& joints,
+                               const Placement& placement, Real tolerance) {
   std::vector<LatticePlane> planes;
   for (const LatticeJoint& j : joints) planes.push_back(lattice_plane(j.normal, j.point));
   const LatticeArrangement arrangement(edge, planes);
   std::set<std::vector<signed char>> seen;
   for (Index b = 0; b < a.block_count(); ++b) {
     const auto cell = arrangement.cell(placement.back(a.centroid[b]));
-    EXPECT_EQ(counts_of(a, b), (Counts{cell.vertices, cell.vertices + cell.faces - 2, cell.faces})) << "block " << b;
+    EXPECT_EQ(counts_of(a, b), (Counts{cell.vertices, cell.vertices + cell.faces - 2, cell.faces}))
+        << "block " << b;
     EXPECT_NEAR(a.volume[b], cell.volume, tolerance) << "block " << b;
     EXPECT_TRUE(seen.insert(cell.side).second) << "block " << b << " is another one's twin";
   }
@@ -105,14 +111,16 @@ void check_turned(const std::vector<LatticeJoint>& joints, const Placement& plac
   const Real coordinates = norm(placement.shift) + 4;
   const Blocks blocks = cut(model_of(joints, &placement));
   check_against_brute_force(blocks.arrays, joints, placement, rounding * coordinates);
-  EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true, .area_tolerance = 1e-9}), std::vector<std::string>{});
+  EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true, .area_tolerance = 1e-9}),
+            std::vector<std::string>{});
 }
 
 void check_shuffled(const std::vector<LatticeJoint>& joints, unsigned seed) {
   std::vector<LatticeJoint> shuffled = joints;
   std::mt19937 random(seed);
   std::shuffle(shuffled.begin(), shuffled.end(), random);
-  const BlockArrays a = cut(model_of(joints, nullptr)).arrays, b = cut(model_of(shuffled, nullptr)).arrays;
+  const BlockArrays a = cut(model_of(joints, nullptr)).arrays,
+                    b = cut(model_of(shuffled, nullptr)).arrays;
   EXPECT_EQ(a.volume, b.volume);
   EXPECT_EQ(a.centroid, b.centroid);
   EXPECT_EQ(a.vertex, b.vertex);
@@ -137,11 +145,14 @@ TEST(DegeneratePlanes, AreCutIntoTheCellsOfTheirArrangement) {
 }
 
 TEST(DegeneratePlanes, TurnedByAnyRotationToo) {
-  check_seeds(0, 300, [](unsigned seed) { check_turned(random_joints(seed), random_placement(seed, 0)); });
+  check_seeds(0, 300,
+              [](unsigned seed) { check_turned(random_joints(seed), random_placement(seed, 0)); });
 }
 
 TEST(DegeneratePlanes, TurnedAndFarFromTheOrigin) {
-  check_seeds(500, 100, [](unsigned seed) { check_turned(random_joints(seed), random_placement(seed, 1e4)); });
+  check_seeds(500, 100, [](unsigned seed) {
+    check_turned(random_joints(seed), random_placement(seed, 1e4));
+  });
 }
 
 TEST(DegeneratePlanes, InAnyOrder) {
@@ -153,7 +164,9 @@ TEST(SlowDegeneratePlanes, AreCutIntoTheCellsOfTheirArrangement) {
 }
 
 TEST(SlowDegeneratePlanes, TurnedByAnyRotationToo) {
-  check_seeds(200000, 10000, [](unsigned seed) { check_turned(random_joints(seed), random_placement(seed, seed % 2 ? 1e4 : 0)); });
+  check_seeds(200000, 10000, [](unsigned seed) {
+    check_turned(random_joints(seed), random_placement(seed, seed % 2 ? 1e4 : 0));
+  });
 }
 
 TEST(SlowDegeneratePlanes, InAnyOrder) {

@@ -1,9 +1,9 @@
 // What the user meant: planes and points that coincide but for rounding or measuring noise (DESIGN.md, rules 1, 2, 5).
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <random>
+
+#include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
 #include "tests/cut/complex_check.hpp"
@@ -36,7 +36,8 @@ TEST(FourPlanesThatNearlyMeet, MeetWhereTheyMissByLess) {
     EXPECT_GT(smallest(blocks), 0.02) << miss;  // 1/48 and no sliver
     EXPECT_NEAR(sum(blocks.arrays.volume), 1, 2e-10);
     EXPECT_EQ(blocks.cutting.totals.intent.vertices_identified > 0, miss != 0) << miss;
-    EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true, .area_tolerance = 1e-9}), std::vector<std::string>{});
+    EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true, .area_tolerance = 1e-9}),
+              std::vector<std::string>{});
   }
 }
 
@@ -60,7 +61,8 @@ TEST(FourPlanesThatNearlyMeet, AreReportedWhereTheDecisionIsNear) {
     EXPECT_GT(intent.near_decisions, 0) << miss;
     ASSERT_FALSE(intent.near_planes.empty()) << miss;
     EXPECT_TRUE(std::is_sorted(intent.near_planes.begin(), intent.near_planes.end()));
-    for (const std::string& name : intent.near_planes) EXPECT_TRUE(name[0] == 'F' && name.size() == 2) << name;
+    for (const std::string& name : intent.near_planes)
+      EXPECT_TRUE(name[0] == 'F' && name.size() == 2) << name;
   }
   for (const Real miss : {0.0, 5e-13, 1.1e-8, 1e-6}) {
     const IntentReport intent = cut(four_planes(miss)).cutting.totals.intent;
@@ -148,7 +150,8 @@ TEST(JointsThroughCorners, MayBeOffByNoise) {
     EXPECT_EQ(blocks.arrays.block_count(), 4);
     EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{2 * 4 + 2 * 6, 2 * 6 + 2 * 10, 2 * 4 + 2 * 6}));
     EXPECT_NEAR(smallest(blocks), 1000.0 / 12, 1e-6);
-    EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true, .area_tolerance = 1e-9}), std::vector<std::string>{});
+    EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true, .area_tolerance = 1e-9}),
+              std::vector<std::string>{});
   }
 }
 
@@ -193,7 +196,8 @@ TEST(RotatedGrid, IsAThousandUnitCubes) {
     ASSERT_EQ(blocks.arrays.block_count(), 1000);
     EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{8000, 12000, 6000}));
     for (const Real v : blocks.arrays.volume) EXPECT_NEAR(v, 1, 1e-9);
-    EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true, .area_tolerance = 1e-9}), std::vector<std::string>{});
+    EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true, .area_tolerance = 1e-9}),
+              std::vector<std::string>{});
   }
 }
 
@@ -206,9 +210,11 @@ TEST(RotatedMirrorPlanes, AreTwentyFourTetrahedraOrFortyEight) {
     Model model;
     std::vector<std::pair<Vec3, Vec3>> faces;
     for (const Real s : {-1.0, 1.0})
-      for (const Vec3& axis : {turn.x, turn.y, turn.z}) faces.push_back({s * axis, centre + s * axis});
+      for (const Vec3& axis : {turn.x, turn.y, turn.z})
+        faces.emplace_back(s * axis, centre + s * axis);
     model.solids.push_back(convex_solid("rock", faces));
-    for (const Vec3& n : {Vec3{1, 1, 0}, {1, -1, 0}, {0, 1, 1}, {0, 1, -1}, {1, 0, 1}, {1, 0, -1}}) add_joint(model, turn(n), centre);
+    for (const Vec3& n : {Vec3{1, 1, 0}, {1, -1, 0}, {0, 1, 1}, {0, 1, -1}, {1, 0, 1}, {1, 0, -1}})
+      add_joint(model, turn(n), centre);
     const Blocks six = cut(model);
     EXPECT_EQ(six.arrays.block_count(), 24);
     EXPECT_EQ(sum_of_counts(six.arrays), (Counts{96, 144, 96}));
@@ -216,7 +222,8 @@ TEST(RotatedMirrorPlanes, AreTwentyFourTetrahedraOrFortyEight) {
     const Blocks nine = cut(model);
     EXPECT_EQ(nine.arrays.block_count(), 48);
     EXPECT_EQ(sum_of_counts(nine.arrays), (Counts{192, 288, 192}));
-    EXPECT_EQ(faults_of(nine.complex(), {.whole_faces = true, .area_tolerance = 1e-9}), std::vector<std::string>{});
+    EXPECT_EQ(faults_of(nine.complex(), {.whole_faces = true, .area_tolerance = 1e-9}),
+              std::vector<std::string>{});
   }
 }
 

@@ -23,12 +23,15 @@ LatticePlane lowest_terms(LatticePlane p) {
   return p;
 }
 
-Integer determinant(const std::array<Integer, 3>& a, const std::array<Integer, 3>& b, const std::array<Integer, 3>& c) {
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+Integer determinant(const std::array<Integer, 3>& a, const std::array<Integer, 3>& b,
+                    const std::array<Integer, 3>& c) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
 // The meeting point (X, Y, Z, W) in lowest terms with W > 0, or W = 0.
-std::array<Integer, 4> meeting_point(const LatticePlane& a, const LatticePlane& b, const LatticePlane& c) {
+std::array<Integer, 4> meeting_point(const LatticePlane& a, const LatticePlane& b,
+                                     const LatticePlane& c) {
   const auto column = [&](int d, int e, int f) {
     return determinant({a[d], a[e], a[f]}, {b[d], b[e], b[f]}, {c[d], c[e], c[f]});
   };
@@ -42,7 +45,9 @@ std::array<Integer, 4> meeting_point(const LatticePlane& a, const LatticePlane& 
   return x;
 }
 
-signed char sign(Real x) { return static_cast<signed char>(x > 0 ? 1 : x < 0 ? -1 : 0); }
+signed char sign(Real x) {
+  return static_cast<signed char>(x > 0 ? 1 : x < 0 ? -1 : 0);
+}
 
 }  // namespace
 
@@ -74,7 +79,8 @@ LatticeArrangement::LatticeArrangement(Integer edge, const std::vector<LatticePl
     Point point;
     for (int d = 0; d < 3; ++d) point.x[d] = static_cast<Real>(x[d]) / static_cast<Real>(x[3]);
     for (const LatticePlane& p : planes_)
-      point.side.push_back(sign(static_cast<Real>(p[0] * x[0] + p[1] * x[1] + p[2] * x[2] - p[3] * x[3])));
+      point.side.push_back(
+          sign(static_cast<Real>(p[0] * x[0] + p[1] * x[1] + p[2] * x[2] - p[3] * x[3])));
     points_.push_back(std::move(point));
   }
 }
@@ -82,7 +88,8 @@ LatticeArrangement::LatticeArrangement(Integer edge, const std::vector<LatticePl
 LatticeArrangement::Cell LatticeArrangement::cell(const Vec3& inside) const {
   Cell cell;
   for (const LatticePlane& p : planes_)
-    cell.side.push_back(sign(static_cast<Real>(p[0]) * inside[0] + static_cast<Real>(p[1]) * inside[1] +
+    cell.side.push_back(sign(static_cast<Real>(p[0]) * inside[0] +
+                             static_cast<Real>(p[1]) * inside[1] +
                              static_cast<Real>(p[2]) * inside[2] - static_cast<Real>(p[3])));
   std::vector<const Point*> corners;
   for (const Point& point : points_) {
@@ -99,13 +106,18 @@ LatticeArrangement::Cell LatticeArrangement::cell(const Vec3& inside) const {
     if (polygon.size() < 3) continue;  // corners of a convex cell: three never lie on a line
     ++cell.faces;
     middle = (1.0 / static_cast<Real>(polygon.size())) * middle;
-    const Vec3 n = normalized({static_cast<Real>(planes_[p][0]), static_cast<Real>(planes_[p][1]), static_cast<Real>(planes_[p][2])});
+    const Vec3 n = normalized({static_cast<Real>(planes_[p][0]), static_cast<Real>(planes_[p][1]),
+                               static_cast<Real>(planes_[p][2])});
     const Vec3 u = polygon[0] - middle, w = cross(n, u);
     std::sort(polygon.begin(), polygon.end(), [&](const Vec3& a, const Vec3& b) {
-      return std::atan2(dot(a - middle, w), dot(a - middle, u)) < std::atan2(dot(b - middle, w), dot(b - middle, u));
+      return std::atan2(dot(a - middle, w), dot(a - middle, u)) <
+             std::atan2(dot(b - middle, w), dot(b - middle, u));
     });
     for (std::size_t k = 0; k < polygon.size(); ++k)
-      cell.volume += std::abs(dot(middle - inside, cross(polygon[k] - inside, polygon[(k + 1) % polygon.size()] - inside))) / 6;
+      cell.volume +=
+          std::abs(dot(middle - inside,
+                       cross(polygon[k] - inside, polygon[(k + 1) % polygon.size()] - inside))) /
+          6;
   }
   return cell;
 }

@@ -12,7 +12,8 @@ namespace rockfold::test {
 
 /// n·x = d, coefficients in lowest terms, the first that is not zero positive: equal planes are equal arrays.
 using LatticePlane = std::array<std::int64_t, 4>;
-LatticePlane lattice_plane(const std::array<std::int64_t, 3>& normal, const std::array<std::int64_t, 3>& point);
+LatticePlane lattice_plane(const std::array<std::int64_t, 3>& normal,
+                           const std::array<std::int64_t, 3>& point);
 
 /// Planes with |coefficients| up to some thousands; the first six bound the box. All meeting points of three planes are
 /// computed once, in homogeneous integers; the cell that holds a point has those corners that lie on its side of each

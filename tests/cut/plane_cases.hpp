@@ -14,11 +14,12 @@ namespace rockfold::test {
 
 struct PlaneCase {
   std::string name, title;
-  Vec3 low, high;                                   ///< the box
-  std::vector<std::array<std::string, 4>> planes;   ///< a, b, c, d of a·x + b·y + c·z = d
+  Vec3 low, high;                                  ///< the box
+  std::vector<std::array<std::string, 4>> planes;  ///< a, b, c, d of a·x + b·y + c·z = d
   Index blocks;
-  std::vector<std::pair<Index, std::string>> volumes;  ///< how many blocks of which volume, ascending
-  Counts sum;                                       ///< over all blocks
+  std::vector<std::pair<Index, std::string>>
+      volumes;  ///< how many blocks of which volume, ascending
+  Counts sum;   ///< over all blocks
 };
 
 const std::vector<PlaneCase>& plane_cases();

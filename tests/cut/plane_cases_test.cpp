@@ -1,10 +1,10 @@
 // Boxes cut by through-going planes, against exact answers.
 #include "tests/cut/plane_cases.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "tests/cut/complex_check.hpp"
 
@@ -27,7 +27,8 @@ TEST_P(PlaneCases, HaveTheExactCountsAndVolumes) {
 
   std::vector<Index> order(a.block_count());
   for (Index b = 0; b < a.block_count(); ++b) order[b] = b;
-  std::sort(order.begin(), order.end(), [&](Index x, Index y) { return a.volume[x] < a.volume[y]; });
+  std::sort(order.begin(), order.end(),
+            [&](Index x, Index y) { return a.volume[x] < a.volume[y]; });
   const Real size = blocks.complex().planes.model_size();
   Index next = 0;
   for (const auto& [count, text] : c.volumes) {
@@ -69,8 +70,10 @@ class MirrorPlanes : public testing::Test {
  protected:
   Model model = box_model({-1, -1, -1}, {1, 1, 1});
   void SetUp() override {
-    for (const Real dip_direction : {135.0, 225.0}) add_joint(model, DipOrientation{90, dip_direction}, {});
-    for (const Real dip_direction : {0.0, 90.0, 180.0, 270.0}) add_joint(model, DipOrientation{45, dip_direction}, {});
+    for (const Real dip_direction : {135.0, 225.0})
+      add_joint(model, DipOrientation{90, dip_direction}, {});
+    for (const Real dip_direction : {0.0, 90.0, 180.0, 270.0})
+      add_joint(model, DipOrientation{45, dip_direction}, {});
   }
   void expect_equal_blocks(Index count, const Counts& of_each) {
     const Blocks blocks = cut(model);
@@ -84,7 +87,9 @@ class MirrorPlanes : public testing::Test {
   }
 };
 
-TEST_F(MirrorPlanes, SixOfThemMakeTwentyFourTetrahedra) { expect_equal_blocks(24, {4, 6, 4}); }
+TEST_F(MirrorPlanes, SixOfThemMakeTwentyFourTetrahedra) {
+  expect_equal_blocks(24, {4, 6, 4});
+}
 
 TEST_F(MirrorPlanes, AllNineMakeFortyEightOrthoschemes) {
   add_joint(model, DipOrientation{0, 0}, {});

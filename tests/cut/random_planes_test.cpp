@@ -1,7 +1,7 @@
 // Random through-going planes through a box: an independent count, volumes, Euler, and who touches whom.
-#include <gtest/gtest.h>
-
 #include <random>
+
+#include <gtest/gtest.h>
 
 #include "tests/cut/arrangement_count.hpp"
 #include "tests/cut/complex_check.hpp"
@@ -53,12 +53,17 @@ bool check_seed(unsigned seed) {
 void check_seeds(unsigned first, unsigned count) {
   unsigned counted = 0;
   for (unsigned seed = first; seed < first + count; ++seed) counted += check_seed(seed);
-  EXPECT_GE(counted, count - 1 - count / 200);  // clearances below 1e-10 come once in some thousand seeds
+  EXPECT_GE(counted,
+            count - 1 - count / 200);  // clearances below 1e-10 come once in some thousand seeds
 }
 
-TEST(RandomPlanes, AreCutIntoTheCellsOfTheirArrangement) { check_seeds(0, 60); }
+TEST(RandomPlanes, AreCutIntoTheCellsOfTheirArrangement) {
+  check_seeds(0, 60);
+}
 
-TEST(SlowRandomPlanes, AreCutIntoTheCellsOfTheirArrangement) { check_seeds(1000, 1000); }
+TEST(SlowRandomPlanes, AreCutIntoTheCellsOfTheirArrangement) {
+  check_seeds(1000, 1000);
+}
 
 }  // namespace
 }  // namespace rockfold::test

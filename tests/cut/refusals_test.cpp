@@ -1,7 +1,7 @@
 // Models that have no answer: each is refused with a message that says which solid and why.
-#include <gtest/gtest.h>
-
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "src/base/error.hpp"
 #include "tests/cut/sample_models.hpp"
@@ -20,11 +20,13 @@ Error refusal(const Model& model) {
   return Error(ErrorKind::analysis, "");
 }
 
-void expect_refusal(const Model& model, const std::string& part_of_message, const std::string& part_of_key) {
+void expect_refusal(const Model& model, const std::string& part_of_message,
+                    const std::string& part_of_key) {
   const Error error = refusal(model);
   EXPECT_EQ(error.kind(), ErrorKind::model);
   EXPECT_NE(std::string(error.what()).find(part_of_message), std::string::npos) << error.what();
-  EXPECT_NE(error.diagnostics().front().place.key.find(part_of_key), std::string::npos) << error.diagnostics().front().place.key;
+  EXPECT_NE(error.diagnostics().front().place.key.find(part_of_key), std::string::npos)
+      << error.diagnostics().front().place.key;
 }
 
 Model halfspaces(const std::vector<std::pair<Vec3, Vec3>>& normals_and_points) {
@@ -35,21 +37,29 @@ Model halfspaces(const std::vector<std::pair<Vec3, Vec3>>& normals_and_points) {
 
 TEST(Refusals, HalfSpacesWithoutABound) {
   expect_refusal(halfspaces({{{0, 0, 1}, {}}}), "no bounded volume", "wedge");
-  expect_refusal(halfspaces({{{0, 0, 1}, {}}, {{1, 0, 0}, {}}, {{0, 1, 0}, {}}}), "no bounded volume", "wedge");
-  // A prism without its far end.
-  expect_refusal(halfspaces({{{0, -1, 0}, {}}, {{-1, 0, 0}, {}}, {{1, 1, 0}, {1, 0, 0}}, {{0, 0, 1}, {}}}),
+  expect_refusal(halfspaces({{{0, 0, 1}, {}}, {{1, 0, 0}, {}}, {{0, 1, 0}, {}}}),
                  "no bounded volume", "wedge");
+  // A prism without its far end.
+  expect_refusal(
+      halfspaces({{{0, -1, 0}, {}}, {{-1, 0, 0}, {}}, {{1, 1, 0}, {1, 0, 0}}, {{0, 0, 1}, {}}}),
+      "no bounded volume", "wedge");
 }
 
 TEST(Refusals, HalfSpacesWithNothingInside) {
   expect_refusal(halfspaces({{{0, 0, 1}, {0, 0, 0}}, {{0, 0, -1}, {0, 0, 1}}}), "", "wedge");
   // A tetrahedron inside out.
-  expect_refusal(halfspaces({{{1, 0, 0}, {}}, {{0, 1, 0}, {}}, {{0, 0, 1}, {}}, {{-1, -1, -1}, {1, 0, 0}}}), "", "wedge");
+  expect_refusal(
+      halfspaces({{{1, 0, 0}, {}}, {{0, 1, 0}, {}}, {{0, 0, 1}, {}}, {{-1, -1, -1}, {1, 0, 0}}}),
+      "", "wedge");
 }
 
 TEST(Refusals, HalfSpacesThatMeetInAPlaneOnly) {
-  expect_refusal(halfspaces({{{0, 0, 1}, {}}, {{0, 0, -1}, {}}, {{1, 0, 0}, {1, 0, 0}}, {{-1, 0, 0}, {}},
-                             {{0, 1, 0}, {0, 1, 0}}, {{0, -1, 0}, {}}}),
+  expect_refusal(halfspaces({{{0, 0, 1}, {}},
+                             {{0, 0, -1}, {}},
+                             {{1, 0, 0}, {1, 0, 0}},
+                             {{-1, 0, 0}, {}},
+                             {{0, 1, 0}, {0, 1, 0}},
+                             {{0, -1, 0}, {}}}),
                  "", "wedge");
 }
 

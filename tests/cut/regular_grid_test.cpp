@@ -1,7 +1,7 @@
 // Boxes cut by three sets of planes into equal bricks, wherever the box lies and however the planes are given.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
 #include "tests/cut/complex_check.hpp"
@@ -14,7 +14,8 @@ const DipOrientation flat{0, 0}, north{90, 0}, east{90, 90};
 
 Model grid(const Vec3& low, Real edge, Real spacing, const Vec3& origin) {
   Model model = box_model(low, low + Vec3{edge, edge, edge});
-  for (const DipOrientation& orientation : {flat, north, east}) add_set(model, orientation, spacing, origin);
+  for (const DipOrientation& orientation : {flat, north, east})
+    add_set(model, orientation, spacing, origin);
   return model;
 }
 
@@ -43,7 +44,8 @@ TEST(RegularGrid, OfSpacingOneIsAThousandUnitCubes) {
 TEST(RegularGrid, NumbersItsBricksByCentroid) {
   const BlockArrays a = cut(grid({0, 0, 0}, 10, 1, {0, 0, 0})).arrays;
   for (Index b = 0; b < 1000; ++b) {
-    const Vec3 expected{b % 10 + 0.5, b / 10 % 10 + 0.5, b / 100 + 0.5};
+    const Index x = b % 10, y = b / 10 % 10, z = b / 100;
+    const Vec3 expected{x + 0.5, y + 0.5, z + 0.5};
     for (int d = 0; d < 3; ++d) EXPECT_NEAR(a.centroid[b][d], expected[d], 1e-12);
   }
 }
@@ -112,8 +114,8 @@ TEST(JointsGivenTwice, AreOne) {
 TEST(JointsThatMissTheSolids, AddNothing) {
   Model model = box_model({0, 0, 0}, {10, 10, 10});
   add_joint(model, DipOrientation{45, 90}, {30, 0, 0});
-  add_joint(model, Vec3{1, 1, 1}, {0, 0, 0});           // touches a corner
-  add_joint(model, Vec3{1, 1, 0}, {10, 10, 3});         // touches an edge
+  add_joint(model, Vec3{1, 1, 1}, {0, 0, 0});    // touches a corner
+  add_joint(model, Vec3{1, 1, 0}, {10, 10, 3});  // touches an edge
   const Blocks blocks = cut(model);
   expect_bricks(blocks, 1, 1000, 1e-13);
   EXPECT_EQ(blocks.cutting.totals.joint_area, 0);
@@ -124,7 +126,8 @@ TEST(JointNormals, MayHaveAnyLength) {
   const Vec3 normals[] = {{1, 2, 3}, {-2, 1, 0.5}, {0, 1, -1}};
   for (const Vec3& n : normals) add_joint(reference, n, {0.4, 0.9, 1.3});
   const Blocks expected = cut(reference);
-  for (const int exponent : {-660, -400, -3, 5, 400, 660}) {  // up to 1e±200; powers of two, so that nothing rounds
+  for (const int exponent :
+       {-660, -400, -3, 5, 400, 660}) {  // up to 1e±200; powers of two, so that nothing rounds
     Model model = box_model({0, 0, 0}, {1, 2, 3});
     for (const Vec3& n : normals) add_joint(model, std::ldexp(1.0, exponent) * n, {0.4, 0.9, 1.3});
     const Blocks blocks = cut(model);

@@ -30,7 +30,8 @@ inline Model box_model(const Vec3& min, const Vec3& max) {
 }
 
 /// A solid bounded by planes whose given normals point out of it.
-inline Solid convex_solid(std::string name, const std::vector<std::pair<Vec3, Vec3>>& normals_and_points) {
+inline Solid convex_solid(std::string name,
+                          const std::vector<std::pair<Vec3, Vec3>>& normals_and_points) {
   Solid solid;
   solid.name = std::move(name);
   HalfspacesShape shape;
@@ -76,7 +77,9 @@ inline Blocks cut(const Model& model) {
   return blocks;
 }
 
-inline Index face_count(const BlockArrays& a, Index block) { return a.face_begin[block + 1] - a.face_begin[block]; }
+inline Index face_count(const BlockArrays& a, Index block) {
+  return a.face_begin[block + 1] - a.face_begin[block];
+}
 inline Index vertex_count(const BlockArrays& a, Index block) {
   return a.vertex_begin[block + 1] - a.vertex_begin[block];
 }

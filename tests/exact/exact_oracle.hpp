@@ -33,7 +33,9 @@ struct Planes {
   }
 
   /// n·x − d of the plane as given (not of unit normal).
-  Exact value(const ExactVec3& x, Index plane) const { return dot(exact_planes[plane].n, x) - exact_planes[plane].d; }
+  Exact value(const ExactVec3& x, Index plane) const {
+    return dot(exact_planes[plane].n, x) - exact_planes[plane].d;
+  }
 
   /// Signed distance in m, relative error some 1e-15: rounded only after the exact value.
   Real distance(const ExactVec3& x, Index plane) const {
@@ -53,7 +55,9 @@ struct Planes {
   std::vector<ExactPlane> exact_planes;  ///< d relative to the centre
 };
 
-inline int sign(const Exact& x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+inline int sign(const Exact& x) {
+  return x > 0 ? 1 : x < 0 ? -1 : 0;
+}
 
 /// DESIGN.md, rule 5, on exact numbers: on the plane if the least of the four distances by which the planes miss a common
 /// point is within 1e-10 of the size, the plane makes an angle of sine over 1e-3 with each of the vertex' planes, and the
@@ -63,7 +67,8 @@ struct Answer {
   int side = 0;
   bool decided = true;
 };
-inline Answer rule_five(const Planes& planes, const std::array<Index, 3>& vertex, Index s, Real size) {
+inline Answer rule_five(const Planes& planes, const std::array<Index, 3>& vertex, Index s,
+                        Real size) {
   const ExactVec3 x = planes.meeting_point(vertex);
   const Real distance = std::abs(planes.distance(x, s));
   Real least = distance;
@@ -79,7 +84,8 @@ inline Answer rule_five(const Planes& planes, const std::array<Index, 3>& vertex
   for (const Index p : vertex) smallest = std::min(smallest, planes.sine(p, s));
   const int exact_sign = sign(planes.value(x, s));
   const bool on = least <= 1e-10 * size && smallest > 1e-3 && distance <= 1e-7 * size;
-  const bool near_distance = std::abs(least / (1e-10 * size) - 1) < 0.02 || std::abs(distance / (1e-7 * size) - 1) < 1e-3;
+  const bool near_distance =
+      std::abs(least / (1e-10 * size) - 1) < 0.02 || std::abs(distance / (1e-7 * size) - 1) < 1e-3;
   const bool near_angle = std::abs(smallest / 1e-3 - 1) < 1e-6 && least < 1.1e-10 * size;
   return {on ? 0 : exact_sign, !near_distance && !near_angle};
 }

@@ -1,10 +1,10 @@
 // Degrees as plane normals: mirror-image angles have mirror-image values, bit for bit.
 #include "host/exact/orientation.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
+
+#include <gtest/gtest.h>
 
 namespace rockfold {
 namespace {
@@ -16,13 +16,14 @@ void expect_same(const SineCosine& found, Real sine, Real cosine, Real angle) {
 
 TEST(SineCosine, OfMultiplesOfThirtyAndFortyFiveDegreesAreTheirClosedForms) {
   const Real r2 = std::sqrt(0.5), r3 = std::sqrt(0.75);
-  const Real table[][3] = {{0, 0, 1},        {30, 0.5, r3},    {45, r2, r2},     {60, r3, 0.5},
-                           {90, 1, 0},       {120, r3, -0.5},  {135, r2, -r2},   {150, 0.5, -r3},
-                           {180, 0, -1},     {210, -0.5, -r3}, {225, -r2, -r2},  {240, -r3, -0.5},
-                           {270, -1, 0},     {300, -r3, 0.5},  {315, -r2, r2},   {330, -0.5, r3},
-                           {360, 0, 1},      {-30, -0.5, r3},  {-90, -1, 0},     {-45, -r2, r2},
-                           {405, r2, r2},    {720, 0, 1},      {-3600, 0, 1},    {810, 1, 0}};
-  for (const auto& [angle, sine, cosine] : table) expect_same(sine_cosine_degrees(angle), sine, cosine, angle);
+  const Real table[][3] = {{0, 0, 1},     {30, 0.5, r3},    {45, r2, r2},    {60, r3, 0.5},
+                           {90, 1, 0},    {120, r3, -0.5},  {135, r2, -r2},  {150, 0.5, -r3},
+                           {180, 0, -1},  {210, -0.5, -r3}, {225, -r2, -r2}, {240, -r3, -0.5},
+                           {270, -1, 0},  {300, -r3, 0.5},  {315, -r2, r2},  {330, -0.5, r3},
+                           {360, 0, 1},   {-30, -0.5, r3},  {-90, -1, 0},    {-45, -r2, r2},
+                           {405, r2, r2}, {720, 0, 1},      {-3600, 0, 1},   {810, 1, 0}};
+  for (const auto& [angle, sine, cosine] : table)
+    expect_same(sine_cosine_degrees(angle), sine, cosine, angle);
 }
 
 // Angles of 1/64° are exact in double, and so are their sums: every mirror image of a is itself an exact angle.

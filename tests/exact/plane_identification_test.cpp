@@ -1,7 +1,7 @@
 // Planes that coincide to 1e-10 in angle, and in distance over the model's size, are one plane.
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
 #include "tests/exact/exact_oracle.hpp"

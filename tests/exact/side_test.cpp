@@ -1,8 +1,8 @@
 // The one predicate: on which side of a plane lies the meeting point of three others.
-#include <gtest/gtest.h>
-
 #include <random>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
 #include "tests/exact/exact_oracle.hpp"
@@ -17,21 +17,26 @@ class Side : public testing::Test {
   std::uniform_real_distribution<Real> unit{-1, 1};
 
   Vec3 any_vector() { return {gauss(random), gauss(random), gauss(random)}; }
-  Vec3 any_point(Real size) { return {size / 2 * unit(random), size / 2 * unit(random), size / 2 * unit(random)}; }
+  Vec3 any_point(Real size) {
+    return {size / 2 * unit(random), size / 2 * unit(random), size / 2 * unit(random)};
+  }
 
   // All four of planes 0 … 3 against the meeting point of the other three.
   int checked = 0;
   void check_quadruple(const Planes& planes, Real size, const char* what) {
     for (Index s = 0; s < 4; ++s) {
       const std::array<Index, 3> p{(s + 1) % 4, (s + 2) % 4, (s + 3) % 4};
-      if (dot(planes.exact_planes[p[0]].n, cross(planes.exact_planes[p[1]].n, planes.exact_planes[p[2]].n)) == 0) continue;
+      if (dot(planes.exact_planes[p[0]].n,
+              cross(planes.exact_planes[p[1]].n, planes.exact_planes[p[2]].n)) == 0)
+        continue;
       const Answer expected = rule_five(planes, p, s, size);
       if (!expected.decided) continue;
       IntentCount intent;
       const int found = planes.table.side(planes.table.vertex(p[0], p[1], p[2]), s, intent);
       ++checked;
-      ASSERT_EQ(found, expected.side) << what << ", plane " << s << ", distance "
-                                      << planes.distance(planes.meeting_point(p), s) / size << " of the size";
+      ASSERT_EQ(found, expected.side)
+          << what << ", plane " << s << ", distance "
+          << planes.distance(planes.meeting_point(p), s) / size << " of the size";
     }
   }
 };
@@ -60,7 +65,9 @@ TEST_F(Side, OfLatticePlanesIsTheExactSign) {
     }
     check_quadruple(planes, 4, "lattice");
     const auto& n = planes.exact_planes;
-    if (dot(n[0].n, cross(n[1].n, n[2].n)) != 0 && planes.value(planes.meeting_point({0, 1, 2}), 3) == 0) ++concurrent;
+    if (dot(n[0].n, cross(n[1].n, n[2].n)) != 0 &&
+        planes.value(planes.meeting_point({0, 1, 2}), 3) == 0)
+      ++concurrent;
   }
   EXPECT_GT(concurrent, 30);
 }
@@ -121,7 +128,8 @@ TEST_F(Side, OfAVertexOnItsOwnPlanesIsOn) {
   Planes planes({}, 1);
   for (int p = 0; p < 3; ++p) planes.add(any_vector(), any_point(1));
   IntentCount intent;
-  for (Index p = 0; p < 3; ++p) EXPECT_EQ(planes.table.side(planes.table.vertex(2, 0, 1), p, intent), 0);
+  for (Index p = 0; p < 3; ++p)
+    EXPECT_EQ(planes.table.side(planes.table.vertex(2, 0, 1), p, intent), 0);
   EXPECT_EQ(intent.vertices_identified + intent.near_decisions, 0);
 }
 
@@ -139,12 +147,17 @@ TEST_F(Side, IsOnForAllFourOfNearlyConcurrentPlanesOrForNone) {
     for (Index p = 0; p < 4; ++p) {
       for (Index q = 0; q < p; ++q) smallest = std::min(smallest, planes.sine(p, q));
       const auto& t = planes.table;
-      determinant = std::min(determinant, std::abs(dot(t.normal((p + 1) % 4), cross(t.normal((p + 2) % 4), t.normal((p + 3) % 4)))));
+      determinant =
+          std::min(determinant, std::abs(dot(t.normal((p + 1) % 4),
+                                             cross(t.normal((p + 2) % 4), t.normal((p + 3) % 4)))));
     }
-    if (smallest < 1.1e-3 || determinant < 2e-3) continue;  // guarded, or a vertex moved by more than 1e-7
+    if (smallest < 1.1e-3 || determinant < 2e-3)
+      continue;  // guarded, or a vertex moved by more than 1e-7
     int zeros = 0;
     IntentCount intent;
-    for (Index s = 0; s < 4; ++s) zeros += planes.table.side(planes.table.vertex((s + 1) % 4, (s + 2) % 4, (s + 3) % 4), s, intent) == 0;
+    for (Index s = 0; s < 4; ++s)
+      zeros += planes.table.side(planes.table.vertex((s + 1) % 4, (s + 2) % 4, (s + 3) % 4), s,
+                                 intent) == 0;
     EXPECT_TRUE(zeros == 0 || zeros == 4) << zeros;
     ++(zeros == 0 ? off : on);
   }

@@ -1,10 +1,10 @@
 // The meeting point of three planes: its position, and the bound on its error.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
 #include <random>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
 #include "tests/exact/exact_oracle.hpp"
@@ -18,7 +18,9 @@ class VertexPosition : public testing::Test {
   std::normal_distribution<Real> gauss;
   std::uniform_real_distribution<Real> unit{-1, 1};
   Vec3 any_vector() { return {gauss(random), gauss(random), gauss(random)}; }
-  Vec3 any_point(Real size) { return {size / 2 * unit(random), size / 2 * unit(random), size / 2 * unit(random)}; }
+  Vec3 any_point(Real size) {
+    return {size / 2 * unit(random), size / 2 * unit(random), size / 2 * unit(random)};
+  }
 
   // |x − the exact point|, m.
   static Real error_of(const Planes& planes, const Vertex& v) {
@@ -56,7 +58,8 @@ TEST_F(VertexPosition, OfIllConditionedPlanesIsRoundedOnce) {
     ASSERT_LE(error_of(planes, v), v.error);
     if (std::abs(dot(a, cross(b, c))) > 0.01) continue;
     for (int d = 0; d < 3; ++d) {
-      const Real ulp = std::nextafter(std::abs(v.x[d]), std::numeric_limits<Real>::infinity()) - std::abs(v.x[d]);
+      const Real ulp = std::nextafter(std::abs(v.x[d]), std::numeric_limits<Real>::infinity()) -
+                       std::abs(v.x[d]);
       const Exact difference = Exact(v.x[d]) - x[d];
       EXPECT_LE(std::abs(CGAL::to_double(difference)), ulp);
     }
@@ -79,7 +82,8 @@ TEST_F(VertexPosition, DoesNotDependOnTheOrderOfThePlanes) {
     Planes planes(any_point(3), 3);
     for (int p = 0; p < 3; ++p) planes.add(any_vector(), any_point(3));
     const Vertex v = planes.table.vertex(0, 1, 2);
-    for (const auto& [p, q, r] : {std::array{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}) {
+    for (const auto& [p, q, r] :
+         {std::array{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}) {
       const Vertex w = planes.table.vertex(p, q, r);
       EXPECT_EQ(w.plane, v.plane);
       EXPECT_EQ(w.x, v.x);

@@ -20,7 +20,8 @@ inline std::vector<std::string> origin_names(const BlockArrays& a) {
 inline std::string first_difference(const BlockArrays& a, const BlockArrays& b) {
   const auto key = [](const BlockArrays& arrays) {
     std::vector<std::tuple<Index, Index, Index, Index, Real>> list;
-    for (const auto& i : arrays.interfaces) list.emplace_back(i.block[0], i.block[1], i.face[0], i.face[1], i.area);
+    for (const auto& i : arrays.interfaces)
+      list.emplace_back(i.block[0], i.block[1], i.face[0], i.face[1], i.area);
     return list;
   };
 #define ROCKFOLD_COMPARE(array) \

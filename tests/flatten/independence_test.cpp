@@ -1,10 +1,10 @@
 // The same joints in another order, or on another number of threads: the same blocks, bit for bit.
-#include <gtest/gtest.h>
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <random>
+
+#include <gtest/gtest.h>
+#include <omp.h>
 
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
@@ -32,7 +32,8 @@ Model random_planes(unsigned seed, int count) {
   std::uniform_real_distribution<Real> unit;
   Model model = box_model({0, 0, 0}, {10, 7, 5});
   for (int i = 0; i < count; ++i)
-    add_joint(model, Vec3{gauss(random), gauss(random), gauss(random)}, {10 * unit(random), 7 * unit(random), 5 * unit(random)});
+    add_joint(model, Vec3{gauss(random), gauss(random), gauss(random)},
+              {10 * unit(random), 7 * unit(random), 5 * unit(random)});
   return model;
 }
 
@@ -71,8 +72,12 @@ void expect_independent_of_order(const Model& model) {
 TEST_F(Independence, OfTheOrderOfRandomPlanes) {
   for (unsigned seed = 0; seed < 10; ++seed) expect_independent_of_order(random_planes(seed, 30));
 }
-TEST_F(Independence, OfTheOrderOfJointSets) { expect_independent_of_order(three_sets(1)); }
-TEST_F(Independence, OfTheOrderOfJointsInSolids) { expect_independent_of_order(solids_and_sets()); }
+TEST_F(Independence, OfTheOrderOfJointSets) {
+  expect_independent_of_order(three_sets(1));
+}
+TEST_F(Independence, OfTheOrderOfJointsInSolids) {
+  expect_independent_of_order(solids_and_sets());
+}
 
 // Planes that nearly meet, within and about the tolerance: what is decided does not depend on who asks first. Where five
 // or more planes miss a point by about the tolerance no answer is right, and cutting may say so: then in any order.
@@ -110,7 +115,8 @@ TEST_F(Independence, OfTheOrderOfJointsThatCoincide) {
   for (int i = 0; i < 6; ++i) {
     Joint twin = model.joints[i];
     twin.plane.point[i % 3] += (i % 2 ? 1e-10 : -1e-10);
-    model.joints.push_back(twin);  // the same name: which of the two a face is named after does not show
+    model.joints.push_back(
+        twin);  // the same name: which of the two a face is named after does not show
   }
   expect_independent_of_order(model);
 }
@@ -123,7 +129,8 @@ TEST_F(Independence, OfTheNumberOfThreads) {
       omp_set_num_threads(threads);
       const Blocks many = cut(model);
       EXPECT_EQ(first_difference(one.arrays, many.arrays), "") << threads << " threads";
-      EXPECT_EQ(many.cutting.totals.intent.near_decisions, one.cutting.totals.intent.near_decisions);
+      EXPECT_EQ(many.cutting.totals.intent.near_decisions,
+                one.cutting.totals.intent.near_decisions);
       EXPECT_EQ(many.cutting.totals.joint_area, one.cutting.totals.joint_area);
       EXPECT_EQ(many.cutting.totals.cells, one.cutting.totals.cells);
       EXPECT_EQ(many.cutting.totals.solid_volume, one.cutting.totals.solid_volume);

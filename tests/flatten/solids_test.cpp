@@ -1,9 +1,9 @@
 // Solids by block operations: what their blocks look like, with exact counts of vertices, edges, faces, shells and genus.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <map>
 #include <set>
+
+#include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
 #include "tests/cut/complex_check.hpp"
@@ -57,61 +57,79 @@ Model with(Model model, const Vec3& min, const Vec3& max, const std::string& nam
 // Names of the faces' origins of a block, with their areas summed.
 std::map<std::string, Real> areas_by_origin(const BlockArrays& a, Index block) {
   std::map<std::string, Real> areas;
-  for (Index f = a.face_begin[block]; f < a.face_begin[block + 1]; ++f) areas[a.origins[a.face_origin[f]].name] += a.face_area[f];
+  for (Index f = a.face_begin[block]; f < a.face_begin[block + 1]; ++f)
+    areas[a.origins[a.face_origin[f]].name] += a.face_area[f];
   return areas;
 }
 
 const Model cube = box_model({0, 0, 0}, {4, 4, 4});
 
-TEST(Solids, ABox) { expect_one_block(cube, {{8, 12, 6}, 1, 0, 64, true}); }
+TEST(Solids, ABox) {
+  expect_one_block(cube, {{8, 12, 6}, 1, 0, 64, true});
+}
 
-TEST(Solids, AnLShape) { expect_one_block(without(cube, {2, -1, 2}, {5, 5, 5}), {{12, 18, 8}, 1, 0, 48}); }
+TEST(Solids, AnLShape) {
+  expect_one_block(without(cube, {2, -1, 2}, {5, 5, 5}), {{12, 18, 8}, 1, 0, 48});
+}
 
 // The same L by two boxes that share a face: of two origins where they lie in one plane, so the two sides keep an edge.
 TEST(Solids, AnLShapeOfTwoBoxes) {
-  expect_one_block(with(box_model({0, 0, 0}, {4, 4, 2}), {0, 0, 2}, {2, 4, 4}), {{14, 23, 11}, 1, 0, 48});
+  expect_one_block(with(box_model({0, 0, 0}, {4, 4, 2}), {0, 0, 2}, {2, 4, 4}),
+                   {{14, 23, 11}, 1, 0, 48});
 }
 
-TEST(Solids, ABoxWithACavity) { expect_one_block(without(cube, {1, 1, 1}, {3, 3, 3}), {{16, 24, 12}, 2, 0, 56}); }
+TEST(Solids, ABoxWithACavity) {
+  expect_one_block(without(cube, {1, 1, 1}, {3, 3, 3}), {{16, 24, 12}, 2, 0, 56});
+}
 
 TEST(Solids, ABoxWithTwoCavities) {
-  expect_one_block(without(without(box_model({0, 0, 0}, {7, 3, 3}), {1, 1, 1}, {2, 2, 2}), {5, 1, 1}, {6, 2, 2}, "second"),
+  expect_one_block(without(without(box_model({0, 0, 0}, {7, 3, 3}), {1, 1, 1}, {2, 2, 2}),
+                           {5, 1, 1}, {6, 2, 2}, "second"),
                    {{24, 36, 18}, 3, 0, 61});
 }
 
 // A block afloat in a cavity: two blocks, the outer one of two shells. Both have the same centroid.
 TEST(Solids, ABlockInACavity) {
-  const Blocks blocks = checked_cut(with(without(box_model({0, 0, 0}, {5, 5, 5}), {1, 1, 1}, {4, 4, 4}), {2, 2, 2}, {3, 3, 3}));
+  const Blocks blocks = checked_cut(
+      with(without(box_model({0, 0, 0}, {5, 5, 5}), {1, 1, 1}, {4, 4, 4}), {2, 2, 2}, {3, 3, 3}));
   ASSERT_EQ(blocks.arrays.block_count(), 2);
   const Index inner = blocks.arrays.volume[0] < blocks.arrays.volume[1] ? 0 : 1;
   expect_block(blocks.arrays, inner, {{8, 12, 6}, 1, 0, 1, true});
   expect_block(blocks.arrays, 1 - inner, {{16, 24, 12}, 2, 0, 98});
 }
 
-TEST(Solids, ABoxWithABlindHole) { expect_one_block(without(cube, {1, 1, 2}, {3, 3, 5}), {{16, 24, 11}, 1, 0, 56}); }
+TEST(Solids, ABoxWithABlindHole) {
+  expect_one_block(without(cube, {1, 1, 2}, {3, 3, 5}), {{16, 24, 11}, 1, 0, 56});
+}
 
-TEST(Solids, ABoxWithAThroughTunnel) { expect_one_block(without(cube, {1, -1, 1}, {3, 5, 3}), {{16, 24, 10}, 1, 1, 48}); }
+TEST(Solids, ABoxWithAThroughTunnel) {
+  expect_one_block(without(cube, {1, -1, 1}, {3, 5, 3}), {{16, 24, 10}, 1, 1, 48});
+}
 
 TEST(Solids, ABoxWithTwoTunnelsSideBySide) {
-  expect_one_block(without(without(box_model({0, 0, 0}, {5, 4, 3}), {1, -1, 1}, {2, 5, 2}), {3, -1, 1}, {4, 5, 2}, "second"),
+  expect_one_block(without(without(box_model({0, 0, 0}, {5, 4, 3}), {1, -1, 1}, {2, 5, 2}),
+                           {3, -1, 1}, {4, 5, 2}, "second"),
                    {{24, 36, 14}, 1, 2, 52});
 }
 
 // Floor and roof of the crossing belong to the tunnel dug last: three faces each, two edges more than if they were one.
 TEST(Solids, ABoxWithTwoCrossingTunnels) {
-  expect_one_block(without(without(box_model({0, 0, 0}, {3, 3, 3}), {-1, 1, 1}, {4, 2, 2}), {1, -1, 1}, {2, 4, 2}, "second"),
+  expect_one_block(without(without(box_model({0, 0, 0}, {3, 3, 3}), {-1, 1, 1}, {4, 2, 2}),
+                           {1, -1, 1}, {2, 4, 2}, "second"),
                    {{32, 52, 20}, 1, 3, 22});
 }
 
 TEST(Solids, ABoxWithThreeCrossingTunnels) {
-  const Model two = without(without(box_model({0, 0, 0}, {3, 3, 3}), {-1, 1, 1}, {4, 2, 2}), {1, -1, 1}, {2, 4, 2}, "second");
+  const Model two = without(without(box_model({0, 0, 0}, {3, 3, 3}), {-1, 1, 1}, {4, 2, 2}),
+                            {1, -1, 1}, {2, 4, 2}, "second");
   expect_one_block(without(two, {1, 1, -1}, {2, 2, 4}, "third"), {{40, 72, 30}, 1, 5, 20});
 }
 
 // Two upright pillars on a slab that touch along a vertical edge: four faces meet there, two of each pillar. The edge and
 // its upper end count once for each pillar; its foot is one vertex.
 TEST(Solids, PillarsThatTouchAlongAnEdge) {
-  expect_one_block(without(without(cube, {2, 2, 2}, {5, 5, 5}), {-1, -1, 2}, {2, 2, 5}, "second"), {{19, 30, 13}, 1, 0, 48});
+  expect_one_block(without(without(cube, {2, 2, 2}, {5, 5, 5}), {-1, -1, 2}, {2, 2, 5}, "second"),
+                   {{19, 30, 13}, 1, 0, 48});
 }
 
 TEST(Solids, BoxesThatTouchAlongAnEdgeAreTwoBlocks) {
@@ -136,7 +154,9 @@ TEST(Solids, BoxesApartAreTwoBlocks) {
 // In plan, [0,4]×[0,4] and [4,8]×[2,6]: glued over 2 × 4 m. Top and bottom are of two origins each and keep an edge.
 const Model side_by_side = with(cube, {4, 2, 0}, {8, 6, 4});
 
-TEST(Solids, BoxesSideBySideAreOneBlock) { expect_one_block(side_by_side, {{16, 26, 12}, 1, 0, 128}); }
+TEST(Solids, BoxesSideBySideAreOneBlock) {
+  expect_one_block(side_by_side, {{16, 26, 12}, 1, 0, 128});
+}
 
 TEST(Solids, BoxesSideBySideWithAJointBetweenAreTwoBlocks) {
   Model model = side_by_side;
@@ -159,11 +179,14 @@ TEST(Solids, OverlappingBoxesAreOneBlock) {
   expect_block(blocks.arrays, 0, {{20, 30, 12}, 1, 0, 120});
 }
 
-TEST(Solids, ABoxAddedInsideAnotherChangesNoSurface) { expect_one_block(with(cube, {1, 1, 1}, {3, 3, 3}), {{8, 12, 6}, 1, 0, 64, true}); }
+TEST(Solids, ABoxAddedInsideAnotherChangesNoSurface) {
+  expect_one_block(with(cube, {1, 1, 1}, {3, 3, 3}), {{8, 12, 6}, 1, 0, 64, true});
+}
 
 // What is taken away and added again, by halves.
 TEST(Solids, AHoleFilledAgain) {
-  const Model filled = with(with(without(cube, {1, 1, 1}, {3, 3, 3}), {1, 1, 1}, {2, 3, 3}, "left"), {2, 1, 1}, {3, 3, 3}, "right");
+  const Model filled = with(with(without(cube, {1, 1, 1}, {3, 3, 3}), {1, 1, 1}, {2, 3, 3}, "left"),
+                            {2, 1, 1}, {3, 3, 3}, "right");
   expect_one_block(filled, {{8, 12, 6}, 1, 0, 64, true});
 }
 
@@ -248,9 +271,13 @@ TEST(JointsInSolids, CoplanarWithAStepDivideAnL) {
 }
 
 // Treads at z = 2, 4 and 6, risers at x = 0, 2 and 4.
-const Model stairs = without(without(box_model({0, 0, 0}, {6, 2, 6}), {-1, -1, 2}, {2, 3, 7}, "low"), {-1, -1, 4}, {4, 3, 7}, "high");
+const Model stairs =
+    without(without(box_model({0, 0, 0}, {6, 2, 6}), {-1, -1, 2}, {2, 3, 7}, "low"), {-1, -1, 4},
+            {4, 3, 7}, "high");
 
-TEST(JointsInSolids, Stairs) { expect_one_block(stairs, {{16, 24, 10}, 1, 0, 48}); }
+TEST(JointsInSolids, Stairs) {
+  expect_one_block(stairs, {{16, 24, 10}, 1, 0, 48});
+}
 
 TEST(JointsInSolids, CoplanarWithTheTreadsOfStairs) {
   Model model = stairs;
@@ -282,7 +309,8 @@ TEST(JointsInSolids, ThroughTheInnerCornersOfStairs) {
   std::sort(volumes.begin(), volumes.end());
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(volumes[i], 4, 1e-11);
   EXPECT_NEAR(volumes[3], 36, 1e-11);
-  for (Index b = 0; b < 4; ++b) EXPECT_EQ(counts_of(blocks.arrays, b), (Counts{6, 9, 5})) << "block " << b;
+  for (Index b = 0; b < 4; ++b)
+    EXPECT_EQ(counts_of(blocks.arrays, b), (Counts{6, 9, 5})) << "block " << b;
 }
 
 TEST(JointsInSolids, ThroughACavity) {
@@ -322,8 +350,9 @@ TEST(JointsInSolids, OnTheRoofAndFloorOfATunnel) {
 
 // A joint that ends nowhere but crosses a C-shaped solid, and leaves it in one piece: no block's face.
 TEST(JointsInSolids, ThatDivideNothingAreDangling) {
-  Model model = without(box_model({0, 0, 0}, {6, 2, 6}), {2, -1, 2}, {7, 3, 4}, "slot");  // a C open to the east
-  model = with(model, {6, 0, 0}, {8, 2, 6}, "bridge");                                  // closed to a ring
+  Model model = without(box_model({0, 0, 0}, {6, 2, 6}), {2, -1, 2}, {7, 3, 4},
+                        "slot");                        // a C open to the east
+  model = with(model, {6, 0, 0}, {8, 2, 6}, "bridge");  // closed to a ring
   add_joint(model, Vec3{1, 0, 0}, {6, 0, 0});
   const Blocks cut_twice = checked_cut(model);
   ASSERT_EQ(cut_twice.arrays.block_count(), 2);
@@ -340,7 +369,8 @@ TEST(FaceOrigins, AreTheSolidsFacesAndTheJoints) {
   ASSERT_EQ(a.block_count(), 4);
   for (Index b = 0; b < 4; ++b) {
     const bool east = a.centroid[b][0] > 2, north = a.centroid[b][1] > 2;
-    std::map<std::string, Real> expected{{"rock.zmin", 4}, {"rock.zmax", 3}, {"J1", 6}, {"F1", 6}, {"shaft.zmin", 1}};
+    std::map<std::string, Real> expected{
+        {"rock.zmin", 4}, {"rock.zmax", 3}, {"J1", 6}, {"F1", 6}, {"shaft.zmin", 1}};
     expected[east ? "rock.xmax" : "rock.xmin"] = 8;
     expected[north ? "rock.ymax" : "rock.ymin"] = 8;
     expected[east ? "shaft.xmax" : "shaft.xmin"] = 2;
@@ -376,7 +406,9 @@ TEST(FaceOrigins, OfTwoFloorsInOneFaceOfACellAreEachItsOwn) {
 
 // A trench dug along a shaft's floor level: what both reach is the later one's.
 TEST(FaceOrigins, OfAFloorDugTwiceAreTheLastOnes) {
-  const Model model = without(without(box_model({0, 0, 0}, {9, 4, 4}), {1, 1, 2}, {6, 3, 5}, "first"), {4, 1, 2}, {8, 3, 5}, "last");
+  const Model model =
+      without(without(box_model({0, 0, 0}, {9, 4, 4}), {1, 1, 2}, {6, 3, 5}, "first"), {4, 1, 2},
+              {8, 3, 5}, "last");
   const auto areas = areas_by_origin(checked_cut(model).arrays, 0);
   EXPECT_NEAR(areas.at("first.zmin"), 6, 1e-12);
   EXPECT_NEAR(areas.at("last.zmin"), 8, 1e-12);
@@ -389,11 +421,13 @@ TEST(FaceOrigins, KeepTheirJointMaterial) {
   add_set(model, DipOrientation{0, 0}, 10, {0, 0, 2});
   model.joint_sets[0].material = 3;
   const BlockArrays a = cut(model).arrays;
-  const auto joint = std::find_if(a.origins.begin(), a.origins.end(), [](const FaceOrigin& o) { return o.name == "J1"; });
+  const auto joint = std::find_if(a.origins.begin(), a.origins.end(),
+                                  [](const FaceOrigin& o) { return o.name == "J1"; });
   ASSERT_NE(joint, a.origins.end());
   EXPECT_EQ(joint->kind, FaceOrigin::Kind::joint);
   EXPECT_EQ(joint->joint_material, 3);
-  const auto face = std::find_if(a.origins.begin(), a.origins.end(), [](const FaceOrigin& o) { return o.name == "rock.ymax"; });
+  const auto face = std::find_if(a.origins.begin(), a.origins.end(),
+                                 [](const FaceOrigin& o) { return o.name == "rock.ymax"; });
   ASSERT_NE(face, a.origins.end());
   EXPECT_EQ(face->kind, FaceOrigin::Kind::solid_face);
   EXPECT_EQ(face->joint_material, none);
@@ -418,7 +452,8 @@ TEST(Materials, AreOfTheLastSolidAdded) {
   Model model = cube;  // 64 m³ of material 0, of which the last metre is replaced
   model.solids.push_back(box_solid("concrete", {3, 0, 0}, {4, 4, 4}));
   model.solids[1].material = 1;
-  EXPECT_EQ(cut(model).arrays.material, std::vector<Index>{0});  // one block: that of its largest part
+  EXPECT_EQ(cut(model).arrays.material,
+            std::vector<Index>{0});  // one block: that of its largest part
   add_joint(model, Vec3{1, 0, 0}, {3, 0, 0});
   EXPECT_EQ(cut(model).arrays.material, (std::vector<Index>{0, 1}));
   std::swap(model.solids[0], model.solids[1]);  // now the cube comes last and fills all
@@ -434,7 +469,8 @@ TEST(Materials, OfABlockOfTwoAreThoseOfTheLargerPart) {
 
 TEST(FiniteBlocks, TouchNoFaceBeyondWhichTheRockGoesOn) {
   Model model = box_model({0, 0, 0}, {3, 3, 3});
-  for (const DipOrientation& o : {DipOrientation{0, 0}, {90, 0}, {90, 90}}) add_set(model, o, 1, {});
+  for (const DipOrientation& o : {DipOrientation{0, 0}, {90, 0}, {90, 90}})
+    add_set(model, o, 1, {});
   model.solids[0].continues = {true, true, true, true, true, false};  // all but the top
   const BlockArrays a = cut(model).arrays;
   ASSERT_EQ(a.block_count(), 27);
@@ -448,7 +484,8 @@ TEST(FiniteBlocks, TouchNoFaceBeyondWhichTheRockGoesOn) {
 TEST(FiniteBlocks, MayTouchAFaceThatGoesOnAlongAnEdgeOnly) {
   Model model = cube;
   model.solids[0].continues = {true, false, false, false, false, false};
-  add_joint(model, Vec3{-1, 0, 1}, {0, 0, 0});  // from the lower edge of xmin: the wedge below meets xmin in a line
+  add_joint(model, Vec3{-1, 0, 1},
+            {0, 0, 0});  // from the lower edge of xmin: the wedge below meets xmin in a line
   const BlockArrays a = cut(model).arrays;
   ASSERT_EQ(a.block_count(), 2);
   EXPECT_TRUE(a.finite[0]);

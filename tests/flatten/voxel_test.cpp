@@ -1,11 +1,11 @@
 // Random block operations and joints on a lattice, against voxels.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <random>
 #include <set>
+
+#include <gtest/gtest.h>
 
 #include "src/base/error.hpp"
 #include "tests/cut/complex_check.hpp"
@@ -29,7 +29,9 @@ struct Case {
 
 Case random_case(unsigned seed) {
   std::mt19937 random(seed);
-  const auto draw = [&](int low, int high) { return low + static_cast<int>(random() % (high - low + 1)); };
+  const auto draw = [&](int low, int high) {
+    return low + static_cast<int>(random() % (high - low + 1));
+  };
   Case c;
   const int boxes = draw(2, 7);
   for (int i = 0; i < boxes; ++i) {
@@ -49,8 +51,11 @@ Model model_of(const Case& c) {
   Model model;
   for (std::size_t i = 0; i < c.boxes.size(); ++i) {
     const Box& b = c.boxes[i];
-    const auto real = [](const std::array<int, 3>& v) { return Vec3{1.0 * v[0], 1.0 * v[1], 1.0 * v[2]}; };
-    model.solids.push_back(box_solid(std::string("s").append(std::to_string(i)), real(b.min), real(b.max), b.add));
+    const auto real = [](const std::array<int, 3>& v) {
+      return Vec3{1.0 * v[0], 1.0 * v[1], 1.0 * v[2]};
+    };
+    model.solids.push_back(
+        box_solid(std::string("s").append(std::to_string(i)), real(b.min), real(b.max), b.add));
     model.solids.back().material = static_cast<Index>(i);
   }
   for (int d = 0; d < 3; ++d)
@@ -116,10 +121,12 @@ void check(unsigned seed) {
   std::vector<Real> volumes = blocks.arrays.volume;
   std::sort(volumes.begin(), volumes.end());
   ASSERT_EQ(volumes.size(), expected.volumes.size());
-  for (std::size_t i = 0; i < volumes.size(); ++i) EXPECT_NEAR(volumes[i], expected.volumes[i], 1e-11);
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+    EXPECT_NEAR(volumes[i], expected.volumes[i], 1e-11);
   EXPECT_NEAR(blocks.cutting.totals.joint_area, expected.joint_area, 1e-11);
   EXPECT_EQ(faults_of(blocks.complex()), std::vector<std::string>{});
-  EXPECT_EQ(faults_of(blocks.arrays, blocks.complex().planes.model_size()), std::vector<std::string>{});
+  EXPECT_EQ(faults_of(blocks.arrays, blocks.complex().planes.model_size()),
+            std::vector<std::string>{});
 }
 
 void check_seeds(unsigned first, unsigned count) {
@@ -132,8 +139,12 @@ void check_seeds(unsigned first, unsigned count) {
   }
 }
 
-TEST(RandomSolids, AreTheVoxelsTheyCover) { check_seeds(0, 200); }
-TEST(SlowRandomSolids, AreTheVoxelsTheyCover) { check_seeds(1000, 5000); }
+TEST(RandomSolids, AreTheVoxelsTheyCover) {
+  check_seeds(0, 200);
+}
+TEST(SlowRandomSolids, AreTheVoxelsTheyCover) {
+  check_seeds(1000, 5000);
+}
 
 }  // namespace
 }  // namespace rockfold::test

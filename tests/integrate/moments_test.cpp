@@ -1,12 +1,12 @@
 #include "kernels/integrate/moments.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <fstream>
 #include <limits>
 #include <sstream>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "src/base/error.hpp"
 #include "tests/reference/box_covers.hpp"
@@ -17,13 +17,15 @@ namespace {
 Real rational(const std::string& text) {
   const std::size_t slash = text.find('/');
   const long double top = std::stold(text.substr(0, slash));
-  return static_cast<Real>(slash == std::string::npos ? top : top / std::stold(text.substr(slash + 1)));
+  return static_cast<Real>(slash == std::string::npos ? top
+                                                      : top / std::stold(text.substr(slash + 1)));
 }
 
 struct Body {
   std::string name;
   std::vector<Vec3> vertices;
-  std::vector<Index> triangles;  ///< polygons fanned from their first corner: signed, so concave ones are right too
+  std::vector<Index>
+      triangles;  ///< polygons fanned from their first corner: signed, so concave ones are right too
   std::vector<std::pair<std::string, Real>> integrals;
 };
 
@@ -88,9 +90,11 @@ TEST(Monomials, OfTheReferenceBodiesEqualTheExactRationals) {
   const std::vector<Real> found = integrate_monomials(surfaces_of(bodies));
   for (std::size_t s = 0; s < bodies.size(); ++s)
     for (const auto& [exponents, expected] : bodies[s].integrals) {
-      const Real value = found[monomial_count * s + monomial_index(exponents[0] - '0', exponents[1] - '0',
-                                                                   exponents[2] - '0')];
-      EXPECT_NEAR(value, expected, 1e-13 * std::max(std::abs(expected), 0.1 * size_of(bodies[s], exponents)))
+      const Real value =
+          found[monomial_count * s +
+                monomial_index(exponents[0] - '0', exponents[1] - '0', exponents[2] - '0')];
+      EXPECT_NEAR(value, expected,
+                  1e-13 * std::max(std::abs(expected), 0.1 * size_of(bodies[s], exponents)))
           << bodies[s].name << ", x^y^z^ " << exponents;
     }
 }
@@ -115,7 +119,7 @@ CoverArrays one_tetrahedron() {
 
 TEST(PieceMoments, OfAnIrregularTetrahedronEqualTheClosedForm) {
   const PieceMoments m = piece_moments(one_tetrahedron());
-  const Real v = 2923.0 / 864;  // REFERENCES group A, "T1"
+  const Real v = 2923.0 / 864;   // REFERENCES group A, "T1"
   const Real tolerance = 1e-13;  // some tens of operations on numbers up to 250
   EXPECT_NEAR(m.volume[0] / v, 1, tolerance);
   EXPECT_NEAR(m.first[0][0] / (1.5 * v), 1, tolerance);
@@ -172,20 +176,24 @@ CoverArrays three_tetrahedra() {
 
 TEST(PieceMoments, RejectAnInsideOutPieceByTheSmallestIndex) {
   CoverArrays covers = three_tetrahedra();
-  for (Index t = 4; t < 12; ++t) std::swap(covers.triangle_vertex[3 * t], covers.triangle_vertex[3 * t + 1]);
-  EXPECT_NE(message_for(covers).find("piece 1 of manifold element 1"), std::string::npos) << message_for(covers);
+  for (Index t = 4; t < 12; ++t)
+    std::swap(covers.triangle_vertex[3 * t], covers.triangle_vertex[3 * t + 1]);
+  EXPECT_NE(message_for(covers).find("piece 1 of manifold element 1"), std::string::npos)
+      << message_for(covers);
 }
 
 TEST(PieceMoments, RejectAPieceThatIsNotANumber) {
   CoverArrays covers = three_tetrahedra();
   covers.vertex_xyz[3 * 10 + 1] = std::numeric_limits<Real>::quiet_NaN();
-  EXPECT_NE(message_for(covers).find("piece 2 of manifold element 2"), std::string::npos) << message_for(covers);
+  EXPECT_NE(message_for(covers).find("piece 2 of manifold element 2"), std::string::npos)
+      << message_for(covers);
 }
 
 TEST(PieceMoments, GiveAPieceFlattenedByRoundingTheLeastVolumeAtItsPlace) {
   CoverArrays covers = one_tetrahedron();
   for (int d = 0; d < 3; ++d)  // the last vertex into the plane of the others, to rounding
-    covers.vertex_xyz[9 + d] = (covers.vertex_xyz[d] + covers.vertex_xyz[3 + d] + covers.vertex_xyz[6 + d]) / 3;
+    covers.vertex_xyz[9 + d] =
+        (covers.vertex_xyz[d] + covers.vertex_xyz[3 + d] + covers.vertex_xyz[6 + d]) / 3;
   const PieceMoments m = piece_moments(covers);
   EXPECT_GT(m.volume[0], 0);
   EXPECT_LT(m.volume[0], 1e-14 * 216);

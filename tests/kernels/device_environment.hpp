@@ -1,9 +1,9 @@
 // Starts the device for all tests of a program. Include in exactly one file of it.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <memory>
+
+#include <gtest/gtest.h>
 
 #include "kernels/device/device.hpp"
 

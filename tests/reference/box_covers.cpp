@@ -177,7 +177,8 @@ class Builder {
     result_.element_body.push_back(body);
     for (int k = 0; k < 4; ++k)
       element_keys_.emplace_back(corner_node(a.lattice, cell, tet6_corner[t][k]), body);
-    for (const auto& [solid, block] : pieces) add_piece(a, solid, a.lattice.cell_centre(cell), block);
+    for (const auto& [solid, block] : pieces)
+      add_piece(a, solid, a.lattice.cell_centre(cell), block);
     a.piece_begin.push_back(a.piece_count());
   }
 

@@ -36,8 +36,8 @@ void for_each_element(
       visit(e, {e.corner});
     }
   for (Index c = 0; c < a.cut_count(); ++c) {
-    ElementView e{{}, tet_corners(a.lattice, a.element_cell[c], a.element_tet[c]),
-                  a.element_material[c]};
+    ElementView e{
+        {}, tet_corners(a.lattice, a.element_cell[c], a.element_tet[c]), a.element_material[c]};
     for (int k = 0; k < 4; ++k) e.cover[k] = a.element_cover[4 * c + k];
     std::vector<std::array<Vec3, 4>> filling;
     const Vec3 centre = a.lattice.cell_centre(a.element_cell[c]);
@@ -160,8 +160,7 @@ Dense assemble_springs(const CoverArrays& covers, const FixedPoints& fixed) {
 
 Dense combine(Real a, const Dense& x, Real b, const Dense& y) {
   Dense sum(x.n);
-  for (std::size_t i = 0; i < sum.entry.size(); ++i)
-    sum.entry[i] = a * x.entry[i] + b * y.entry[i];
+  for (std::size_t i = 0; i < sum.entry.size(); ++i) sum.entry[i] = a * x.entry[i] + b * y.entry[i];
   return sum;
 }
 

@@ -1,10 +1,10 @@
 #include "src/run/run_analysis.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <csignal>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "src/base/error.hpp"
 #include "src/base/interrupt.hpp"
@@ -58,7 +58,8 @@ struct Case {
       EXPECT_EQ(state.element_stress.size(), std::size_t(covered.arrays.element_count()));
       if (state.step == stop_after) interrupt_signal = SIGINT;
     };
-    return run_analysis({model, covered.arrays, blocks, fixed, monitors, loads, vertices}, store, progress);
+    return run_analysis({model, covered.arrays, blocks, fixed, monitors, loads, vertices}, store,
+                        progress);
   }
   Index stop_after = none;
 };
@@ -183,7 +184,8 @@ TEST(RunAnalysis, RefusesAStaticSystemThatNothingHolds) {
 
 TEST(RunAnalysis, ASolveThatDoesNotConvergeSaysWhereAndKeepsTheLastGoodState) {
   Case c(AnalysisType::dynamic, true);
-  c.model.analysis->time_step = 1e-4;  // the first acceleration converges in a few iterations more than a step
+  c.model.analysis->time_step =
+      1e-4;  // the first acceleration converges in a few iterations more than a step
   c.model.solver.max_iterations = 3;
   const std::string message = message_of(c);
   EXPECT_NE(message.find("did not converge: residual"), std::string::npos) << message;

@@ -1,8 +1,8 @@
 #include "kernels/solve/held_parts.hpp"
 
-#include <gtest/gtest.h>
-
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "src/base/error.hpp"
 #include "tests/solve/systems.hpp"
@@ -16,7 +16,8 @@ SmallSystem two_bodies(const std::vector<Vec3>& points,
   SmallSystem s;
   s.covered = reference::cover_regions(
       reference::turned_lattice({0.1, 0.2, 0.3}, 0.6, 0.2, 0.1, {1, 0.5, 0.5}, 1.4),
-      {reference::box({0, 0, 0}, {1, 1, 1}, 0, 0, 0), reference::box({1, 0, 0}, {2, 1, 1}, 0, 1, 1)});
+      {reference::box({0, 0, 0}, {1, 1, 1}, 0, 0, 0),
+       reference::box({1, 0, 0}, {2, 1, 1}, 0, 1, 1)});
   s.fixed = reference::fix(
       s.covered, points, [](const Vec3&) { return Vec3{}; }, 1, false);
   s.fixed.component = components;
@@ -44,12 +45,22 @@ struct Case {
 TEST(HeldParts, NameTheRigidMotionsLeftFree) {
   const Components one(1, {1, 1, 1}), two(2, {1, 1, 1});
   const Case cases[] = {
-      {"two points leave a turn about their line", {{0.5, 0.5, 0}, {0.5, 0.5, 1}}, two,
+      {"two points leave a turn about their line",
+       {{0.5, 0.5, 0}, {0.5, 0.5, 1}},
+       two,
        {"rotation about (0.000, 0.000, "}},
-      {"one point leaves three turns", {{0.2, 0.5, 0.1}}, one, {"rotation", "rotation", "rotation"}},
-      {"a smooth floor", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
+      {"one point leaves three turns",
+       {{0.2, 0.5, 0.1}},
+       one,
+       {"rotation", "rotation", "rotation"}},
+      {"a smooth floor",
+       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+       {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
        {"", "", ""}},
-      {"rollers 3-2-1 hold", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{1, 1, 1}, {0, 1, 1}, {0, 0, 1}}, {}},
+      {"rollers 3-2-1 hold",
+       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+       {{1, 1, 1}, {0, 1, 1}, {0, 0, 1}},
+       {}},
   };
   for (const Case& c : cases) {
     const SmallSystem s = two_bodies(c.points, c.components);

@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "tests/solve/systems.hpp"
 
@@ -54,7 +54,8 @@ TEST(Operator, StencilRowsEqualBlockRows) {
   const auto x = reference::scattered(s.covers().cover_node.size(), 3);
   for (const SystemCoefficients& c : {SystemCoefficients{1, 0, 0}, SystemCoefficients{0, 1, 0}}) {
     const auto y = s.make().apply(c, x);
-    EXPECT_LE(reference::largest_difference(y, t.make().apply(c, x)), rounding * reference::largest(y));
+    EXPECT_LE(reference::largest_difference(y, t.make().apply(c, x)),
+              rounding * reference::largest(y));
   }
 }
 
@@ -72,7 +73,8 @@ TEST(Operator, OfOneTetrahedronEqualsTheClosedForm) {
   a.element_cell.resize(1);
   a.element_tet = {kept};
   a.element_material.resize(1);
-  a.element_cover.assign(a.element_cover.begin() + 4 * kept, a.element_cover.begin() + 4 * kept + 4);
+  a.element_cover.assign(a.element_cover.begin() + 4 * kept,
+                         a.element_cover.begin() + 4 * kept + 4);
   a.piece_begin = {0, 1};
   a.piece_block = {0};
   a.triangle_begin = a.vertex_begin = {0, 4};

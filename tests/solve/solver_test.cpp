@@ -1,7 +1,7 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
+
+#include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
 #include "tests/solve/systems.hpp"
@@ -15,12 +15,15 @@ using reference::Dense;
 SmallSystem held_system(bool augmented) {
   SmallSystem s = cut_system();
   const auto value = [](const Vec3& x) { return Vec3{0.01 * x[1], 0.02, -0.01 * x[2]}; };
-  s.fixed = reference::fix(
-      s.covered, reference::corner_points(s.covered, [](const Vec3& x) { return x[0] < 0.05 + 1e-9 && x[2] > 0.1; }),
-      value, 3e3, augmented, 0);
+  s.fixed =
+      reference::fix(s.covered,
+                     reference::corner_points(
+                         s.covered, [](const Vec3& x) { return x[0] < 0.05 + 1e-9 && x[2] > 0.1; }),
+                     value, 3e3, augmented, 0);
   const FixedPoints below = reference::fix(
-      s.covered, reference::corner_points(s.covered, [](const Vec3& x) { return x[2] < -0.4 + 1e-9; }),
-      value, 3e3, augmented, 1);
+      s.covered,
+      reference::corner_points(s.covered, [](const Vec3& x) { return x[2] < -0.4 + 1e-9; }), value,
+      3e3, augmented, 1);
   auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
   append(s.fixed.points.element, below.points.element);
   append(s.fixed.points.cover, below.points.cover);
@@ -35,8 +38,8 @@ SmallSystem held_system(bool augmented) {
 Dense dense(const SmallSystem& s, const SystemCoefficients& c) {
   return reference::combine(
       1,
-      reference::combine(c.stiffness, reference::assemble_stiffness(s.covers(), s.materials), c.mass,
-                         reference::assemble_mass(s.covers(), s.materials)),
+      reference::combine(c.stiffness, reference::assemble_stiffness(s.covers(), s.materials),
+                         c.mass, reference::assemble_mass(s.covers(), s.materials)),
       c.springs, reference::assemble_springs(s.covers(), s.fixed));
 }
 

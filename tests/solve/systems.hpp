@@ -29,10 +29,14 @@ inline SmallSystem cut_system() {
                 reference::box({1.1, 0.02, 0.03}, {2.0, 1.3, 1.2}, 1, 0, 0),
                 reference::box({0.05, 0.02, -0.4}, {2.0, 1.3, 0.03}, 0, 1, 1)});
   s.materials = {{2000, 1e3, 0.25}, {3100, 4e3, 0.1}};
-  const auto points =
-      reference::corner_points(s.covered, [](const Vec3& x) { return x[0] < 0.05 + 1e-9 && x[2] > 0.1; });
+  const auto points = reference::corner_points(
+      s.covered, [](const Vec3& x) { return x[0] < 0.05 + 1e-9 && x[2] > 0.1; });
   s.fixed = reference::fix(
-      s.covered, points, [](const Vec3& x) { return Vec3{0.01 * x[1], 0.02, -0.01 * x[2]}; }, 300, false);
+      s.covered, points,
+      [](const Vec3& x) {
+        return Vec3{0.01 * x[1], 0.02, -0.01 * x[2]};
+      },
+      300, false);
   s.fixed.component[0] = {1, 0, 1};
   return s;
 }

@@ -1,10 +1,10 @@
-#include <gtest/gtest.h>
-
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "tests/solve/systems.hpp"
 
@@ -27,7 +27,8 @@ SmallSystem large_system() {
   SmallSystem s;
   s.covered = reference::cover_regions(
       reference::turned_lattice({0.1, 0.2, 0.3}, 0.125, 0, 0, {1, 1, 1}, 1.2),
-      {reference::box({0, 0, 0}, {2, 2, 1}, 0, 0, 0), reference::box({0, 0, 1}, {2, 2, 2}, 0, 1, 1)});
+      {reference::box({0, 0, 0}, {2, 2, 1}, 0, 0, 0),
+       reference::box({0, 0, 1}, {2, 2, 2}, 0, 1, 1)});
   s.materials = {{2000, 1e6, 0.25}};
   s.fixed = reference::fix(
       s.covered, {{0.1, 0.1, 0}, {1.9, 0.1, 0}, {0.2, 1.9, 0}, {1.8, 1.9, 0.1}},
@@ -56,7 +57,8 @@ TEST(Threads, PrintResults) {
 }
 
 std::string results_with(int threads) {
-  const std::string path = testing::TempDir() + "rockfold_threads_" + std::to_string(threads) + ".txt";
+  const std::string path =
+      testing::TempDir() + "rockfold_threads_" + std::to_string(threads) + ".txt";
   const std::string command = "ROCKFOLD_THREADS_TEST_FILE='" + path +
                               "' OMP_PROC_BIND=false OMP_NUM_THREADS=" + std::to_string(threads) +
                               " '" + testing::internal::GetArgvs()[0] +

@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
 #include "tests/update/rock.hpp"
@@ -149,8 +149,9 @@ TEST(Dynamic, AverageAccelerationKeepsTheEnergyOfFreeVibration) {
   Motion motion(setup);
   StateArrays state;
   state.displacement.resize(rock.covers().cover_node.size());
-  state.velocity = reference::sample_at_nodes(
-      rock.covers(), [](const Vec3& x) { return Vec3{0, 0.1 * x[0], (x[0] - 0.05) * (x[0] - 0.05)}; });
+  state.velocity = reference::sample_at_nodes(rock.covers(), [](const Vec3& x) {
+    return Vec3{0, 0.1 * x[0], (x[0] - 0.05) * (x[0] - 0.05)};
+  });
   motion.set_motion(state);
   ASSERT_TRUE(motion.start(1e-3).converged);
   const Real total = motion.energy().kinetic;

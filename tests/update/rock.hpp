@@ -28,9 +28,11 @@ struct Rock {
     return TrackedPoints(reference::locate(covered, points));
   }
   /// Springs of `stiffness` at all corners where `wanted`.
-  void hold(const std::function<bool(const Vec3&)>& wanted, Real stiffness, bool augmented,
-            const std::function<Vec3(const Vec3&)>& value = [](const Vec3&) { return Vec3{}; }) {
-    fixed = reference::fix(covered, reference::corner_points(covered, wanted), value, stiffness, augmented);
+  void hold(
+      const std::function<bool(const Vec3&)>& wanted, Real stiffness, bool augmented,
+      const std::function<Vec3(const Vec3&)>& value = [](const Vec3&) { return Vec3{}; }) {
+    fixed = reference::fix(covered, reference::corner_points(covered, wanted), value, stiffness,
+                           augmented);
   }
 };
 
@@ -38,7 +40,8 @@ struct Rock {
 inline Rock turned_box(const Vec3& low, const Vec3& high, Real spacing) {
   const Vec3 centre{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2};
   const Real radius = std::sqrt(std::pow(high[0] - low[0], 2) + std::pow(high[1] - low[1], 2) +
-                                std::pow(high[2] - low[2], 2)) / 2;
+                                std::pow(high[2] - low[2], 2)) /
+                      2;
   return Rock(reference::cover_regions(
       reference::turned_lattice({0.11, -0.23, 0.37}, spacing, 0.3, 0.2, centre, radius),
       {reference::box(low, high)}));
