@@ -69,14 +69,27 @@ Rock keep_rock(const CellStore& cells, const Complex& complex, const Model& mode
   return rock;
 }
 
+// Takes over the cells with their moments. A cell without positive volume is a trace of planes that
+// nearly meet in one point, within the tolerance; it is left out and counted as a near decision.
+Index take_cells(const Subdivision& jointed, const std::vector<Index>& body, Complex& complex) {
+  const Index n = jointed.cells.size();
+  std::vector<CellMoments> moments(n);
+  parallel_for(n, 256, [&](std::int64_t c) {
+    moments[c] = cell_moments(jointed.cells[static_cast<Index>(c)], complex.planes);
+  });
+  for (Index c = 0; c < n; ++c) {
+    if (!(moments[c].volume > 0)) continue;
+    complex.cells.append(jointed.cells[c]);
+    complex.cell_body.push_back(body[jointed.parent[c]]);
+    complex.moments.push_back(moments[c]);
+  }
+  return n - complex.cells.size();
+}
+
 // Blocks are the components of cells over virtual fragments, ordered by centroid (z, then y, then x). Coordinates are
 // compared in units of 1e-9 of the model's size, so that rounding does not shuffle a regular pattern.
 void find_blocks(Complex& complex) {
   const Index n = complex.cells.size();
-  complex.moments.resize(n);
-  parallel_for(n, 256, [&](std::int64_t c) {
-    complex.moments[c] = cell_moments(complex.cells[static_cast<Index>(c)], complex.planes);
-  });
   UnionFind parts(n);
   for (const Fragment& f : complex.fragments)
     if (f.joint == none) parts.join(f.cell[0], f.cell[1]);
@@ -132,10 +145,10 @@ Cutting cut_blocks(const Model& model, Progress& progress) {
 
   Subdivision jointed = subdivide(input.complex.planes, rock.cells, input.joints, progress);
   auto complex = std::make_shared<Complex>(std::move(input.complex));
-  complex->cells = std::move(jointed.cells);
-  for (const Index parent : jointed.parent) complex->cell_body.push_back(rock.body[parent]);
   IntentCount intent = solids.intent;
   intent.add(jointed.intent);
+  intent.near_decisions += take_cells(jointed, rock.body, *complex);
+  jointed = {};
   intent.add(find_adjacency(*complex));
   find_blocks(*complex);
 

@@ -84,6 +84,9 @@ void Motion::set_motion(const StateArrays& state) {
   device::copy_to_device(state.displacement, data_->now.displacement);
   device::copy_to_device(state.velocity, data_->now.velocity);
   data_->now.time = state.time;
+  data_->initial_energy = 0;
+  const Energy e = energy();
+  data_->initial_energy = e.kinetic + e.strain + e.potential;
 }
 
 SolveReport Motion::solve_static() {
@@ -153,7 +156,7 @@ Energy Motion::energy() const {
   solve::apply(m.held.op, {1, 0}, m.now.displacement, m.work);
   e.strain = 0.5 * solve::dot(m.held.work, m.now.displacement, m.work);
   e.potential = -solve::dot(m.held.work, m.load, m.now.displacement);
-  e.dissipated = m.now.support_work - (e.kinetic + e.strain + e.potential);
+  e.dissipated = m.now.support_work - (e.kinetic + e.strain + e.potential - m.initial_energy);
   return e;
 }
 

@@ -44,6 +44,7 @@ struct Motion::Data {
   SolveOptions solver;
   Real step_length = 0;  ///< that the system is prepared for; 0 = for none
   Real largest_increment = 0;
+  Real initial_energy = 0;  ///< J, kinetic + strain + potential of the motion given
 };
 
 namespace update {
