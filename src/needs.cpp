@@ -18,6 +18,9 @@ namespace {
 /// much as the elastic strain of rock near failure.
 constexpr Real largest_small_rotation = 0.02;  // rad
 
+/// Of the largest displacement: above it the answer differs visibly from that of points held exactly.
+constexpr Real largest_support_gap = 1e-3;
+
 Purpose purpose_of(Command command) {
   if (command == Command::support) return Purpose::support;
   return command == Command::run || command == Command::demo ? Purpose::run : Purpose::cut;
@@ -109,6 +112,15 @@ void warn_of_large_rotation(const RunResult& run, Terminal& terminal) {
         "block {} turns by {:.3g} rad, but strains are those of small rotations: above {} rad "
         "its size and stress are not to be trusted",
         at + 1, largest, largest_small_rotation));
+}
+
+void warn_of_support_gap(const RunResult& run, Terminal& terminal) {
+  if (run.support_gap <= largest_support_gap) return;
+  terminal.warn(
+      fmt::format("fixed points are off their places by {:.2g} of the largest displacement: the "
+                  "fixed faces do not run through lattice nodes (choose cover.origin and "
+                  "cover.spacing so that they do)",
+                  run.support_gap));
 }
 
 }  // namespace rockfold

@@ -93,6 +93,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
     run = analyse(*rock, model, blocks, writer, options.threads, terminal);
     add_run_seconds(clock, *run);
     warn_of_large_rotation(*run, terminal);
+    warn_of_support_gap(*run, terminal);
   }
   clock.measure("output", [&] { writer.finish(); });
 

@@ -19,7 +19,8 @@ Json run_totals_json(const RunReport& report) {
           {"interrupted", report.run.interrupted},
           {"largest_substeps", report.run.largest_substeps},
           {"largest_displacement", report.run.largest_displacement},
-          {"largest_displacement_block", report.run.largest_at_block + 1}};
+          {"largest_displacement_block", report.run.largest_at_block + 1},
+          {"support_gap", report.run.support_gap}};
 }
 
 Json monitor_json(const MonitorHistory& m) {
