@@ -38,6 +38,9 @@ void check_result_path(const std::string& path, const std::string& model_path) {
     fail(ErrorKind::usage, path, "the result would overwrite the model; name another file with -o");
   if (fs::is_directory(path, ignored))
     fail(ErrorKind::io, path, "cannot be written: it is a folder; -o takes the name of a file");
+  // The whole result is renamed to its final name, which would put a file in the place of a device.
+  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
+    fail(ErrorKind::io, path, "cannot be written: it is there already and no regular file");
   const auto parent = fs::path(path).parent_path();
   const std::string folder = parent.empty() ? "." : parent.string();
   if (!fs::is_directory(folder, ignored))

@@ -18,8 +18,9 @@ Json run_totals_json(const RunReport& report) {
           {"time", report.run.time},
           {"interrupted", report.run.interrupted},
           {"largest_substeps", report.run.largest_substeps},
-          {"largest_displacement", report.run.largest_displacement},
-          {"largest_displacement_block", report.run.largest_at_block + 1},
+          {"largest_displacement", report.run.largest_displacement.length},
+          {"largest_displacement_block", report.run.largest_displacement.block + 1},
+          {"largest_displacement_point", report.run.largest_displacement.point},
           {"support_gap", report.run.support_gap}};
 }
 

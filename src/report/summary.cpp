@@ -155,11 +155,10 @@ std::string run_summary(const RunReport& report) {
                             grouped(3 * std::int64_t{report.covers.cover_count()})));
   text += fact("steps", fmt::format("{} to t = {:.6g} s, {} solver iterations", grouped(run.steps),
                                     run.time, grouped(run.iterations.pcg)));
-  if (run.largest_at_block != none)
-    text += fact("largest displacement",
-                 fmt::format("{:.4g} m, at a corner of block {} near {}", run.largest_displacement,
-                             run.largest_at_block + 1,
-                             point_text(report.blocks.centroid[run.largest_at_block])));
+  const LargestDisplacement& largest = run.largest_displacement;
+  if (largest.block != none)
+    text += fact("largest displacement", fmt::format("{:.4g} m, in block {} at {}", largest.length,
+                                                     largest.block + 1, point_text(largest.point)));
   for (const auto& monitor : run.monitors)
     if (!monitor.displacement.empty())
       text += fact("monitor " + monitor.name, fmt::format("displacement {} m, {:.4g} m long",

@@ -62,4 +62,36 @@ std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
   return sums.take();
 }
 
+LargestDisplacement find_largest_displacement(const CoverArrays& covers,
+                                              const std::vector<Vec3>& displacement) {
+  LargestDisplacement largest;
+  const auto offer = [&](const Vec3& u, const Vec3& point, Index block) {
+    if (largest.block == none || norm(u) > largest.length) largest = {norm(u), point, block};
+  };
+  for (Index r = 0; r < covers.regular_count(); ++r) {
+    const auto cell = covers.lattice.cell_ijk(covers.regular_cell[r]);
+    for (int c = 0; c < 8; ++c)
+      offer(displacement[covers.regular_cover[8 * r + c]],
+            covers.lattice.node_position(
+                {cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2 & 1)}),
+            covers.regular_block[r]);
+  }
+  const auto weights = tet_weights(covers.lattice);
+  for (Index e = 0; e < covers.cut_count(); ++e) {
+    const TetWeights& tet = weights[covers.element_tet[e]];
+    const Vec3 centre = covers.lattice.cell_centre(covers.element_cell[e]);
+    for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
+      for (Index v = covers.vertex_begin[q]; v < covers.vertex_begin[q + 1]; ++v) {
+        const Vec3 x{covers.vertex_xyz[3 * v], covers.vertex_xyz[3 * v + 1],
+                     covers.vertex_xyz[3 * v + 2]};
+        Vec3 u{};
+        for (int a = 0; a < 4; ++a)
+          u += (tet.constant[a] + dot(tet.gradient[a], x)) *
+               displacement[covers.element_cover[4 * e + a]];
+        offer(u, centre + x, covers.piece_block[q]);
+      }
+  }
+  return largest;
+}
+
 }  // namespace rockfold

@@ -14,4 +14,8 @@ std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
                                               const PieceMoments& moments,
                                               const std::vector<Vec3>& displacement, Index blocks);
 
+/// The displacement is that of the covers.
+LargestDisplacement find_largest_displacement(const CoverArrays& covers,
+                                              const std::vector<Vec3>& displacement);
+
 }  // namespace rockfold

@@ -167,17 +167,6 @@ void Run::march(Progress& progress) {
   progress.end();
 }
 
-/// The block vertex that has moved furthest.
-void find_largest_displacement(const RunInput& input, const Motion& motion, RunResult& result) {
-  const std::vector<Vec3> moved = motion.at(TrackedPoints(input.block_vertices)).displacement;
-  for (Index b = 0; b < input.blocks.block_count(); ++b)
-    for (Index v = input.blocks.vertex_begin[b]; v < input.blocks.vertex_begin[b + 1]; ++v)
-      if (result.largest_at_block == none || norm(moved[v]) > result.largest_displacement) {
-        result.largest_displacement = norm(moved[v]);
-        result.largest_at_block = b;
-      }
-}
-
 }  // namespace
 
 RunResult run_analysis(const RunInput& input, const StoreState& store, Progress& progress) {
@@ -198,9 +187,10 @@ RunResult run_analysis(const RunInput& input, const StoreState& store, Progress&
   result.time = motion.time();
   result.energy = motion.energy();
   result.reactions = motion.reactions();
-  result.blocks = average_block_motion(input.covers, moments, motion.state().displacement,
-                                       input.blocks.block_count());
-  find_largest_displacement(input, motion, result);
+  const std::vector<Vec3> displacement = motion.state().displacement;
+  result.blocks =
+      average_block_motion(input.covers, moments, displacement, input.blocks.block_count());
+  result.largest_displacement = find_largest_displacement(input.covers, displacement);
   return result;
 }
 

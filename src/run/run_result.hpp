@@ -38,6 +38,13 @@ struct BlockMotion {
   Real volume = 0;      ///< m³, of the undeformed block, from its lattice cells and pieces
 };
 
+/// The point of the rock that has moved furthest: displacement is linear in each element, so it is a vertex of one.
+struct LargestDisplacement {
+  Real length = 0;     ///< m
+  Vec3 point{};        ///< m, before the motion
+  Index block = none;  ///< that holds the point
+};
+
 struct RunResult {
   Index steps = 0;           ///< steps done
   Real time = 0;             ///< s reached
@@ -58,9 +65,8 @@ struct RunResult {
     Real assemble = 0, solve = 0, output = 0;
   } seconds;
 
-  Real largest_displacement = 0;  ///< m, of any block vertex at the end
-  Index largest_at_block = none;  ///< the block that has it
-  Index largest_substeps = 1;     ///< the finest subdivision that max_displacement_ratio asked for
+  LargestDisplacement largest_displacement;  ///< at the end
+  Index largest_substeps = 1;  ///< the finest subdivision that max_displacement_ratio asked for
 };
 
 }  // namespace rockfold

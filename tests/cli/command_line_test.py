@@ -1,6 +1,7 @@
 """The command line: help, options, errors, exit statuses, where results go."""
 import json
 import os
+import stat
 import subprocess
 import unittest
 
@@ -141,6 +142,13 @@ class Outputs(ProgramTest):
         self.copy_case("wedge")
         done = self.run_program("support", "wedge.toml", "--quiet")
         self.assertEqual((done.stdout, done.stderr), ("", ""))
+
+    def test_never_replaces_what_is_no_regular_file(self):
+        self.copy_case("wedge")
+        os.mkfifo(os.path.join(self.folder, "pipe"))
+        done = self.run_program("cut", "wedge.toml", "-o", "pipe", status=3)
+        self.assertIn("no regular file", done.stderr)
+        self.assertTrue(stat.S_ISFIFO(os.stat(os.path.join(self.folder, "pipe")).st_mode))
 
     def test_an_error_leaves_no_result(self):
         self.copy_case("free_fall")

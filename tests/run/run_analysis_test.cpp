@@ -116,8 +116,8 @@ TEST(RunAnalysis, ReportsBlocksAndEnergies) {
   for (Real angle : result.blocks[0].rotation) EXPECT_NEAR(angle, 0, 1e-12);
   EXPECT_NEAR(result.energy.potential / (-mass * 10 * fall), 1, 1e-11);
   EXPECT_NEAR(result.energy.kinetic / (mass * 10 * fall), 1, 1e-11);
-  EXPECT_NEAR(result.largest_displacement, fall, 1e-12);
-  EXPECT_EQ(result.largest_at_block, 0);
+  EXPECT_NEAR(result.largest_displacement.length, fall, 1e-12);
+  EXPECT_EQ(result.largest_displacement.block, 0);
 }
 
 TEST(RunAnalysis, TakesSubstepsWhereAVertexWouldMoveTooFar) {
