@@ -56,7 +56,10 @@ void add_commands(CLI::App& app, Options& options) {
     auto* sub = app.add_subcommand(help.name, help.brief);
     sub->allow_extras();
     if (*help.input) sub->add_option("input", options.input);
-    if (writes_results(help.command)) sub->add_option("-o,--output", options.output);
+    if (writes_results(help.command))
+      sub->add_option("-o,--output", options.output)->check([](const std::string& name) {
+        return name.empty() ? std::string("needs the name of a file") : std::string();
+      });
     add_common_options(*sub, options);
     sub->callback([&options, &help] { options.command = help.command; });
   }

@@ -69,8 +69,8 @@ constexpr const char* output_option =
     "Options:\n"
     "  -o, --output OUT       result file; default: the model's path with .vtkhdf instead of "
     ".toml.\n"
-    "                         An older file of that name is replaced when the new one is "
-    "whole.\n\n";
+    "                         An older file of that name is replaced when the new one is whole;\n"
+    "                         OUT.xdmf beside it is for ParaView before 5.13.\n\n";
 
 constexpr const char* program_end =
     "Exit status:\n"

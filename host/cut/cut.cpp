@@ -7,6 +7,7 @@
 
 #include "host/cut/adjacency.hpp"
 #include "host/cut/complex.hpp"
+#include "host/cut/joint_planes_exact.hpp"
 #include "host/cut/subdivide.hpp"
 #include "host/cut/surfaces.hpp"
 #include "host/cut/union_find.hpp"
@@ -64,8 +65,7 @@ Rock keep_rock(const CellStore& cells, const Complex& complex, const Model& mode
     rock.volume += cell_moments(cells[c], complex.planes).volume;
   }
   if (rock.cells.size() == 0)
-    throw Error(ErrorKind::model, "the block operations leave no rock",
-                {model.path, 0, 0, "solid"});
+    refuse(model.solids.back().place, "solid", "the block operations leave no rock");
   return rock;
 }
 

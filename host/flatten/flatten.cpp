@@ -63,11 +63,15 @@ void add_bulk(const Complex& complex, const Model& model, BlockArrays& out) {
   std::vector<Vec3> first(complex.block_count);
   std::vector<std::map<Index, Real>> by_material(complex.block_count);
   out.volume.assign(complex.block_count, 0);
+  out.mass.assign(complex.block_count, 0);
   for (Index c = 0; c < complex.cells.size(); ++c) {
     const Index b = complex.cell_block[c];
     out.volume[b] += complex.moments[c].volume;
     first[b] += complex.moments[c].first;
-    by_material[b][model.solids[complex.cell_body[c]].material] += complex.moments[c].volume;
+    const Index material = model.solids[complex.cell_body[c]].material;
+    by_material[b][material] += complex.moments[c].volume;
+    if (material != none && material < static_cast<Index>(model.materials.size()))
+      out.mass[b] += model.materials[material].density * complex.moments[c].volume;
   }
   for (Index b = 0; b < complex.block_count; ++b) {
     out.centroid.push_back((1 / out.volume[b]) * first[b] + complex.planes.centre());

@@ -80,17 +80,13 @@ KeyblockSearch::KeyblockSearch(const BlockArrays& blocks, const Model& model)
 }
 
 Real KeyblockSearch::weight(Index block) const {
-  const auto b = static_cast<std::size_t>(block);
-  const auto material = static_cast<std::size_t>(blocks_.material[b]);
-  return model_.materials[material].density * blocks_.volume[b] * norm(model_.gravity);
+  return blocks_.mass[static_cast<std::size_t>(block)] * norm(model_.gravity);
 }
 
-/// Weight and earthquake: ρ V g + W k.
+/// Weight and earthquake: m g + W k.
 Vec3 KeyblockSearch::load(Index block) const {
-  const auto b = static_cast<std::size_t>(block);
-  const auto material = static_cast<std::size_t>(blocks_.material[b]);
-  const Real mass = model_.materials[material].density * blocks_.volume[b];
-  return mass * model_.gravity + weight(block) * spec_.seismic_coefficient;
+  return blocks_.mass[static_cast<std::size_t>(block)] * model_.gravity +
+         weight(block) * spec_.seismic_coefficient;
 }
 
 BlockVerdict KeyblockSearch::judge(Index block) const {

@@ -12,8 +12,6 @@ namespace {
 /// Share of its residual that an inner solve leaves. Larger, and smooth errors that hardly show in the residual come back in
 /// later gaps and mislead the acceleration; smaller, and digits are bought that the next multipliers change.
 constexpr Real inner_reduction = 1e-3;
-/// Outer iterations in which the gap must have halved, or it is left as it is.
-constexpr int most_stalled = 5;
 Real largest_sum(const Field& x, const Field& base) {
   if (base.extent(0) == 0) return largest_entry(x);
   return device::largest(
@@ -106,7 +104,7 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
     if (stalled == 0) best = gap;
     const bool close = report.gap <= options.gap_tolerance;
     if (close && report.residual <= pcg.tolerance) break;
-    if (!close && (report.outer == options.max_outer || stalled == most_stalled)) {
+    if (!close && (report.outer == options.max_outer || stalled == options.patience)) {
       if (report.residual > pcg.tolerance) solve(0);
       break;
     }

@@ -34,6 +34,7 @@ struct HeldOptions {
   PcgOptions pcg;
   Real gap_tolerance = 1e-10;  ///< largest gap / max(largest displacement, largest goal)
   Index max_outer = 50;
+  int patience = 5;  ///< outer iterations in which the gap must have halved, or it is left as it is
 };
 
 /// x: start and result. `base`: what x is an increment to, for the size of displacements (empty: none). The multipliers

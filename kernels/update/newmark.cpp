@@ -162,8 +162,12 @@ SolveReport solve_equilibrium(Motion::Data& m) {
   const Real reference = balance_forces(m, false);
   aim(m);
   Kokkos::deep_copy(m.increment, 0.0);
-  const SolveReport report = solve::solve_held(m.held, m.right, m.goal, m.increment,
-                                               m.now.displacement, options(m, reference));
+  // There is no next step in which the multipliers could go on.
+  solve::HeldOptions how = options(m, reference);
+  how.patience = 40;
+  how.max_outer = std::max<Index>(how.max_outer, 400);
+  const SolveReport report =
+      solve::solve_held(m.held, m.right, m.goal, m.increment, m.now.displacement, how);
   update_reactions(m);
   const auto d = m.now.displacement, x = m.increment;
   device::for_each(

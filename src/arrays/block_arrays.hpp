@@ -33,6 +33,7 @@ struct BlockArrays {
   std::vector<Index> face_begin;     ///< [B+1]
   std::vector<Index> vertex_begin;   ///< [B+1] each block has vertices of its own
   std::vector<Real> volume;          ///< [B] m³
+  std::vector<Real> mass;            ///< [B] kg, of all its materials
   std::vector<Vec3> centroid;        ///< [B] m
   std::vector<Index> edge_count;     ///< [B]
   std::vector<Index> shell_count;    ///< [B] boundary components: 1 + cavities

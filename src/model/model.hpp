@@ -164,7 +164,9 @@ enum class AnalysisType { static_, quasi_static, dynamic };
 
 struct Analysis {
   AnalysisType type = AnalysisType::dynamic;
-  Real time_step = 0.01;     ///< s, > 0
+  Real time_step = 0.01;  ///< s, > 0
+  /// s, of the last step: shorter where end_time is no multiple of time_step.
+  std::optional<Real> last_time_step;
   Index steps = 100;         ///< resolved from `steps` or `end_time`; 1 for static
   Real dynamic_ratio = 1.0;  ///< [0, 1]: share of the velocity handed to the next step
   std::optional<Real> max_displacement_ratio;  ///< largest vertex displacement a step / model half

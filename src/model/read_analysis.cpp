@@ -10,8 +10,7 @@ namespace {
 
 constexpr Real default_end_time = 1.0;  // s
 
-/// end_time in whole steps: a last step that would be shorter is a whole one, so that the end is
-/// reached. 1e-9: a quotient like 0.3 / 0.1, which no rounding brings to exactly 3, is 3.
+/// How many steps reach end_time, the last of which may be shorter. 1e-9: a quotient like 0.3 / 0.1, which no rounding brings to exactly 3, is 3.
 std::optional<Index> whole_steps(TableReader& in, Real end_time, Real time_step) {
   const Real exact = end_time / time_step;
   const Real nearest = std::round(exact);
@@ -40,7 +39,11 @@ void read_duration(TableReader& in, Analysis& analysis) {
   if (in.has("steps")) {
     in.read("steps", analysis.steps, IntegerRange{.low = 1}, Need::optional);
   } else if (end && step && analysis.type != AnalysisType::static_) {
-    if (const auto steps = whole_steps(in, end_time, analysis.time_step)) analysis.steps = *steps;
+    if (const auto steps = whole_steps(in, end_time, analysis.time_step)) {
+      analysis.steps = *steps;
+      const Real rest = end_time - (*steps - 1) * analysis.time_step;
+      if (rest < (1 - 1e-6) * analysis.time_step) analysis.last_time_step = rest;
+    }
   }
   if (analysis.type == AnalysisType::static_) analysis.steps = 1;
 }

@@ -13,7 +13,7 @@ Range dip_range() {
   return between(0, 90, "deg");
 }
 Range dip_direction_range() {
-  return between(0, 360, "deg clockwise from north; a full turn may be added or subtracted");
+  return between(0, 360, "deg clockwise from north");
 }
 
 }  // namespace

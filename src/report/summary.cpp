@@ -62,7 +62,7 @@ std::vector<std::string> keyblock_row(const Keyblock& key) {
 const std::vector<Column> keyblock_columns{{"block", "", false},     {"batch", "", false},
                                            {"volume", "m3", false},  {"weight", "kN", false},
                                            {"it", "", true},         {"on", "", true},
-                                           {"safety", "", false},    {"drive", "kN", false},
+                                           {"safety", "", false},    {"net", "kN", false},
                                            {"support", "kN", false}, {"pressure", "kPa", false}};
 
 std::string batches_text(const std::vector<Index>& batches) {

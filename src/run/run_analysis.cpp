@@ -133,7 +133,9 @@ void Run::solve_static() {
 /// One step, in as many equal parts as max_displacement_ratio asks for.
 void Run::take_step(Index step) {
   const Timer timer;
-  const Real dt = analysis_.time_step, start = motion_.time();
+  const Real start = motion_.time();
+  const Real dt = step == analysis_.steps ? analysis_.last_time_step.value_or(analysis_.time_step)
+                                          : analysis_.time_step;
   motion_.save();
   for (int substeps = 1;; substeps *= 2) {
     if (substeps > most_substeps)

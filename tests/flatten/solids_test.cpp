@@ -467,6 +467,16 @@ TEST(Materials, OfABlockOfTwoAreThoseOfTheLargerPart) {
   EXPECT_EQ(cut(model).arrays.material, std::vector<Index>{1});
 }
 
+TEST(Materials, OfABlockOfTwoBothWeigh) {
+  Model model = box_model({0, 0, 0}, {1, 1, 1});
+  model.solids.push_back(box_solid("top", {0, 0, 1}, {1, 1, 1.5}));
+  model.solids[1].material = 1;
+  model.materials = {{"rock", 2500, 0, 0, {}}, {"heavy", 10000, 0, 0, {}}};
+  const BlockArrays a = cut(model).arrays;
+  ASSERT_EQ(a.block_count(), 1);
+  EXPECT_NEAR(a.mass[0], 7500, 1e-9);
+}
+
 TEST(FiniteBlocks, TouchNoFaceBeyondWhichTheRockGoesOn) {
   Model model = box_model({0, 0, 0}, {3, 3, 3});
   for (const DipOrientation& o : {DipOrientation{0, 0}, {90, 0}, {90, 90}})

@@ -195,6 +195,7 @@ class BlockArraysBuilder {
     if (blocks.face_begin.empty()) blocks.face_begin.push_back(0);
     blocks.face_begin.push_back(blocks.face_begin.back());
     blocks.volume.push_back(volume);
+    blocks.mass.push_back(2000 * volume);  // the density of model_with_joints
     blocks.centroid.push_back(centroid);
     blocks.finite.push_back(finite);
     blocks.convex.push_back(1);

@@ -266,6 +266,7 @@ TEST(Batches, APartlyFreedFaceHoldsByWhatIsLeft) {
   blocks.face_area = {2, 2, 1, 1, 1, 1, 1, 1};
   blocks.face_origin = {0, 2, 0, 1, 2, 0, 1, 3};
   blocks.volume = {1, 1, 1};
+  blocks.mass = {2000, 2000, 2000};
   blocks.finite = {1, 1, 0};
   blocks.material = {0, 0, 0};
   blocks.interfaces = {{.block = {0, 1}, .face = {0, 2}, .area = 1},

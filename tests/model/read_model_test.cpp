@@ -178,6 +178,9 @@ TEST(Analysis, CountsItsSteps) {
     EXPECT_EQ(model.analysis->steps, steps) << analysis;
     EXPECT_EQ(model.analysis->dynamic_ratio, ratio) << analysis;
   }
+  const auto shorter =
+      parse_model(std::string(ROCK "[analysis]\ntime_step = 0.1\nend_time = 0.25"), "m.toml");
+  EXPECT_NEAR(shorter.analysis->last_time_step.value(), 0.05, 1e-15);
 }
 
 TEST(FaceNames, FollowTheShapes) {
