@@ -5,21 +5,15 @@
 //   uncut     a cube aligned with the lattice: indices only
 //   jointed   three inclined sets, 1,029 blocks: nearly every lattice cell is cut
 #include <cmath>
-#include <cstdio>
-#include <string>
 
 #include <benchmark/benchmark.h>
 
-#include "generated/version.hpp"
 #include "host/cover/cover.hpp"
-#include "kernels/device/bandwidth.hpp"
-#include "kernels/device/device.hpp"
 #include "kernels/integrate/moments.hpp"
+#include "perf/run_benchmarks.hpp"
 
 namespace rockfold {
 namespace {
-
-double triad = 0;
 
 Model cube(bool jointed, Real spacing) {
   Model model;
@@ -81,13 +75,5 @@ BENCHMARK(covers)
 }  // namespace rockfold
 
 int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  const rockfold::DeviceScope device;
-  rockfold::triad = rockfold::measure_triad();
-  benchmark::AddCustomContext("rockfold", std::string(rockfold::version) + " " + rockfold::commit);
-  benchmark::AddCustomContext("device", rockfold::device_description());
-  char text[40];
-  std::snprintf(text, sizeof text, "%.1f", rockfold::triad / 1e9);
-  benchmark::AddCustomContext("triad GB/s", text);
-  benchmark::RunSpecifiedBenchmarks();
+  return rockfold::run_benchmarks(argc, argv);
 }

@@ -5,17 +5,14 @@
 //   PCG iteration  apply + 336 a row: see kernels/solve/pcg_kernel.hpp
 // `of_triad` is bytes / time / triad: 1 = as fast as memory allows. Moments and assembly are computation: their rate alone.
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 #include <benchmark/benchmark.h>
 
-#include "generated/version.hpp"
-#include "kernels/device/bandwidth.hpp"
-#include "kernels/device/device.hpp"
 #include "kernels/integrate/moments.hpp"
 #include "kernels/solve/cover_system.hpp"
 #include "perf/box_rock.hpp"
+#include "perf/run_benchmarks.hpp"
 
 namespace rockfold {
 namespace {
@@ -23,7 +20,6 @@ namespace {
 constexpr Index cells = 69;  // 70³ covers: 1,029,000 unknowns
 constexpr Real side = 1.0 / cells;
 const std::vector<ElasticMaterial> materials{{2500, 1e9, 0.25}};
-double triad = 0;
 
 /// The cube with its lowest covers on springs.
 struct Bench {
@@ -138,13 +134,5 @@ BENCHMARK(pcg_iteration)
 }  // namespace rockfold
 
 int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  const rockfold::DeviceScope device;
-  rockfold::triad = rockfold::measure_triad();
-  benchmark::AddCustomContext("rockfold", std::string(rockfold::version) + " " + rockfold::commit);
-  benchmark::AddCustomContext("device", rockfold::device_description());
-  char text[40];
-  std::snprintf(text, sizeof text, "%.1f", rockfold::triad / 1e9);
-  benchmark::AddCustomContext("triad GB/s", text);
-  benchmark::RunSpecifiedBenchmarks();
+  return rockfold::run_benchmarks(argc, argv);
 }

@@ -191,10 +191,10 @@ struct Monitor {
 };
 
 struct SupportSpec {
-  bool joint_faces_only =
-      true;                    ///< the support pressure is over free faces only if false; see docs
-  Real water_pressure = 0;     ///< Pa on joint faces, ≥ 0
-  Vec3 seismic_coefficient{};  ///< fraction of g added to the resultant
+  /// Only joints hold a block; if false, solid faces under a [[fixed]] face region hold it too.
+  bool joint_faces_only = true;
+  Real water_pressure = 0;             ///< Pa on joint faces, ≥ 0
+  Vec3 seismic_coefficient{};          ///< fraction of g added to the resultant
   Real target_factor_of_safety = 1.5;  ///< > 0
 };
 
