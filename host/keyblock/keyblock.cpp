@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -65,6 +66,7 @@ class KeyblockSearch {
   FaceContacts contacts_;
   std::vector<FaceStrength> strength_;  ///< [origins]
   KeyblockReport report_;
+  std::vector<std::optional<Keyblock>> stable_;  // of each block, as last looked at
 };
 
 KeyblockSearch::KeyblockSearch(const BlockArrays& blocks, const Model& model)
@@ -77,6 +79,7 @@ KeyblockSearch::KeyblockSearch(const BlockArrays& blocks, const Model& model)
   const auto count = static_cast<std::size_t>(blocks.block_count());
   report_.block_class.assign(count, BlockClass::tapered);
   report_.batch.assign(count, 0);
+  stable_.resize(count);
 }
 
 Real KeyblockSearch::weight(Index block) const {
@@ -171,15 +174,21 @@ KeyblockReport KeyblockSearch::run() {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const auto b = static_cast<std::size_t>(candidates[i]);
       report_.block_class[b] = verdicts[i].block_class;
+      stable_[b].reset();
+      if (verdicts[i].block_class == BlockClass::stable && verdicts[i].movement)
+        stable_[b] = describe(candidates[i], verdicts[i]);
       if (verdicts[i].block_class != BlockClass::key) continue;
       report_.batch[b] = batch;
       report_.keyblocks.push_back(describe(candidates[i], verdicts[i]));
       removed.push_back(candidates[i]);
     }
-    if (removed.empty()) return std::move(report_);
+    if (removed.empty()) break;
     report_.batches.push_back(static_cast<Index>(removed.size()));
     candidates = contacts_.neighbours(removed, report_.batch);
   }
+  for (const auto& block : stable_)
+    if (block) report_.stable.push_back(*block);
+  return std::move(report_);
 }
 
 }  // namespace

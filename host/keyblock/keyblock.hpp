@@ -41,6 +41,10 @@ struct KeyblockReport {
   std::vector<Index> batch;             ///< [B] 0 = not a key block
   std::vector<Keyblock> keyblocks;      ///< ordered by batch, then block
   std::vector<Index> batches;           ///< key blocks in each batch
+  /// Blocks that would move without friction and cohesion but are held, once all key blocks are
+  /// gone; by block. Their sliding_force is ≤ 0, their batch 0; support_force > 0 where the factor
+  /// of safety is below the target.
+  std::vector<Keyblock> stable;
 };
 
 /// Finds the key blocks in batches: remove the first batch, renew the free faces, look again, until

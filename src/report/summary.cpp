@@ -125,10 +125,23 @@ std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks) {
   return text;
 }
 
+/// Blocks that stay, but with less than the target factor of safety.
+std::string doubtful_summary(const KeyblockReport& report) {
+  std::size_t count = 0;
+  Real force = 0;
+  for (const auto& block : report.stable)
+    if (block.support_force > 0) ++count, force += block.support_force;
+  if (count == 0) return "";
+  return fact("below the target", fmt::format("{} more blocks stay, but need {:.4g} kN for the "
+                                              "target factor of safety",
+                                              count, force / 1e3));
+}
+
 std::string support_summary(const KeyblockReport& report, const BlockArrays& blocks,
                             std::size_t most) {
   auto keys = report.keyblocks;
-  if (keys.empty()) return fact("key blocks", "none: no block moves under these loads");
+  if (keys.empty())
+    return fact("key blocks", "none: no block moves under these loads") + doubtful_summary(report);
   std::stable_sort(keys.begin(), keys.end(),
                    [](const auto& a, const auto& b) { return a.support_force > b.support_force; });
   Real force = 0, volume = 0;
@@ -139,6 +152,7 @@ std::string support_summary(const KeyblockReport& report, const BlockArrays& blo
   text +=
       fact("batches", fmt::format("{} ({})", report.batches.size(), batches_text(report.batches)));
   text += fact("support force", fmt::format("{:.4g} kN in all", force / 1e3));
+  text += doubtful_summary(report);
   std::vector<std::vector<std::string>> rows;
   for (std::size_t k = 0; k < std::min(most, keys.size()); ++k)
     rows.push_back(keyblock_row(keys[k]));

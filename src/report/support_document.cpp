@@ -40,6 +40,8 @@ void add_support(Json& document, const BlockArrays& blocks, const KeyblockReport
   document["totals"] = support_totals_json(blocks, report);
   auto& keys = document["keyblocks"] = Json::array();
   for (const auto& key : report.keyblocks) keys.push_back(keyblock_json(key, blocks));
+  auto& stable = document["stable"] = Json::array();
+  for (const auto& block : report.stable) stable.push_back(keyblock_json(block, blocks));
   auto& list = document["blocks"] = Json::array();
   for (Index b = 0; b < blocks.block_count(); ++b)
     list.push_back(

@@ -65,6 +65,21 @@ TEST(Keyblocks, AWedgeAboveItsCriticalFrictionIsStable) {
             BlockClass::stable);
 }
 
+TEST(Keyblocks, AreListedApartFromBlocksThatStayBelowTheTarget) {
+  const Real critical = 33.3572;
+  for (const Real friction : {36.0, 50.0}) {
+    const KeyblockReport report = find_keyblocks(wedge_in_a_slope(), model_with_joints(friction));
+    EXPECT_TRUE(report.keyblocks.empty());
+    ASSERT_EQ(report.stable.size(), 1u);
+    const Keyblock& block = report.stable[0];
+    const Real safety = std::tan(radians(friction)) / std::tan(radians(critical));
+    EXPECT_EQ(block.batch, 0);
+    EXPECT_NEAR(block.factor_of_safety, safety, 1e-5);
+    EXPECT_LT(block.sliding_force, 0);
+    EXPECT_EQ(block.support_force > 0, safety < 1.5) << friction;
+  }
+}
+
 TEST(Keyblocks, OfARoofFallAndNothingResists) {
   BlockArraysBuilder builder;
   const Index roof = builder.solid_face("rock.zmin");
