@@ -67,7 +67,7 @@ void add_commands(CLI::App& app, Options& options) {
 
 std::vector<std::string> command_names() {
   std::vector<std::string> names;
-  for (const auto& help : command_helps()) names.push_back(help.name);
+  for (const auto& help : command_helps()) names.emplace_back(help.name);
   return names;
 }
 

@@ -290,14 +290,14 @@ class Connector {
   void number_covers() {
     std::vector<std::pair<Index, Index>> roots;  // lattice node, instance
     for (Index i = 0; i < static_cast<Index>(star_of_.size()); ++i)
-      if (star_of_[i] == i) roots.push_back({node_of_instance(i), i});
+      if (star_of_[i] == i) roots.emplace_back(node_of_instance(i), i);
     std::sort(roots.begin(), roots.end());
     std::vector<Index> cover_of(star_of_.size(), none);
     for (std::size_t p = 0; p < roots.size(); ++p) {
       covers_.cover_node.push_back(roots[p].first);
       cover_of[roots[p].second] = static_cast<Index>(p);
     }
-    const auto regular = static_cast<std::size_t>(8 * covers_.regular_count());
+    const auto regular = 8 * static_cast<std::size_t>(covers_.regular_count());
     for (std::size_t i = 0; i < star_of_.size(); ++i)
       (i < regular ? covers_.regular_cover : covers_.element_cover)
           .push_back(cover_of[star_of_[i]]);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <ranges>
 
 #include "host/parallel.hpp"
 #include "src/base/vector.hpp"
@@ -215,12 +216,12 @@ class PlaneMatcher {
     std::vector<Part> parts;
     std::vector<Polygon> left{polygon};
     Index first_listed = none;
-    for (auto body = complex_.bodies.rbegin(); body != complex_.bodies.rend(); ++body) {
-      const Index origin = origin_on(*body, inside ^ 1);
+    for (const ConvexBody& body : std::views::reverse(complex_.bodies)) {
+      const Index origin = origin_on(body, inside ^ 1);
       if (origin == none) continue;
       first_listed = origin;
       Polygon bounds;
-      std::copy_if(body->inside.begin(), body->inside.end(), std::back_inserter(bounds.edge),
+      std::copy_if(body.inside.begin(), body.inside.end(), std::back_inserter(bounds.edge),
                    [this](HalfSpaceId h) { return plane_of(h) != plane_; });
       std::vector<Polygon> rest;
       for (Polygon& p : left) {

@@ -218,7 +218,7 @@ class SurfaceMerger {
       if (list.size() % 2 != 0)
         throw std::logic_error("an edge of a block has an odd number of faces");
       if (list.size() > 2) sort_around(ends.first, ends.second, list);
-      for (std::size_t i = 0; i < list.size(); i += 2) pairs_.push_back({list[i], list[i + 1]});
+      for (std::size_t i = 0; i < list.size(); i += 2) pairs_.emplace_back(list[i], list[i + 1]);
     }
   }
 

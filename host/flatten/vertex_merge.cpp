@@ -91,7 +91,7 @@ std::vector<Index> VertexFinder::between(Index from, Index to, Index p, Index q)
     const Real t = dot(r, e) / length2;
     if (!(t > 0 && t < 1) || norm(r - t * e) > 100 * slack) continue;
     if (planes_.side(vertices_[v], p, ignored) == 0 && planes_.side(vertices_[v], q, ignored) == 0)
-      on.push_back({t, v});
+      on.emplace_back(t, v);
   }
   std::sort(on.begin(), on.end());
   std::vector<Index> ids;

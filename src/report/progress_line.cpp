@@ -80,7 +80,7 @@ std::string progress_line(const PhaseView& view, const LineStyle& style) {
        {joined({p.percent, p.count, p.rate, p.left}, "  "),
         joined({p.percent, p.count, p.left}, "  "), joined({p.percent, p.left}, "  "),
         p.percent.empty() ? p.count : p.percent}) {
-    const std::string plain = tail.empty() ? view.phase : view.phase + "  " + tail;
+    std::string plain = tail.empty() ? view.phase : view.phase + "  " + tail;
     const int frame = style.unicode ? 0 : 2;
     const int bar_width = std::min(widest_bar, room - columns(plain) - 1 - frame);
     if (view.total > 0 && bar_width >= narrowest_bar)
