@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <ranges>
 
 #include "host/parallel.hpp"
 #include "src/base/vector.hpp"
@@ -216,7 +215,8 @@ class PlaneMatcher {
     std::vector<Part> parts;
     std::vector<Polygon> left{polygon};
     Index first_listed = none;
-    for (const ConvexBody& body : std::views::reverse(complex_.bodies)) {
+    for (std::size_t i = complex_.bodies.size(); i-- > 0;) {
+      const ConvexBody& body = complex_.bodies[i];
       const Index origin = origin_on(body, inside ^ 1);
       if (origin == none) continue;
       first_listed = origin;
