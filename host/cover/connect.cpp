@@ -71,8 +71,6 @@ class Connector {
       covers_.regular_block.push_back(complex_.cell_block[r.rock]);
       index_.regular_rock.push_back(r.rock);
     }
-    // Pieces by lattice cell, tetrahedron and rock, for find_part.
-    for (const PieceRecord& p : pieces_.pieces) index_.piece_rock.push_back(p.rock);
   }
 
   Part find_part(Index lattice_cell, int tet, Index rock) const {

@@ -114,7 +114,7 @@ class Fixer {
   }
 
   void add(const PointRegion& region) {
-    const Holder h = locator_.find(region.point, [](Index, Index) { return true; });
+    const Holder h = locator_.find(region.point);
     if (h.found()) add_point(region.point, h, spacing_ * spacing_);
   }
 
@@ -133,7 +133,7 @@ class Fixer {
   }
 
   void add(const BlockRegion& region) {
-    const Holder h = locator_.find(region.point, [](Index, Index) { return true; });
+    const Holder h = locator_.find(region.point);
     if (h.found()) add_vertices([&](const Vec3&, Index block) { return block == h.block; });
   }
 

@@ -57,7 +57,7 @@ void Locator::try_element(const Vec3& x, Index e, std::vector<Holder>& found) co
                      covers_.element_cell[e], covers_.element_tet[e], piece_violation(r, q)});
 }
 
-Holder Locator::find(const Vec3& x, const std::function<bool(Index, Index)>& accept) const {
+Holder Locator::find(const Vec3& x, Index block) const {
   const Real slack = relative_slack * index_.planes.model_size();
   Vertex v;
   v.x = x - index_.planes.centre();
@@ -76,7 +76,7 @@ Holder Locator::find(const Vec3& x, const std::function<bool(Index, Index)>& acc
       }
   Holder best;
   for (const Holder& h : found) {
-    if (h.violation > slack || !accept(h.block, h.rock)) continue;
+    if (h.violation > slack || (block != none && h.block != block)) continue;
     if (!best.found() || std::tie(h.block, h.element) < std::tie(best.block, best.element))
       best = h;
   }
@@ -103,8 +103,7 @@ void Locator::add(const Vec3& x, const Holder& h, MaterialPoints& points) const 
 MaterialPoints locate_points(const Covering& covering, const std::vector<Vec3>& points) {
   const Locator locator(covering);
   MaterialPoints result;
-  for (const Vec3& x : points)
-    locator.add(x, locator.find(x, [](Index, Index) { return true; }), result);
+  for (const Vec3& x : points) locator.add(x, locator.find(x), result);
   return result;
 }
 
@@ -114,7 +113,7 @@ MaterialPoints locate_block_vertices(const Covering& covering, const BlockArrays
   for (Index b = 0; b < blocks.block_count(); ++b)
     for (Index v = blocks.vertex_begin[b]; v < blocks.vertex_begin[b + 1]; ++v) {
       const Vec3& x = blocks.vertex[v];
-      locator.add(x, locator.find(x, [b](Index block, Index) { return block == b; }), result);
+      locator.add(x, locator.find(x, b), result);
     }
   return result;
 }

@@ -1,8 +1,6 @@
 // Which element holds a point.
 #pragma once
 
-#include <functional>
-
 #include "host/cover/cover.hpp"
 #include "host/cover/piece_index.hpp"
 
@@ -24,9 +22,9 @@ class Locator {
  public:
   explicit Locator(const Covering& covering) : covers_(covering.arrays), index_(*covering.pieces) {}
 
-  /// The holder nearest to x among those that `accept`s; of equally near ones (to 1e-9 of the model's size) the one of the
+  /// The part of the rock, or of one block, that holds x; of several (to 1e-9 of the model's size) that of the
   /// lowest block, then element. Not found if x is outside all by more than that.
-  Holder find(const Vec3& x, const std::function<bool(Index block, Index rock)>& accept) const;
+  Holder find(const Vec3& x, Index block = none) const;
 
   /// Adds the point to `points` with its element's weights.
   void add(const Vec3& x, const Holder& holder, MaterialPoints& points) const;

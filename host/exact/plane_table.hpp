@@ -72,7 +72,8 @@ class PlaneTable {
   /// The meeting of three planes that no line is parallel to. Throws std::logic_error if they have none.
   Vertex vertex(Index p, Index q, Index r) const;
 
-  /// −1 below, 0 on, +1 above.
+  /// −1 below, 0 on, +1 above. On, too, where the four planes miss a common point by at most the tolerance,
+  /// measured by the least of their four distances (docs/decisions/0005-near-planes.md).
   int side(const Vertex& vertex, Index plane, IntentCount& intent) const;
 
   /// Signed distance of a vertex from a plane in double precision, m.
