@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "host/files/load_files.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 #include "src/examples.hpp"
@@ -51,6 +52,7 @@ Model load_model(const Options& options, Terminal& terminal) {
       options.command == Command::demo
           ? parse_model(find_example("slope").text, "slope.toml", options.overrides, purpose)
           : read_model(options.input, options.overrides, purpose);
+  load_files(model);
   if (options.command == Command::support && !model.support) model.support = SupportSpec{};
   if (wants_support(options, model)) check_for(model, Purpose::support);
   if (std::filesystem::path(result_path(options)).extension() != ".vtkhdf")

@@ -4,6 +4,7 @@
 
 #include "host/cover/cover.hpp"
 #include "host/cut/cut.hpp"
+#include "host/files/load_files.hpp"
 #include "host/flatten/flatten.hpp"
 #include "host/keyblock/keyblock.hpp"
 #include "kernels/device/device.hpp"
@@ -104,7 +105,9 @@ int analyse_rock(const Options& options, Terminal& terminal) {
 }
 
 int check_model(const Options& options) {
-  print_check(options, read_model(options.input, options.overrides, Purpose::check));
+  Model model = read_model(options.input, options.overrides, Purpose::check);
+  load_files(model);
+  print_check(options, model);
   return 0;
 }
 

@@ -202,6 +202,7 @@ class PlaneMatcher {
     result_.fragments.push_back({{below.cell, above.cell},
                                  {below.face, above.face},
                                  complex_.joint_of_plane[plane_],
+                                 none,
                                  polygon,
                                  area});
   }

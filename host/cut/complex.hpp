@@ -32,6 +32,7 @@ struct Fragment {
   Index cell[2] = {none, none};  ///< below and above the plane
   Index face[2] = {none, none};  ///< local face of each
   Index joint = none;            ///< into Complex::origins; none = virtual: the cells are one body
+  Index instance = none;         ///< of joints: the plane or disc of the set, counted over all placed joints
   Index polygon = none;          ///< into Complex::polygons; none = the whole face of both cells
   Real area = 0;                 ///< m²
 };

@@ -7,11 +7,11 @@
 
 #include "host/cut/adjacency.hpp"
 #include "host/cut/complex.hpp"
-#include "host/cut/joint_planes_exact.hpp"
 #include "host/cut/subdivide.hpp"
 #include "host/cut/surfaces.hpp"
 #include "host/cut/union_find.hpp"
 #include "host/parallel.hpp"
+#include "host/refuse.hpp"
 #include "src/base/error.hpp"
 #include "src/base/sum.hpp"
 #include "src/base/vector.hpp"

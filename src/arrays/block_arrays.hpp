@@ -12,12 +12,14 @@ namespace rockfold {
 
 /// Where a face of a block comes from.
 struct FaceOrigin {
-  enum class Kind : std::uint8_t { joint, solid_face };
+  enum class Kind : std::uint8_t { joint, solid_face, excavation };
   Kind kind = Kind::joint;
-  std::string name;  ///< "J1" for a joint or joint set, "rock.zmin" for a face of a solid
-  Index joint_material = none;  ///< into Model::joint_materials; none for a solid's face
-  Index solid = none;           ///< into Model::solids; none for a joint
-  Index solid_face = none;      ///< into face_names(shape)
+  /// "J1" for a joint or joint set, "rock.zmin" for a face of a solid, "tunnel.3" for one of an excavation,
+  /// "lining.interface" for the joint around a solid with an interface
+  std::string name;
+  Index joint_material = none;  ///< into Model::joint_materials; joints only
+  Index solid = none;       ///< into Model::solids (solid_face) or Model::excavations (excavation)
+  Index solid_face = none;  ///< into face_names(shape)
   bool continues = false;       ///< the rock goes on beyond: neither free nor removable
 };
 
@@ -41,6 +43,8 @@ struct BlockArrays {
   std::vector<std::uint8_t> convex;  ///< [B]
   std::vector<std::uint8_t> finite;  ///< [B] touches no `continues` face
   std::vector<Index> material;       ///< [B] into Model::materials (of the largest part)
+  std::vector<Index> stage;          ///< [B] at which it is excavated; 0 = it stays
+  std::vector<Real> dead_end_area;   ///< [B] m², joints that end inside it, each counted once
 
   // faces
   std::vector<Index> loop_begin;   ///< [F+1]
@@ -56,7 +60,14 @@ struct BlockArrays {
   std::vector<Index> corner_vertex;  ///< [C] < V
   std::vector<Vec3> vertex;          ///< [V] m
 
-  /// Two faces of two blocks that share an area of one joint: block theory's contacts.
+  // dead-end joints: convex polygons with one block on both sides, no part of its faces; D of them, E corners
+  std::vector<Index> dead_end_block;         ///< [D]
+  std::vector<Index> dead_end_origin;        ///< [D] into origins
+  std::vector<Index> dead_end_corner_begin;  ///< [D+1]
+  std::vector<Vec3> dead_end_vertex;         ///< [E] m
+
+  /// Two faces of two blocks that share an area of one joint, or of an excavation's boundary: then the block of the later
+  /// stage (0 = never removed is the latest) has a free face there from the earlier one's stage on.
   struct Interface {
     Index block[2] = {none, none};  ///< block[0] < block[1]
     Index face[2] = {none, none};   ///< face of each, global face index

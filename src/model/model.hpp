@@ -4,6 +4,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -61,19 +64,62 @@ struct HalfspacesShape {
   std::vector<HalfSpace> planes;  ///< their intersection
 };
 struct PrismShape {
-  std::vector<Vec3> base;  ///< m; 3+ coplanar points, convex, either sense
+  std::vector<Vec3> base;  ///< m; 3+ coplanar points, simple, may be concave, either sense
   Vec3 extrude{};          ///< m; not in the base's plane
 };
-using Shape = std::variant<BoxShape, HalfspacesShape, PrismShape>;
+struct PyramidShape {
+  std::vector<Vec3> base;  ///< as a prism's
+  Vec3 apex{};             ///< m; not in the base's plane
+};
+struct FrustumShape {
+  std::vector<Vec3> base, top;  ///< m; as a prism's, convex, of the same length; planar sides
+};
+struct CylinderShape {
+  std::array<Vec3, 2> axis{};  ///< m
+  Real radius = 0;             ///< m, of the corners of the regular polygon that is its section
+  Index sides = 32;
+};
+struct SphereShape {
+  Vec3 center{};
+  Real radius = 0;         ///< m, of the vertices: an icosahedron whose triangles are divided
+  Index subdivisions = 2;  ///< times into four: 20·4^n triangles
+};
+struct TunnelShape {
+  std::vector<Vec3> path;  ///< m, 2+ points; bends are mitred
+  /// m; a simple polygon, counter-clockwise, seen along the path: x to the right (horizontal), y up;
+  /// for a vertical segment x is east. The path runs through (0, 0).
+  std::vector<std::array<Real, 2>> section;
+};
+
+/// Triangles read from a file. Filled after the model is read (host/files).
+struct TriangleSurface {
+  std::vector<Vec3> vertices;                 ///< m
+  std::vector<std::array<Index, 3>> triangles;  ///< counter-clockwise seen from outside (solids)
+};
+struct MeshShape {
+  std::string file;  ///< OBJ, OFF, STL or PLY; resolved against the model's folder
+  std::shared_ptr<const TriangleSurface> surface;
+};
+/// The rock between a base elevation and a ground surface of triangles over a regular or scattered
+/// set of posts.
+struct TerrainShape {
+  std::string file;  ///< ESRI ASCII grid or XYZ; resolved against the model's folder
+  Real base = 0;     ///< m, elevation of the flat bottom, below all posts
+  std::shared_ptr<const TriangleSurface> ground;  ///< counter-clockwise seen from above
+};
+using Shape = std::variant<BoxShape, HalfspacesShape, PrismShape, PyramidShape, FrustumShape,
+                           CylinderShape, SphereShape, TunnelShape, MeshShape, TerrainShape>;
 
 /// The names of a shape's faces, in the order in which host/cut numbers them: box xmin xmax ymin
-/// ymax zmin zmax; halfspaces "0", "1", … in the order of the planes; prism "0" … "n−1" the sides
-/// in the order of the base's edges (side i holds the points i and i + 1), "n" the base, "n+1" the
-/// far end.
+/// ymax zmin zmax; halfspaces "0", "1", … in the order of the planes; prism and frustum "0" … "n−1"
+/// the sides in the order of the base's edges (side i holds the points i and i + 1), "n" the base,
+/// "n+1" the far end; pyramid likewise without a far end; cylinder and tunnel likewise, "n" where the
+/// axis or path starts and "n+1" where it ends; sphere and mesh "0"; terrain xmin xmax ymin ymax zmin
+/// and "top" (a boundary of scattered posts that is no rectangle belongs to the nearest of the four).
 std::vector<std::string> face_names(const Shape& shape);
 
-/// The faces (into face_names) that a name means: one face, or a prism's group: "side" its sides,
-/// "cap0" its base, "cap1" its far end. Empty if the shape has no such face.
+/// The faces (into face_names) that a name means: one face, or a group of any shape but box, halfspaces and terrain:
+/// "side" its sides, "cap0" its base or start, "cap1" its far end. Empty if the shape has no such face.
 std::vector<Index> faces_named(const Shape& shape, const std::string& name);
 
 struct Solid {
@@ -83,26 +129,133 @@ struct Solid {
   Index material =
       0;  ///< into Model::materials (meaningless for '−'); none if the model has no material
   std::vector<bool> continues;  ///< [face_names(shape).size()] the rock goes on beyond this face
+  /// Joint material of the solid's boundary where rock of another solid lies behind it; none = welded.
+  Index interface = none;
   Place place = {};
 };
 
-/// Parallel planes, all through-going.
+/// A regular polygon's default number of sides (finite discs).
+constexpr Index default_disc_sides = 16;
+
+/// A positive quantity drawn at random. Values outside [min, max] are drawn again.
+struct Distribution {
+  enum class Kind { constant, exponential, log_normal, power_law };
+  Kind kind = Kind::constant;
+  Real mean = 0;                ///< constant, exponential, log-normal: of the values themselves, > 0
+  Real standard_deviation = 0;  ///< log-normal: of the values themselves, > 0
+  Real exponent = 0;            ///< power law: density ∝ x^−exponent on [min, max], > 0
+  Real min = 0;                 ///< ≥ 0 (power law: > 0)
+  Real max = std::numeric_limits<Real>::infinity();  ///< (power law: finite)
+};
+
+/// [joint_set.random]. Orientations scatter about the set's own by Fisher's distribution. Either planes or discs are
+/// placed one spacing after another along the set's normal through its origin (`spacing`), or discs lie uniformly
+/// (Baecher) with as many as an intensity or a count asks for. What is given decides: exactly one of spacing, p32, p10,
+/// count.
+struct RandomSet {
+  std::uint64_t seed = 1;
+  Real fisher_kappa = std::numeric_limits<Real>::infinity();  ///< > 0; infinite = no scatter
+  std::optional<Distribution> radius;   ///< m; overrides JointSet::radius; none and no radius: planes (spacing only)
+  std::optional<Distribution> spacing;  ///< m, between neighbours along the mean normal
+  std::optional<Real> p32;              ///< m²/m³, disc area in the region over its volume, > 0
+  std::optional<Real> p10;              ///< 1/m, mean crossings along `scanline`, > 0
+  std::array<Vec3, 2> scanline{};       ///< m, with p10
+  std::optional<Index> count;           ///< discs whose centres lie in the region
+};
+
+/// Parallel planes or discs.
 struct JointSet {
   std::string name;
   Orientation orientation;
-  Real spacing = 0;  ///< m along the normal, > 0
+  Real spacing = 0;  ///< m along the normal, > 0; 0 with `random`, which says where they lie
   Vec3 origin{};     ///< m, a point on one plane of the set
   std::optional<Index>
       count;           ///< that many planes, centred on origin; else all that meet the solids
   Index material = 0;  ///< into Model::joint_materials; none if the model has none
+  /// m; none = through-going. Else each plane carries one disc, centred where the line along the normal through `origin`
+  /// meets it: a regular polygon inscribed in the circle, its first corner down the dip.
+  std::optional<Real> radius;
+  Index sides = default_disc_sides;  ///< ≥ 3
+  Index within = none;               ///< into Model::solids: only inside that solid's shape
+  std::optional<RandomSet> random;
   Place place = {};
 };
 
-/// One through-going discontinuity.
+/// One discontinuity.
 struct Joint {
   std::string name;
   GivenPlane plane;
   Index material = 0;  ///< likewise
+  std::optional<Real> radius;  ///< m; a disc about plane.point, as in a set
+  Index sides = default_disc_sides;
+  /// m; not empty: the polygon (simple, may be concave) after projection on the plane along its normal
+  std::vector<Vec3> polygon;
+  Index within = none;
+  Place place = {};
+};
+
+/// Joints from a file of triangles: each triangle is a joint of its own plane.
+struct JointMesh {
+  std::string name;
+  std::string file;  ///< OBJ, OFF, STL or PLY; resolved against the model's folder
+  Index material = 0;
+  Index within = none;
+  std::shared_ptr<const TriangleSurface> surface;  ///< open or closed; filled after the model is read
+  Place place = {};
+};
+
+/// Discs from a CSV file with the columns dip, dip_direction, x, y, z, radius and, if it likes, material.
+struct JointTable {
+  struct Row {
+    DipOrientation orientation;
+    Vec3 center{};
+    Real radius = 0;  ///< m; infinite where the field is empty: through-going
+    Index material = 0;
+  };
+  std::string name;
+  std::string file;
+  Index material = 0;  ///< of rows that name none
+  Index sides = default_disc_sides;
+  Index within = none;
+  std::vector<Row> rows;  ///< filled after the model is read
+  Place place = {};
+};
+
+/// Rock that is removed at a stage. Its boundary cuts blocks; the walls are free faces for block theory.
+struct Excavation {
+  std::string name;
+  Index stage = 1;  ///< ≥ 1; where excavations overlap the earliest counts
+  Shape shape;
+  Place place = {};
+};
+
+/// Block operation '+' after cutting: joints inside the region become intact rock. A joint on the region's boundary
+/// stays.
+struct Merge {
+  struct Box {
+    Vec3 min{}, max{};
+  };
+  struct InSolid {
+    Index solid = 0;
+  };
+  struct Blocks {
+    std::vector<Vec3> points;  ///< the blocks that hold these points become one
+  };
+  std::variant<Box, InSolid, Blocks> region;
+  Place place = {};
+};
+
+/// [cut]: limits and what the report of the cutting flags.
+struct CutSpec {
+  std::int64_t max_cells = 20'000'000;
+  std::optional<Real> min_volume;        ///< m³; smaller blocks are flagged
+  std::optional<Real> max_aspect_ratio;  ///< longest over shortest extent; larger ones are flagged
+};
+
+/// A line along which P10 and RQD are measured.
+struct Scanline {
+  std::string name;
+  Vec3 from{}, to{};  ///< m
   Place place = {};
 };
 
@@ -206,6 +359,12 @@ struct Model {
   std::vector<Solid> solids;
   std::vector<JointSet> joint_sets;
   std::vector<Joint> joints;
+  std::vector<JointMesh> joint_meshes;
+  std::vector<JointTable> joint_tables;
+  std::vector<Merge> merges;
+  std::vector<Excavation> excavations;
+  CutSpec cut;
+  std::vector<Scanline> scanlines;
   std::optional<CoverSpec> cover;
   std::vector<Fixed> fixed;
   std::vector<PointLoad> point_loads;

@@ -62,6 +62,10 @@ struct GivenPoints {
     for (const auto& p : prism.base) points.push_back(p + prism.extrude);
     return points;
   }
+  template <class Other>
+  std::vector<Vec3> operator()(const Other&) const {
+    return {};
+  }
 };
 
 /// The cutter takes planes closer than 1e-10 of the model's size for one: a box's faces must not

@@ -4,17 +4,14 @@
 
 #include <fmt/format.h>
 
-#include "host/cut/joint_planes_exact.hpp"
 #include "host/exact/orientation.hpp"
-#include "host/exact/plane_table.hpp"
-#include "src/base/error.hpp"
+#include "host/joints/place_joints_exact.hpp"
+#include "host/refuse.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
 
 namespace {
-
-constexpr Real max_cells = 20e6;
 
 Vec3 unit_normal_of(const JointSet& set) {
   return normalized(normal_of(set.orientation));
@@ -28,16 +25,6 @@ Real box_volume(const std::vector<Vec3>& corners) {
       high[d] = std::max(high[d], p[d]);
     }
   return (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
-}
-
-JointPlane joint_plane(ExactPlane plane, const Vec3& centre, Index origin) {
-  if (plane.n[2] < 0 ||
-      (plane.n[2] == 0 && (plane.n[1] < 0 || (plane.n[1] == 0 && plane.n[0] < 0))))
-    plane = opposite(plane);
-  PlaneTable rounding(centre, 1);
-  const Index id = rounding.add(plane);
-  const Vec3& n = rounding.normal(id);
-  return {std::move(plane), {n[0], n[1], n[2], rounding.offset(id)}, origin};
 }
 
 // First and last multiple of the spacing whose plane meets the solids, or `count` of them about the origin.
@@ -67,7 +54,7 @@ void check_cell_count(const Model& model, const std::vector<Real>& counts, Real 
         cells += std::min(volume * det / (a.spacing * b.spacing * c.spacing),
                           counts[i] * counts[j] * counts[k]);
       }
-  if (cells > max_cells)
+  if (const auto max_cells = static_cast<Real>(model.cut.max_cells); cells > max_cells)
     refuse(model.joint_sets.front().place, "joint_set",
            fmt::format("the joint sets would make about {:.2g} cells, more than {:.2g}; use larger "
                        "spacings or `count`",
@@ -76,9 +63,11 @@ void check_cell_count(const Model& model, const std::vector<Real>& counts, Real 
 
 }  // namespace
 
-std::vector<JointPlane> joint_planes(const Model& model, const std::vector<Vec3>& corners,
-                                     const Vec3& centre) {
-  std::vector<JointPlane> planes;
+PlacedJoints place_joints(const Model& model, const RockBounds& rock) {
+  const std::vector<Vec3>& corners = rock.corners;
+  PlacedJoints placed;
+  for (const JointSet& set : model.joint_sets) placed.origins.push_back({set.name, set.material});
+  for (const Joint& joint : model.joints) placed.origins.push_back({joint.name, joint.material});
   std::vector<Real> counts;
   for (std::size_t s = 0; s < model.joint_sets.size(); ++s) {
     const JointSet& set = model.joint_sets[s];
@@ -98,22 +87,19 @@ std::vector<JointPlane> joint_planes(const Model& model, const std::vector<Vec3>
     const Real length = std::holds_alternative<Vec3>(set.orientation) ? norm(normal) : 1;
     const auto [first, last] = set_range(set, corners);
     for (Real k = first; k <= last; ++k)
-      planes.push_back(joint_plane(plane_through(normal, set.origin, k * set.spacing * length),
-                                   centre, static_cast<Index>(s)));
+      placed.joints.push_back({plane_through(normal, set.origin, k * set.spacing * length),
+                               {},
+                               static_cast<Index>(s),
+                               set.within});
   }
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     const GivenPlane& given = model.joints[j].plane;
-    planes.push_back(joint_plane(plane_through(normal_of(given.orientation), given.point), centre,
-                                 static_cast<Index>(model.joint_sets.size() + j)));
+    placed.joints.push_back({plane_through(normal_of(given.orientation), given.point),
+                             {},
+                             static_cast<Index>(model.joint_sets.size() + j),
+                             model.joints[j].within});
   }
-  std::sort(planes.begin(), planes.end(), [](const JointPlane& a, const JointPlane& b) {
-    return a.key != b.key ? a.key < b.key : a.origin < b.origin;
-  });
-  return planes;
-}
-
-void refuse(const Place& place, const std::string& key, const std::string& message) {
-  throw Error(ErrorKind::model, message, {place.file, place.line, place.column, key});
+  return placed;
 }
 
 }  // namespace rockfold

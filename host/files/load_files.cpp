@@ -1,0 +1,7 @@
+#include "host/files/load_files.hpp"
+
+namespace rockfold {
+
+void load_files(Model&) {}
+
+}  // namespace rockfold
