@@ -68,7 +68,7 @@ void add_bulk(const Complex& complex, const Model& model, BlockArrays& out) {
     const Index b = complex.cell_block[c];
     out.volume[b] += complex.moments[c].volume;
     first[b] += complex.moments[c].first;
-    const Index material = model.solids[complex.cell_body[c]].material;
+    const Index material = model.solids[complex.zone(c).solid].material;
     by_material[b][material] += complex.moments[c].volume;
     if (material != none && material < static_cast<Index>(model.materials.size()))
       out.mass[b] += model.materials[material].density * complex.moments[c].volume;

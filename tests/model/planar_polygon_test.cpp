@@ -1,5 +1,5 @@
 // Bases of prisms that are right, wherever they are and however they are turned. Wrong ones: wrong_models_test.cpp.
-#include "src/model/prism_base.hpp"
+#include "src/model/planar_polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
