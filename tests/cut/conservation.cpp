@@ -40,6 +40,7 @@ class Losses {
            " dead ends; interfaces of ", shared);
     if (!near(sum(a_.dead_end_area), t_.dangling_joint_area, area))
       line("dead ends of ", sum(a_.dead_end_area), " m2, in all ", t_.dangling_joint_area);
+    if (!a_.dead_end_area.empty()) check_dead_ends(area);
     return std::move(lines_);
   }
 
@@ -53,6 +54,23 @@ class Losses {
     lines_.push_back(text.str());
   }
   static bool near(Real a, Real b, Real off) { return std::abs(a - b) <= off; }
+
+  // Polygons of dead ends against the areas that blocks claim.
+  void check_dead_ends(Real area) {
+    std::vector<Real> of_block(a_.block_count(), 0);
+    for (std::size_t d = 0; d < a_.dead_end_block.size(); ++d) {
+      const Index begin = a_.dead_end_corner_begin[d], end = a_.dead_end_corner_begin[d + 1];
+      Vec3 twice{};
+      for (Index c = begin + 1; c + 1 < end; ++c)
+        twice += cross(a_.dead_end_vertex[c] - a_.dead_end_vertex[begin],
+                       a_.dead_end_vertex[c + 1] - a_.dead_end_vertex[begin]);
+      of_block[a_.dead_end_block[d]] += norm(twice) / 2;
+    }
+    for (Index b = 0; b < a_.block_count(); ++b)
+      if (!near(of_block[b], a_.dead_end_area[b], area))
+        line("block ", b, ": dead ends of ", a_.dead_end_area[b], " m2, their polygons ",
+             of_block[b]);
+  }
 
   void check_surface(Index b) {
     std::map<std::pair<Index, Index>, int> runs;  // edge → times along minus times against
