@@ -1,31 +1,35 @@
 #include <algorithm>
-#include <list>
+#include <cmath>
+#include <map>
 #include <utility>
 
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Partition_traits_2.h>
 #include <CGAL/Polygon_2.h>
-#include <CGAL/partition_2.h>
-#include <CGAL/property_map.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include "host/shapes/convex_pieces_exact.hpp"
+#include "host/shapes/triangles_inside_exact.hpp"
 
 namespace rockfold {
 
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Point = Kernel::Point_2;
-using PointMap = CGAL::Pointer_property_map<Point>::type;
-using Traits = CGAL::Partition_traits_2<Kernel, PointMap>;
-using Ring = std::vector<std::size_t>;  // corners of the polygon, counter-clockwise
+using Ring = std::vector<Index>;  // corners of the polygon, counter-clockwise
 
-constexpr std::size_t most_corners_optimal = 40;  // some 0.1 s
+// Of the angle by which a corner turns. Planes closer than the first are one (DESIGN.md, rule 2), and then the second of
+// two edges would lose its name; corners flatter than the second are not made where there is a choice.
+constexpr Real least_sine = 1e-10, good_sine = 1e-7;
 
 class Partition {
  public:
   explicit Partition(const ExactPolygon& polygon) {
-    for (const auto& p : polygon) points_.emplace_back(Kernel::FT(p[0]), Kernel::FT(p[1]));
+    for (const auto& p : polygon) {
+      points_.emplace_back(Kernel::FT(p[0]), Kernel::FT(p[1]));
+      near_.push_back({CGAL::to_double(Exact(p[0] - polygon[0][0])),
+                       CGAL::to_double(Exact(p[1] - polygon[0][1]))});
+    }
   }
 
   std::vector<ConvexPiece> pieces() {
@@ -34,127 +38,99 @@ class Partition {
     const auto sense = polygon.orientation();
     if (sense == CGAL::COLLINEAR) return {};
     reversed_ = sense == CGAL::CLOCKWISE;
-    if (strictly_convex(sense)) {
+    if (convex(sense)) {
       ConvexPiece whole;
-      for (std::size_t i = 0; i < size(); ++i) whole.push_back(edge(i, (i + 1) % size(), i));
+      for (Index i = 0; i < size(); ++i) whole.push_back({i, after(i), i});
       return {whole};
     }
+    triangulate();
+    merge();
     std::vector<ConvexPiece> result;
-    for (const Ring& ring : partition())
-      add_with_one_side_a_line(with_points_on_edges(ring), result);
+    for (const Ring& ring : rings_) {
+      if (ring.empty()) continue;
+      ConvexPiece& piece = result.emplace_back();
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Index a = ring[k], b = ring[(k + 1) % ring.size()];
+        piece.push_back({a, b, side_between(a, b)});
+      }
+    }
     return result;
   }
 
  private:
-  std::size_t size() const { return points_.size(); }
-
-  static PieceEdge edge(std::size_t from, std::size_t to, std::size_t side) {
-    return {static_cast<Index>(from), static_cast<Index>(to), static_cast<Index>(side)};
-  }
+  Index size() const { return static_cast<Index>(points_.size()); }
+  Index after(Index i) const { return i + 1 < size() ? i + 1 : 0; }
 
   // The polygon's side that runs from one corner to another in counter-clockwise sense.
-  Index side_between(std::size_t from, std::size_t to) const {
+  Index side_between(Index from, Index to) const {
     if (reversed_) std::swap(from, to);
-    return to == (from + 1) % size() ? static_cast<Index>(from) : none;
+    return to == after(from) ? from : none;
   }
 
-  CGAL::Orientation turn(std::size_t i, std::size_t j, std::size_t k) const {
-    return CGAL::orientation(points_[i], points_[j], points_[k]);
+  bool turns(Index i, Index j, Index k, CGAL::Orientation sense, Real sine) const {
+    const auto &p = near_[i], &q = near_[j], &r = near_[k];
+    const Real ax = q[0] - p[0], ay = q[1] - p[1], bx = r[0] - q[0], by = r[1] - q[1];
+    return CGAL::orientation(points_[i], points_[j], points_[k]) == sense &&
+           std::abs(ax * by - ay * bx) > sine * std::hypot(ax, ay) * std::hypot(bx, by);
   }
 
-  bool strictly_convex(CGAL::Orientation sense) const {
-    for (std::size_t i = 0; i < size(); ++i)
-      if (turn(i, (i + 1) % size(), (i + 2) % size()) != sense) return false;
+  bool convex(CGAL::Orientation sense) const {
+    for (Index i = 0; i < size(); ++i)
+      if (!turns(i, after(i), after(after(i)), sense, least_sine)) return false;
     return true;
   }
 
-  // CGAL's partition of the polygon without its straight corners.
-  std::vector<Ring> partition() {
-    std::list<std::size_t> ring;
-    for (std::size_t i = 0; i < size(); ++i) {
-      const std::size_t before = (i + size() - 1) % size();
-      if (turn(before, i, (i + 1) % size()) == CGAL::COLLINEAR) continue;
-      reversed_ ? ring.push_front(i) : ring.push_back(i);
+  void triangulate() {
+    OutlineTriangulation<Kernel> plan;
+    std::vector<OutlineTriangulation<Kernel>::Vertex_handle> handle;
+    for (Index i = 0; i < size(); ++i) {
+      handle.push_back(plan.insert(points_[i]));
+      handle.back()->info() = i;
     }
-    const Traits traits(CGAL::make_property_map(points_));
-    std::list<Traits::Polygon_2> polygons;
-    if (ring.size() <= most_corners_optimal)
-      CGAL::optimal_convex_partition_2(ring.begin(), ring.end(), std::back_inserter(polygons),
-                                       traits);
-    else
-      CGAL::approx_convex_partition_2(ring.begin(), ring.end(), std::back_inserter(polygons),
-                                      traits);
-    std::vector<Ring> rings;
-    for (const auto& p : polygons) rings.emplace_back(p.vertices_begin(), p.vertices_end());
-    return rings;
+    for (Index i = 0; i < size(); ++i) plan.insert_constraint(handle[i], handle[after(i)]);
+    for (const auto& t : triangles_inside(plan)) rings_.emplace_back(t.begin(), t.end());
   }
 
-  Ring with_points_on_edges(const Ring& ring) const {
-    Ring all;
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const std::size_t a = ring[k], b = ring[(k + 1) % ring.size()];
-      all.push_back(a);
-      if (side_between(a, b) != none) continue;
-      Ring between;
-      for (std::size_t i = 0; i < size(); ++i)
-        if (i != a && i != b &&
-            CGAL::collinear_are_strictly_ordered_along_line(points_[a], points_[i], points_[b]) &&
-            turn(a, b, i) == CGAL::COLLINEAR)
-          between.push_back(i);
-      std::sort(between.begin(), between.end(), [&](std::size_t i, std::size_t j) {
-        return CGAL::has_smaller_distance_to_point(points_[a], points_[i], points_[j]);
-      });
-      all.insert(all.end(), between.begin(), between.end());
-    }
-    return all;
-  }
-
-  // Starts the ring at a corner that is not straight.
-  void start_at_corner(Ring& ring) const {
-    const std::size_t n = ring.size();
-    for (std::size_t k = 0; k < n; ++k)
-      if (turn(ring[(k + n - 1) % n], ring[k], ring[(k + 1) % n]) != CGAL::COLLINEAR) {
-        std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(k), ring.end());
-        return;
+  // Takes diagonals away, the longest first, where both corners stay convex.
+  void merge() {
+    struct Diagonal {
+      Index a, b;
+      Real length;
+    };
+    std::map<std::pair<Index, Index>, std::size_t> ring_of;  // directed edge → the ring to its left
+    std::vector<Diagonal> diagonals;
+    for (std::size_t r = 0; r < rings_.size(); ++r)
+      for (int k = 0; k < 3; ++k) {
+        const Index a = rings_[r][k], b = rings_[r][(k + 1) % 3];
+        ring_of[{a, b}] = r;
+        if (a < b && side_between(a, b) == none && side_between(b, a) == none)
+          diagonals.push_back(
+              {a, b, std::hypot(near_[a][0] - near_[b][0], near_[a][1] - near_[b][1])});
       }
-  }
-
-  // Where two sides of the polygon lie on one line of the piece it is cut from the corner between them.
-  void add_with_one_side_a_line(Ring ring, std::vector<ConvexPiece>& result) const {
-    start_at_corner(ring);
-    const std::size_t n = ring.size();
-    ConvexPiece piece;
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::size_t a = ring[k], b = ring[(k + 1) % n];
-      const PieceEdge e{static_cast<Index>(a), static_cast<Index>(b), side_between(a, b)};
-      const bool goes_on = k > 0 && turn(ring[k - 1], a, b) == CGAL::COLLINEAR;
-      if (!goes_on) {
-        piece.push_back(e);
-      } else if (piece.back().side == none) {
-        piece.back() = e;
-      } else if (e.side != none) {
-        return split(ring, k, result);
-      }
+    std::sort(diagonals.begin(), diagonals.end(), [](const Diagonal& d, const Diagonal& e) {
+      return d.length != e.length ? d.length > e.length : std::pair(d.a, d.b) < std::pair(e.a, e.b);
+    });
+    for (const Diagonal& d : diagonals) {
+      const std::size_t left = ring_of.at({d.a, d.b}), right = ring_of.at({d.b, d.a});
+      // Both from b on, once around to a: the merged ring is one after the other.
+      Ring first = rings_[left], second = rings_[right];
+      std::rotate(first.begin(), std::find(first.begin(), first.end(), d.b), first.end());
+      std::rotate(second.begin(), std::find(second.begin(), second.end(), d.a), second.end());
+      const bool at_a = turns(first[first.size() - 2], d.a, second[1], CGAL::LEFT_TURN, good_sine);
+      const bool at_b = turns(second[second.size() - 2], d.b, first[1], CGAL::LEFT_TURN, good_sine);
+      if (!at_a || !at_b) continue;
+      first.insert(first.end(), second.begin() + 1, second.end() - 1);
+      for (std::size_t k = 0; k < second.size(); ++k)
+        ring_of[{second[k], second[(k + 1) % second.size()]}] = left;
+      rings_[left] = std::move(first);
+      rings_[right].clear();
     }
-    result.push_back(std::move(piece));
   }
 
-  // Cuts the ring from its straight corner k to one off that line.
-  void split(const Ring& ring, std::size_t k, std::vector<ConvexPiece>& result) const {
-    const std::size_t n = ring.size();
-    Ring opposite;
-    for (std::size_t j = 2; j + 1 < n; ++j)
-      if (turn(ring[k - 1], ring[k], ring[(k + j) % n]) != CGAL::COLLINEAR) opposite.push_back(j);
-    const std::size_t reach = opposite[opposite.size() / 2];
-    Ring first, second;
-    for (std::size_t j = 0; j <= reach; ++j) first.push_back(ring[(k + j) % n]);
-    for (std::size_t j = reach; j <= n; ++j) second.push_back(ring[(k + j) % n]);
-    add_with_one_side_a_line(std::move(first), result);
-    add_with_one_side_a_line(std::move(second), result);
-  }
-
-  std::vector<Point> points_;
+  std::vector<Kernel::Point_2> points_;
+  std::vector<std::array<Real, 2>> near_;  // relative to the first point
   bool reversed_ = false;
+  std::vector<Ring> rings_;
 };
 
 }  // namespace

@@ -10,20 +10,21 @@ namespace rockfold {
 
 using ExactPolygon = std::vector<std::array<Exact, 2>>;
 
-/// An edge of a convex piece: it lies on the line through two corners of the polygon.
+/// An edge of a convex piece.
 struct PieceEdge {
   Index from = none, to = none;  ///< corners of the polygon
   Index side =
-      none;  ///< the polygon's edge from corner `side` to the next, on this line; none = a cut between pieces
+      none;  ///< the polygon's edge from corner `side` to the next; none = a diagonal, between two pieces
 };
 
-/// A convex polygon with one edge for each of its lines.
 using ConvexPiece = std::vector<PieceEdge>;
 
 /// Cuts a simple polygon of either sense along diagonals. A convex one stays whole, its edges in the given order; else the
-/// pieces run counter-clockwise. No piece has two of the polygon's edges on one line, so that each keeps its name.
-/// Empty if edges cross or touch each other, or nothing is enclosed. The fewest pieces that diagonals allow (Greene 1983,
-/// O(n⁴)) up to 40 corners, at most four times as many (Hertel and Mehlhorn 1983) beyond.
+/// pieces run counter-clockwise. No two edges of a piece lie on one line, to 1e-10 at least, so that each side of the
+/// polygon keeps its name. Empty if edges cross or touch each other, or nothing is enclosed.
+///
+/// Diagonals of the constrained Delaunay triangulation, less those that are not needed (Hertel and Mehlhorn 1983): at most
+/// four times as many pieces as possible, apart from the cuts that keep edges on one line apart. O(n²).
 std::vector<ConvexPiece> convex_pieces(const ExactPolygon& polygon);
 
 }  // namespace rockfold

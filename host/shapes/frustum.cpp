@@ -1,8 +1,11 @@
 // Frustums and cylinders: a convex base and a convex top with planar sides between them.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "host/exact/orientation.hpp"
 #include "host/refuse.hpp"
@@ -32,27 +35,34 @@ ExactPlane best_plane(const std::array<Vec3, 4>& quad) {
   return plane_along(o, exact(quad[(apart + 2) % 4]) - o, exact(quad[(apart + 3) % 4]) - o);
 }
 
-// Every corner lies on the inner side of every plane, to rounding.
-void check_convex(const ConvexPart& part, const std::vector<Vec3>& corners, const Place& place) {
+// Every corner lies on the inner side of every plane, and those of a face on its plane, to rounding.
+void check_convex(const FrustumShape& frustum, const ConvexPart& part, const Place& place) {
+  const auto n = static_cast<Index>(frustum.base.size());
+  const Vec3 origin = frustum.base[0];
   Real size = 0, far = 0;
-  for (const Vec3& p : corners) {
-    size = std::max(size, norm(p - corners[0]));
-    far = std::max(far, norm(p));
-  }
+  for (const auto* ring : {&frustum.base, &frustum.top})
+    for (const Vec3& p : *ring) {
+      size = std::max(size, norm(p - origin));
+      far = std::max(far, norm(p));
+    }
   const Real off = flat * size + 1e-15 * far;
   for (const FacePlane& f : part.faces) {
-    const ExactVec3 origin = exact(corners[0]);
-    const Exact d = f.plane.d - dot(f.plane.n, origin);
-    Vec3 n;
-    for (int k = 0; k < 3; ++k) n[k] = CGAL::to_double(f.plane.n[k]);
-    const Real length = norm(n), offset = CGAL::to_double(d);
-    for (const Vec3& p : corners) {
-      const Real above = (dot(n, p - corners[0]) - offset) / length;
-      if (!((f.inside_above ? above : -above) >= -off))
+    Vec3 normal;
+    for (int d = 0; d < 3; ++d) normal[d] = CGAL::to_double(f.plane.n[d]);
+    const Real length = (f.inside_above ? 1 : -1) * norm(normal);
+    const Real offset = CGAL::to_double(Exact(f.plane.d - dot(f.plane.n, exact(origin))));
+    for (const auto* ring : {&frustum.base, &frustum.top})
+      for (Index i = 0; i < n; ++i) {
+        const Real inside = (dot(normal, (*ring)[i] - origin) - offset) / length;
+        const bool of_face = f.face < n ? i == f.face || i == (f.face + 1) % n
+                                        : (f.face == n) == (ring == &frustum.base);
+        if (of_face ? std::abs(inside) <= off : inside >= -off) continue;
         refuse(place, place.key,
-               "base and top make no convex solid with planar sides: face " +
-                   std::to_string(f.face) + " has corners on both of its sides");
-    }
+               fmt::format("base and top make no convex solid with planar sides: point {} of the "
+                           "{} lies {:.3g} m {} face {}",
+                           i + 1, ring == &frustum.base ? "base" : "top", std::abs(inside),
+                           of_face ? "off the plane of" : "outside", f.face));
+      }
   }
 }
 
@@ -84,7 +94,7 @@ ShapeGeometry frustum_geometry(const FrustumShape& frustum, const Place& place) 
     faces[f].inside_above = side > 0;
     faces[f].face = static_cast<Index>(f);
   }
-  check_convex(geometry.parts.front(), geometry.corners, place);
+  check_convex(frustum, geometry.parts.front(), place);
   return geometry;
 }
 

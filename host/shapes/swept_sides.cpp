@@ -10,7 +10,7 @@ ConvexPart swept_sides(const SweptPolygon& polygon, const ConvexPiece& piece) {
   const auto n = static_cast<Index>(polygon.corner.size());
   ConvexPart part;
   for (const PieceEdge& e : piece) {
-    // A side by its own corners in the given sense, whichever part of its line the piece has.
+    // Sides in the given sense, and diagonals in one that does not depend on the piece.
     const Index a = e.side != none ? e.side : std::min(e.from, e.to);
     const Index b = e.side != none ? (e.side + 1) % n : std::max(e.from, e.to);
     const ExactVec3& origin = polygon.corner[a];

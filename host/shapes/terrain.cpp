@@ -3,18 +3,15 @@
 #include <array>
 #include <cstdint>
 #include <initializer_list>
-#include <map>
 #include <string>
 #include <utility>
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_Delaunay_triangulation_face_base_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <fmt/format.h>
 
 #include "host/refuse.hpp"
 #include "host/shapes/families_exact.hpp"
+#include "host/shapes/triangles_inside_exact.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -22,12 +19,7 @@ namespace rockfold {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel,
-    CGAL::Triangulation_data_structure_2<
-        CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>,
-        CGAL::Constrained_Delaunay_triangulation_face_base_2<Kernel>>,
-    CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using Triangulation = OutlineTriangulation<Kernel>;
 
 constexpr Index bottom_face = 4, top_face = 5;  // face_names: xmin xmax ymin ymax zmin top
 
@@ -165,29 +157,6 @@ std::vector<Index> rectangle_corners(const std::vector<Vec3>& p, const std::vect
   for (int k = 0; k < 4; ++k)
     if (corners[k] == none || starts[k] != 1) return {};
   return {corners.begin(), corners.end()};
-}
-
-// Marks the triangles inside by the parity of the constraints that part them from outside.
-std::vector<std::array<Index, 3>> triangles_inside(const Triangulation& plan) {
-  std::map<Triangulation::Face_handle, bool> inside;
-  std::vector<Triangulation::Face_handle> open{plan.infinite_face()};
-  inside[plan.infinite_face()] = false;
-  while (!open.empty()) {
-    const auto face = open.back();
-    open.pop_back();
-    const bool here = inside[face];
-    for (int k = 0; k < 3; ++k) {
-      const auto next = face->neighbor(k);
-      const bool there = here != plan.is_constrained({face, k});
-      if (inside.try_emplace(next, there).second) open.push_back(next);
-    }
-  }
-  std::vector<std::array<Index, 3>> triangles;
-  for (const auto face : plan.finite_face_handles())
-    if (inside[face])
-      triangles.push_back(
-          {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
-  return triangles;
 }
 
 std::vector<std::array<Index, 3>> triangulated(const std::vector<Vec3>& vertices,
