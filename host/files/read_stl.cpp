@@ -83,7 +83,7 @@ PolygonSoup read_text(std::string_view text, Faults& faults) {
       read_facet(words, soup, faults);
     }
     if (lower_case(word) != "endsolid")
-      faults.fail(words.line(), words.column(),
+      faults.fail(words.line(), word.empty() ? 0 : words.column(),
                   word.empty()
                       ? "ends where 'facet' or 'endsolid' must follow"
                       : fmt::format("'facet' or 'endsolid' must follow, not {}", quoted(word)));

@@ -30,7 +30,7 @@ void expect_refused(const BrokenMesh& wrong) {
   EXPECT_EQ(errors[0].place.file, "sample");
   EXPECT_EQ(errors[0].place.key, "solid[1].file");
   for (const char* part : wrong.says)
-    if (part) EXPECT_NE(text.find(part), std::string::npos) << part << " is not in\n" << text;
+    EXPECT_TRUE(!part || text.find(part) != std::string::npos) << part << " is not in\n" << text;
 }
 
 std::string without_last_face(PlainMesh mesh) {
@@ -67,7 +67,7 @@ TEST(BrokenMeshes, OfObj) {
       {"v 0 nan 0\n", obj, joints, 1, 5, {"y is nan", "finite"}},
       {"v 0 0 -inf\n", obj, joints, 1, 7, {"z is -inf", "finite"}},
       {"v 0 0 1e400\n", obj, joints, 1, 7, {"z is inf", "finite"}},
-      {"v 2e9 0 0\n", obj, joints, 1, 3, {"x is 2e+09", "at most 1000000000"}},
+      {"v 2e9 0 0\n", obj, joints, 1, 3, {"x is 2e+09", "at most 1e9 in size"}},
       {"v 0 0 0 red\n", obj, joints, 1, 9, {"numbers only", "'red'"}},
       {obj3 + "f 1 2 4\n", obj, joints, 4, 7, {"vertex 4", "the file has 3"}},
       {obj3 + "f 1 2 0\n", obj, joints, 4, 7, {"from 1", "'0'"}},
@@ -83,7 +83,7 @@ TEST(BrokenMeshes, OfObj) {
        0,
        {"1 triangle without area", "(1, 1, 1)"}},
       {obj3 + "v 1 1 0.1\nf 1 2 4 3\n", obj, joints, 5, 0, {"planar", "off the plane", "split"}},
-      {obj3 + "v 1 1 0\nf 1 2 3 4\n", obj, joints, 5, 0, {"crosses or touches itself"}},
+      {obj3 + "v 2 2 0\nf 1 2 3 4\n", obj, joints, 5, 0, {"crosses or touches itself"}},
       {obj3 + "v 2 2 0\nv 1 3 0\nf 1 2 4 1 3\n", obj, joints, 6, 0, {"touches itself"}},
       {"v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3 4\n", obj, joints, 5, 0, {"has no area"}},
   };
@@ -227,10 +227,10 @@ TEST(BrokenMeshes, ThatBoundNoSolid) {
       {as_off(at_edge),
        off,
        solid,
-       17,
+       26,
        0,
        {"two triangles", "1 edge,", "(1, 1, 0) to (1, 1, 1) (4 triangles)"}},
-      {as_off(at_corner), off, solid, 19, 0, {"touch itself", "1 point", "(1, 1, 1)"}},
+      {as_off(at_corner), off, solid, 31, 0, {"touch itself", "1 point", "(1, 1, 1)"}},
       {as_off(overlapping), off, solid, 21, 0, {"intersect itself", "pairs", "(0.5, 0.5, 0.5)"}},
       {as_off(inverted(unit)), off, solid, 11, 0, {"seen from outside", "1 part of 1 inside out"}},
       {as_off(outward_cavity), off, solid, 31, 0, {"cavity", "1 part of 2", "(0.25, 0.25, 0.25)"}},

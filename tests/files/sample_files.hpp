@@ -64,6 +64,13 @@ std::vector<Diagnostic> errors_of_reading(const Read& read) {
   return {};
 }
 
+/// Joint materials of these names.
+inline std::vector<JointMaterial> named_materials(const std::vector<std::string>& names) {
+  std::vector<JointMaterial> materials(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) materials[i].name = names[i];
+  return materials;
+}
+
 /// "line:column: message" of each error.
 std::string listed(const std::vector<Diagnostic>& errors);
 
