@@ -29,6 +29,8 @@ TEST(WrongModel, IsNoToml) {
       {"gravity = [0, 0, -.5]", 1, 0, "", "expected decimal digit"},
       {"[[solid]\n", 1, 0, "", "TOML syntax"},
       {"[=]\n", 1, 0, "", "TOML syntax"},
+      {"title = 'Übung'\nrepose = 35°", 2, 12, "", "only ASCII may stand outside of quotes"},
+      {"a = [1,\xC2\xA0" "2]", 1, 8, "", "only ASCII may stand outside of quotes"},
       {"a = 1e999", 1, 0, "", "TOML syntax"},
       {"a = 99999999999999999999", 1, 0, "", "not representable"},
       {"title = \"\"\n\na.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a = 1", 3, 40, "", "more than 20 parts"},
