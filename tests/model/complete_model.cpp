@@ -141,6 +141,7 @@ seed = 9223372036854775807
 fisher_kappa = 40
 radius = {distribution = "power_law", exponent = 2.5, min = 0.5, max = 8}
 p32 = 0.75
+location = "uniform"
 
 [[joint_set]]
 name = "bedding"
