@@ -59,4 +59,19 @@ void place_regular_set(const JointSet& set, const PlacingRegion& region, Index o
   }
 }
 
+void place_random_set(const JointSet& set, const std::vector<DrawnJoint>& drawn,
+                      const PlacingRegion& region, Index origin, std::vector<PlacedJoint>& joints) {
+  const Real least_radius = least_radius_share * diagonal(region.box);
+  joints.reserve(joints.size() + drawn.size());
+  for (const DrawnJoint& one : drawn) {
+    if (one.radius < least_radius) continue;
+    const ExactPlane plane = plane_through(normal_of(one.orientation), one.point);
+    if (std::isinf(one.radius))
+      joints.push_back({plane, {}, origin, set.within});
+    else
+      place_disc(plane, plane_frame(one.orientation), one.point, {}, one.radius, set.sides, region,
+                 {{}, {}, origin, set.within}, joints);
+  }
+}
+
 }  // namespace rockfold
