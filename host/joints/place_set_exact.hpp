@@ -34,7 +34,7 @@ void place_random_set(const JointSet& set, const std::vector<DrawnJoint>& drawn,
 
 /// Appends a disc on `plane` about centre + shift, unless it lies off the region.
 void place_disc(const ExactPlane& plane, const PlaneFrame& frame, const Vec3& centre,
-                const Vec3& shift, Real radius, Index sides, const PlacingRegion& region,
-                PlacedJoint joint, std::vector<PlacedJoint>& joints);
+                const Vec3& shift, Real radius, const DiscOutline& outline,
+                const PlacingRegion& region, PlacedJoint joint, std::vector<PlacedJoint>& joints);
 
 }  // namespace rockfold

@@ -134,7 +134,8 @@ class UniformDiscs {
       : s_(sampler),
         lengths_(s_.box.max - s_.box.min),
         volume_(lengths_[0] * lengths_[1] * lengths_[2]),
-        radii_(*s_.radius, lengths_) {
+        radii_(*s_.radius, lengths_),
+        outline_(disc_outline(s_.set.sides)) {
     if (s_.random.count) {
       target_ = *s_.random.count;
     } else if (s_.random.p32) {
@@ -170,8 +171,8 @@ class UniformDiscs {
       inside = inside && centre[d] >= s_.box.min[d] && centre[d] < s_.box.max[d];
     }
     const Orientation orientation = s_.draw_orientation();
-    const PlaneFrame frame = plane_frame(orientation);
-    const auto corners = disc_corners(frame, centre, {}, radius, s_.set.sides);
+    const PlaneFrame frame = s_.scatters() ? plane_frame(orientation) : s_.frame;
+    const auto corners = disc_corners(frame, centre, {}, radius, outline_);
     ++drawn_;
     if (s_.random.count && inside) reached += 1;
     if (!boxes_meet(bounding_box(corners), s_.box, 0)) return false;
@@ -208,6 +209,7 @@ class UniformDiscs {
   Vec3 lengths_;
   Real volume_;
   RadiusNearBox radii_;
+  DiscOutline outline_;
   Real target_ = 0;
   Vec3 line_{};
   Real drawn_ = 0, area_ = 0;  // m², in the box
