@@ -65,9 +65,11 @@ void add_intensities(const Complex& complex, RockMeasures& out) {
     i.p20 = ratio(traces, section_area);
     i.p21 = ratio(trace_length, section_area);
     i.p10 = ratio(crossings, line_length);
-    add_to(out.all_joints, i);
     out.intensities.push_back(i);
   }
+  std::stable_sort(out.intensities.begin(), out.intensities.end(),
+                   [](const auto& a, const auto& b) { return a.name < b.name; });
+  for (const OriginIntensity& i : out.intensities) add_to(out.all_joints, i);
   out.all_joints.name = "all";
   out.volumetric_joint_count = out.all_joints.p32;
 }

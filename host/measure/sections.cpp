@@ -80,7 +80,7 @@ Real trace_length(const Complex& complex, const Fragment& f, int axis, Real at) 
 void add_areas(const Complex& complex, const std::array<Real, 3>& at,
                std::array<SectionMeasure, 3>& out) {
   const Index chunks = (complex.cells.size() + chunk - 1) / chunk;
-  std::vector<std::array<Real, 3>> part(chunks, std::array<Real, 3>{});
+  std::vector<std::array<Sum, 3>> part(chunks);
   parallel_for(chunks, 1, [&](std::int64_t k) {
     const auto begin = static_cast<Index>(k * chunk);
     for (Index c = begin; c < std::min(begin + chunk, complex.cells.size()); ++c)
@@ -88,7 +88,7 @@ void add_areas(const Complex& complex, const std::array<Real, 3>& at,
   });
   for (int d = 0; d < 3; ++d) {
     Sum sum;
-    for (const auto& areas : part) sum += areas[d];
+    for (const auto& areas : part) sum += areas[d].value();
     out[d].area = sum.value();
   }
 }
@@ -97,16 +97,18 @@ void add_traces(const Complex& complex, const std::array<Real, 3>& at,
                 std::array<SectionMeasure, 3>& out) {
   const auto instance = joint_instances(complex);
   std::array<std::vector<JointInstance>, 3> seen;
+  std::vector<std::array<Sum, 3>> sums(complex.origins.size());
   for (std::size_t i = 0; i < complex.fragments.size(); ++i) {
     if (instance[i].origin == none) continue;
     for (int d = 0; d < 3; ++d) {
       const Real length = trace_length(complex, complex.fragments[i], d, at[d]);
       if (length == 0) continue;
-      out[d].trace_length[instance[i].origin] += length;
+      sums[instance[i].origin][d] += length;
       if (seen[d].empty() || seen[d].back() != instance[i]) seen[d].push_back(instance[i]);
     }
   }
   for (int d = 0; d < 3; ++d) {
+    for (std::size_t o = 0; o < sums.size(); ++o) out[d].trace_length[o] = sums[o][d].value();
     std::sort(seen[d].begin(), seen[d].end());
     seen[d].erase(std::unique(seen[d].begin(), seen[d].end()), seen[d].end());
     for (const JointInstance& joint : seen[d]) ++out[d].trace_count[joint.origin];
