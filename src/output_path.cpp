@@ -52,10 +52,13 @@ void check_result_path(const std::string& path, const std::string& model_path) {
 
 void check_export_paths(const Options& options, const std::string& result,
                         const std::string& model_path) {
-  std::set<fs::path> taken{fs::weakly_canonical(result)};
+  const auto whole_name = [](const std::string& name) {
+    return fs::weakly_canonical(fs::absolute(name));
+  };
+  std::set<fs::path> taken{whole_name(result)};
   for (const auto& path : options.exports) {
     check_result_path(path, model_path);
-    if (!taken.insert(fs::weakly_canonical(path)).second)
+    if (!taken.insert(whole_name(path)).second)
       fail(ErrorKind::usage, path, "is named for two files; give each --export a name of its own");
   }
 }

@@ -115,8 +115,8 @@ BlockShape shape_of(const BlockArrays& blocks, Index b) {
     shape.surface_area += blocks.face_area[f];
   const Frame frame = frame_of(blocks, b);
   const std::vector<Vec3> points = chord_vertices(blocks, b, frame);
-  std::vector<Chord> chords;
-  chords.reserve(points.size() * (points.size() - 1) / 2);
+  thread_local std::vector<Chord> chords;  // a workspace: most blocks have few vertices
+  chords.clear();
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = i + 1; j < points.size(); ++j) {
       const Vec3 along = points[j] - points[i];

@@ -9,6 +9,7 @@
 namespace rockfold {
 
 struct Complex;
+struct Fragment;
 
 /// A section perpendicular to an axis.
 struct SectionMeasure {
@@ -31,7 +32,10 @@ struct JointInstance {
 /// no joint. O(cells + fragments).
 std::array<SectionMeasure, 3> measure_sections(const Complex& complex, const Vec3& centre);
 
-/// [fragments] the joint of each real one of kind joint; origin none for the others.
-std::vector<JointInstance> joint_instances(const Complex& complex);
+/// The joint of a fragment of kind joint; origin none for any other.
+JointInstance joint_instance(const Complex& complex, const Fragment& fragment);
+
+/// Each joint once, in order.
+void keep_distinct(std::vector<JointInstance>& joints);
 
 }  // namespace rockfold

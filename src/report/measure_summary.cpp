@@ -97,8 +97,7 @@ std::string measure_summary(const RockMeasures& measures) {
   const BlockStatistics& blocks = measures.blocks;
   std::string text = size_table(blocks) + "\n";
   text += fact("shapes", fmt::format("{} of the volume", class_shares(blocks)));
-  text += fact("volumetric joint count",
-               fmt::format("{:.3g} joints/m3", measures.volumetric_joint_count));
+  text += fact("joint count Jv", fmt::format("{:.3g} joints/m3", measures.volumetric_joint_count));
   text += fact("RQD", rqd_text(measures));
   if (!blocks.flags.empty())
     text += fact("flagged", fmt::format("{} small, {} elongated", grouped(blocks.small_blocks),
