@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <numeric>
+
 #include <nlohmann/json.hpp>
 
 #include "src/report/document_parts.hpp"
@@ -45,9 +48,11 @@ Json scanline_json(const LineMeasure& line) {
 }
 
 Json section_json(const SectionMeasure& section) {
-  Real length = 0;
+  // Ascending, so that the sum does not depend on the order of the model's joints.
+  std::vector<Real> lengths = section.trace_length;
+  std::sort(lengths.begin(), lengths.end());
+  const Real length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
   Index count = 0;
-  for (const Real l : section.trace_length) length += l;
   for (const Index n : section.trace_count) count += n;
   return {{"normal", std::string(1, static_cast<char>('x' + section.axis))},
           {"position", section.position},
