@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -133,7 +134,8 @@ void ResultWriter::Implementation::write_block_grid(File& file, const BlockArray
   vtkhdf::write_cell_field(file, grid, "material", gather<Index>(blocks.material, block, 1));
   vtkhdf::write_cell_field(file, grid, "finite", gather<std::uint8_t>(blocks.finite, block));
   vtkhdf::write_cell_field(file, grid, "volume", gather<float>(blocks.volume, block));
-  if (!blocks.stage.empty())
+  const auto goes = [](Index stage) { return stage != 0; };
+  if (std::any_of(blocks.stage.begin(), blocks.stage.end(), goes))
     vtkhdf::write_cell_field(file, grid, "stage", gather<Index>(blocks.stage, block));
   if (!flags.empty())
     vtkhdf::write_cell_field(file, grid, "flags", gather<std::uint8_t>(flags, block));
