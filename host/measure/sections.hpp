@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <tuple>
 #include <vector>
 
 #include "src/base/types.hpp"
@@ -25,7 +26,10 @@ struct SectionMeasure {
 struct JointInstance {
   Index origin = none;
   std::int64_t number = 0;
-  auto operator<=>(const JointInstance&) const = default;
+  bool operator==(const JointInstance&) const = default;
+  bool operator<(const JointInstance& other) const {
+    return std::tie(origin, number) < std::tie(other.origin, other.number);
+  }
 };
 
 /// Sections x, y, z through a point (m, model coordinates), each moved by a millionth of the model's size so that it holds
