@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <random>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@
 #include "host/measure/parts.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
+#include "src/io/exports/surfaces.hpp"
 #include "tests/cut/sample_models.hpp"
 #include "tests/io/sample.hpp"
 
@@ -50,6 +52,31 @@ int open_edges(const Surface& s) {
     open += n != 1 || back == count.end() || back->second != 1;
   }
   return open;
+}
+
+/// Directed edges that do not stand as often as their opposite in their block.
+int unbalanced_edges(const Surface& s) {
+  std::map<std::array<Index, 3>, int> count;
+  for (std::size_t p = 0; p < s.polygon.size(); ++p)
+    for (std::size_t c = 0; c < s.polygon[p].size(); ++c) {
+      const Index u = s.polygon[p][c], v = s.polygon[p][(c + 1) % s.polygon[p].size()];
+      ++count[{s.block[p], u, v}];
+      --count[{s.block[p], v, u}];
+    }
+  return static_cast<int>(
+      std::count_if(count.begin(), count.end(), [](const auto& e) { return e.second != 0; }));
+}
+
+/// What .stl has, with points by number.
+Surface triangles_of(const BlockArrays& blocks) {
+  Surface s;
+  for (Index b = 0; b < blocks.block_count(); ++b)
+    for (Index f = blocks.face_begin[b]; f < blocks.face_begin[b + 1]; ++f)
+      for (const auto& t : face_triangles(blocks, f)) {
+        s.polygon.emplace_back(t.begin(), t.end());
+        s.block.push_back(b);
+      }
+  return s;
 }
 
 /// Blocks with faces that have holes, a through-hole, a cavity with a block in it, oblique joints.
@@ -141,6 +168,37 @@ TEST(Exports, CutAFaceWithAHoleIntoFewPolygons) {
   const Surface surface = read_vtp(file_bytes(folder / "tube.vtp"));
   expect_blocks(surface, blocks);
   EXPECT_LE(surface.polygon.size(), 8u + 2 * 5);
+}
+
+/// Boxes added and removed on a lattice and joints through lattice points: collinear corners, holes that touch each other
+/// and the boundary, blocks that meet themselves along an edge (there an edge stands twice, each way).
+TEST(Exports, OfRandomRockAreClosed) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> at(0, 4), size(1, 2), way(-1, 1);
+  const TemporaryFolder folder;
+  std::size_t with_holes = 0;
+  for (int n = 0; n < 60; ++n) {
+    Model model = box_model({0, 0, 0}, {5, 5, 5});
+    for (int k = 0; k < 7; ++k) {
+      Vec3 low{}, high{};
+      for (int d = 0; d < 3; ++d) low[d] = at(random), high[d] = low[d] + size(random);
+      model.solids.push_back(box_solid("b" + std::to_string(k), low, high, k % 4 == 3));
+    }
+    for (int k = 0; k < n % 4; ++k)
+      add_joint(model, Vec3{1.0 * way(random), 1.0 * way(random), 2},
+                {1.0 * at(random), 1.0 * at(random), 1.0 * at(random)});
+    const Blocks blocks = cut(model);
+    const BlockArrays& arrays = blocks.arrays;
+    export_blocks({arrays, {}, ""}, folder / "a.vtp");
+    const Surface surface = read_vtp(file_bytes(folder / "a.vtp"));
+    with_holes += surface.polygon.size() > arrays.face_area.size();
+    const auto volume = volumes(surface, arrays.volume.size());
+    for (std::size_t b = 0; b < volume.size(); ++b)
+      EXPECT_NEAR(volume[b], arrays.volume[b], 1e-11) << "model " << n << ", block " << b + 1;
+    EXPECT_EQ(unbalanced_edges(surface), 0) << "model " << n;
+    EXPECT_EQ(unbalanced_edges(triangles_of(arrays)), 0) << "model " << n;
+  }
+  EXPECT_GT(with_holes, 20u);
 }
 
 TEST_P(Exports, AsObjAreTheBlocks) {

@@ -54,9 +54,9 @@ void export_blocks(const ExportData& data, const std::string& path) {
   file.finish();
 }
 
-std::string one_line(const std::string& title) {
+std::string one_line(const std::string& text) {
   std::string line;
-  for (const char c : title) line += c >= ' ' && c <= '~' ? c : '?';
+  for (const char c : text) line += c >= ' ' && c <= '~' ? c : '?';
   return line;
 }
 

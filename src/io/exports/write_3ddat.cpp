@@ -22,8 +22,9 @@ void write_part(const PartArrays& parts, Index p, TextFile& file) {
 
 void write_3ddat(const ExportData& data, TextFile& file) {
   const PartArrays& parts = data.parts;
-  file.print("; {}\n; {} blocks, {} convex parts; commands of 3DEC 7 and 9; lengths in m\n",
-             one_line(data.title), data.blocks.block_count(), parts.part_count());
+  if (!data.title.empty()) file.print("; {}\n", one_line(data.title));
+  file.print("; {} blocks, {} convex parts; commands of 3DEC 7 and 9; lengths in m\n",
+             data.blocks.block_count(), parts.part_count());
   file.print("; Block N of the reports is the group block_N of the slot rockfold.\n");
   for (Index p = 0; p < parts.part_count(); ++p) {
     const bool first = p == 0 || parts.block[p - 1] != parts.block[p];

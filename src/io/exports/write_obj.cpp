@@ -6,8 +6,8 @@ namespace rockfold {
 void write_obj(const ExportData& data, TextFile& file) {
   const BlockArrays& blocks = data.blocks;
   const SimplePolygons polygons = simple_polygons(blocks);
-  file.print("# {}\n# {} blocks; lengths in m, x east, y north, z up\n", one_line(data.title),
-             blocks.block_count());
+  if (!data.title.empty()) file.print("# {}\n", one_line(data.title));
+  file.print("# {} blocks; lengths in m, x east, y north, z up\n", blocks.block_count());
   Index p = 0;
   for (Index b = 0; b < blocks.block_count(); ++b) {
     for (Index v = blocks.vertex_begin[b]; v < blocks.vertex_begin[b + 1]; ++v)

@@ -29,7 +29,7 @@ inline Index stage_of(const BlockArrays& blocks, Index b) {
   return blocks.stage.empty() ? 0 : blocks.stage[b];
 }
 
-/// A title on one line of ASCII, for comments.
-std::string one_line(const std::string& title);
+/// Text on one line of ASCII, for comments.
+std::string one_line(const std::string& text);
 
 }  // namespace rockfold
