@@ -48,7 +48,7 @@ class Connector {
     bool inside;  // of one tetrahedron: all four nodes
   };
 
-  Index material(Index rock) const { return model_.solids[complex_.cell_body[rock]].material; }
+  Index material(Index rock) const { return model_.solids[complex_.zone(rock).solid].material; }
 
   Index node(Index lattice_cell, int corner) const {
     const auto c = covers_.lattice.cell_ijk(lattice_cell);

@@ -48,7 +48,7 @@ class Fixer {
   }
 
   Real young_modulus(Index rock) const {
-    return model_.materials[model_.solids[complex_.cell_body[rock]].material].young_modulus;
+    return model_.materials[model_.solids[complex_.zone(rock).solid].material].young_modulus;
   }
 
   // `area` is the point's share, m².

@@ -1,50 +1,15 @@
 #include "host/cut/adjacency.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <iterator>
+#include <array>
+#include <utility>
 
+#include "host/cut/contacts.hpp"
 #include "host/parallel.hpp"
-#include "src/base/vector.hpp"
 
 namespace rockfold {
 
 namespace {
-
-struct FaceRef {
-  Index cell = none, face = none;
-};
-
-// A face with what is needed to match it: its edges as a sorted set, and a bounding ball.
-struct PlaneFace {
-  FaceRef ref;
-  std::uint64_t hash = 0;
-};
-
-std::uint64_t mix(std::uint64_t x) {  // the finaliser of SplitMix64
-  x ^= x >> 30;
-  x *= 0xbf58476d1ce4e5b9u;
-  x ^= x >> 27;
-  x *= 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
-// Independent of where the loop starts and which way it runs.
-std::uint64_t edge_set_hash(const CellView& cell, const ConvexCell::Face& face) {
-  std::uint64_t sum = static_cast<std::uint64_t>(face.count);
-  for (const auto& corner : cell.corners.subspan(face.begin, face.count))
-    sum += mix(static_cast<std::uint64_t>(corner.neighbour) + 0x9e3779b97f4a7c15u);
-  return sum;
-}
-
-std::vector<HalfSpaceId> edge_set(const CellView& cell, const ConvexCell::Face& face) {
-  std::vector<HalfSpaceId> set;
-  for (const auto& corner : cell.corners.subspan(face.begin, face.count))
-    set.push_back(corner.neighbour);
-  std::sort(set.begin(), set.end());
-  return set;
-}
 
 // What one plane contributes; polygon numbers are local until all planes are joined.
 struct PlaneResult {
@@ -54,127 +19,144 @@ struct PlaneResult {
   IntentCount intent;
 };
 
-class PlaneMatcher {
+bool have_common(const std::vector<Index>& a, const std::vector<Index>& b) {
+  return std::any_of(a.begin(), a.end(),
+                     [&](Index i) { return std::binary_search(b.begin(), b.end(), i); });
+}
+
+Box box_of(const Polygon& polygon) {
+  Box box;
+  for (const Vertex& v : polygon.corner) box.add(v.x);
+  return box;
+}
+
+// Labels the areas of one plane.
+class PlaneLabeller {
  public:
-  PlaneMatcher(const Complex& complex, Index plane)
+  PlaneLabeller(const Complex& complex, Index plane)
       : complex_(complex), plane_(plane), clipper_(complex.planes) {}
 
-  PlaneResult run(std::vector<PlaneFace>& below, std::vector<PlaneFace>& above) {
-    const auto order = [](const PlaneFace& a, const PlaneFace& b) {
-      return a.hash != b.hash ? a.hash < b.hash : a.ref.cell < b.ref.cell;
-    };
-    std::sort(below.begin(), below.end(), order);
-    std::sort(above.begin(), above.end(), order);
-    match_equal(below, above);
-    overlap_rest();
-    result_.intent = clipper_.intent;
+  PlaneResult run(PlaneContacts& contacts) {
+    result_.fragments.reserve(contacts.shared.size());
+    for (SharedArea& shared : contacts.shared) label(shared);
+    for (OpenArea& open : contacts.open) label(open);
+    result_.intent = std::move(contacts.intent);
+    result_.intent.add(clipper_.intent);
     return std::move(result_);
   }
 
  private:
-  struct Loose {
-    FaceRef ref;
-    Polygon polygon;
-    Vec3 low{}, high{};
-    std::vector<Polygon> rest;  // not yet covered by a face of the other side
-    bool touched = false;
-  };
+  const Zone& zone(Index cell) const { return complex_.zone(cell); }
+  const ConvexCell::Face& face(Index cell, Index f) const { return complex_.cells[cell].faces[f]; }
 
-  ConvexCell::Face face(const FaceRef& ref) const {
-    return complex_.cells[ref.cell].faces[ref.face];
-  }
-
-  bool same_edges(const FaceRef& a, const FaceRef& b) const {
-    return edge_set(complex_.cells[a.cell], face(a)) == edge_set(complex_.cells[b.cell], face(b));
-  }
-
-  void match_equal(const std::vector<PlaneFace>& below, const std::vector<PlaneFace>& above) {
-    std::size_t j = 0;
-    for (const PlaneFace& b : below) {
-      while (j < above.size() && above[j].hash < b.hash) loosen(above[j++].ref, loose_above_);
-      if (j < above.size() && above[j].hash == b.hash && same_edges(b.ref, above[j].ref)) {
-        add_fragment(b.ref, above[j].ref, none,
-                     polygon_moments(face_polygon(complex_.cells[b.ref.cell], face(b.ref))).area);
-        ++j;
-      } else {
-        loosen(b.ref, loose_below_);
-      }
-    }
-    while (j < above.size()) loosen(above[j++].ref, loose_above_);
-  }
-
-  void loosen(const FaceRef& ref, std::vector<Loose>& list) const {
-    Loose loose;
-    loose.ref = ref;
-    loose.polygon = face_polygon(complex_.cells[ref.cell], face(ref));
-    loose.low = loose.high = loose.polygon.corner.front().x;
-    for (const Vertex& v : loose.polygon.corner)
-      for (int d = 0; d < 3; ++d) {
-        loose.low[d] = std::min(loose.low[d], v.x[d]);
-        loose.high[d] = std::max(loose.high[d], v.x[d]);
-      }
-    list.push_back(std::move(loose));
-  }
-
-  static bool boxes_meet(const Loose& a, const Loose& b, Real slack) {
-    for (int d = 0; d < 3; ++d)
-      if (a.low[d] > b.high[d] + slack || b.low[d] > a.high[d] + slack) return false;
-    return true;
-  }
-
-  // Sweep along the axis in which the plane extends most.
-  void overlap_rest() {
-    const Vec3& n = complex_.planes.normal(plane_);
-    int axis = 0;
-    for (int d = 1; d < 3; ++d)
-      if (std::abs(n[d]) < std::abs(n[axis])) axis = d;
-    const auto by_low = [axis](const Loose& a, const Loose& b) {
-      return a.low[axis] != b.low[axis] ? a.low[axis] < b.low[axis] : a.ref.cell < b.ref.cell;
+  bool applies(const JointPatch& joint, const SharedArea& shared) const {
+    if (joint.within == none) return true;
+    const auto inside = [&](Index cell) {
+      const auto& solids = zone(cell).within;
+      return std::binary_search(solids.begin(), solids.end(), joint.within);
     };
-    std::sort(loose_below_.begin(), loose_below_.end(), by_low);
-    std::sort(loose_above_.begin(), loose_above_.end(), by_low);
-    const Real slack = complex_.planes.tolerance();
-    std::vector<std::size_t> active;
-    std::size_t next = 0;
-    for (Loose& b : loose_below_) {
-      while (next < loose_above_.size() && loose_above_[next].low[axis] <= b.high[axis] + slack)
-        active.push_back(next++);
-      std::erase_if(
-          active, [&](std::size_t i) { return loose_above_[i].high[axis] < b.low[axis] - slack; });
-      for (const std::size_t i : active)
-        if (boxes_meet(b, loose_above_[i], slack)) overlap(b, loose_above_[i]);
-    }
-    for (Loose& b : loose_below_) finish(b);
-    for (Loose& a : loose_above_) finish(a);
+    return inside(shared.cell[0]) || inside(shared.cell[1]);
   }
 
-  void overlap(Loose& below, Loose& above) {
-    Polygon common = clipper_.intersection(below.polygon, above.polygon);
-    if (common.empty()) return;
-    const Real area = polygon_moments(common).area;
-    if (!(area > 0)) return;
-    for (Loose* side : {&below, &above}) {
-      if (!side->touched) side->rest = {side->polygon};
-      side->touched = true;
-      std::vector<Polygon> rest;
-      for (const Polygon& p : side->rest) {
-        if (clipper_.intersection(p, common).empty())
-          rest.push_back(p);
-        else
-          clipper_.subtract(p, common, rest);
+  // Merging makes all intact; an excavation's boundary is a free face to be, whatever joint lies there; of joints the
+  // first listed wins where they overlap; what no joint covers is a solid's interface or glue.
+  void label(SharedArea& shared) {
+    const Zone &below = zone(shared.cell[0]), &above = zone(shared.cell[1]);
+    if (have_common(below.merges, above.merges)) return add_whole(shared, none, none);
+    if (below.stage != above.stage) return add_whole(shared, excavation_origin(shared), none);
+    const Index rest = interface_between(below, above);
+    usable_.clear();
+    for (const Index j : complex_.joints_by_plane.on(plane_))
+      if (applies(complex_.joints[j], shared)) usable_.push_back(j);
+    if (usable_.empty()) return add_whole(shared, rest, none);
+    if (const JointPatch& first = complex_.joints[usable_.front()]; !first.patch.bounded())
+      return add_whole(shared, first.origin, first.instance);
+    divide_by_joints(shared, rest);
+  }
+
+  Polygon polygon_of(const SharedArea& shared) const {
+    return shared.polygon.empty()
+               ? face_polygon(complex_.cells[shared.cell[0]], face(shared.cell[0], shared.face[0]))
+               : shared.polygon;
+  }
+
+  void divide_by_joints(SharedArea& shared, Index rest) {
+    std::vector<Polygon> left{polygon_of(shared)};
+    const Box box = box_of(left.front());
+    bool whole = true;
+    for (const Index j : usable_) {
+      const JointPatch& joint = complex_.joints[j];
+      if (!joint.patch.box.meets(box, complex_.planes.tolerance())) continue;
+      std::vector<Polygon> next;
+      for (Polygon& p : left) {
+        const auto share = clipper_.share(p, joint.patch.edges);
+        if (share == PolygonClipper::Share::all) {
+          if (whole) return add_whole(shared, joint.origin, joint.instance);
+          add_part(shared, std::move(p), joint.origin, joint.instance);
+          continue;
+        }
+        Polygon common;
+        if (share == PolygonClipper::Share::some)
+          common = clipper_.intersection(p, joint.patch.edges);
+        if (common.empty()) {
+          next.push_back(std::move(p));
+          continue;
+        }
+        clipper_.subtract(p, joint.patch.edges, next);
+        add_part(shared, std::move(common), joint.origin, joint.instance);
+        whole = false;
       }
-      side->rest = std::move(rest);
+      left = std::move(next);
     }
-    add_fragment(below.ref, above.ref, static_cast<Index>(result_.polygons.size()), area);
-    result_.polygons.push_back(std::move(common));
+    if (whole) return add_whole(shared, rest, none);
+    for (Polygon& p : left) add_part(shared, std::move(p), rest, none);
   }
 
-  void finish(const Loose& loose) {
-    if (!loose.touched) {
-      add_free_parts(loose.ref, loose.polygon, true);
-      return;
+  Index interface_between(const Zone& below, const Zone& above) const {
+    if (below.solid == above.solid) return none;
+    // The later solid made the boundary.
+    const auto [first, last] = std::minmax(below.solid, above.solid);
+    const Index origin = complex_.interface_of_solid[last];
+    return origin != none ? origin : complex_.interface_of_solid[first];
+  }
+
+  // The excavation's face that covers most of an area between two stages.
+  Index excavation_origin(const SharedArea& shared) {
+    const Polygon polygon = polygon_of(shared);
+    Index best = none;
+    Real most = 0;
+    for (const Index f : complex_.facets_by_plane.on(plane_)) {
+      const Facet& facet = complex_.facets[f];
+      if (complex_.bodies[facet.body].role != Body::Role::excavation || facet.origin == none)
+        continue;
+      const Real area = polygon_moments(clipper_.intersection(polygon, facet.patch.edges)).area;
+      if (best == none || area > most) best = facet.origin, most = area;
     }
-    for (const Polygon& p : loose.rest) add_free_parts(loose.ref, p, false);
+    return best;
+  }
+
+  void add_whole(SharedArea& shared, Index joint, Index instance) {
+    if (!shared.polygon.empty())
+      return add_part(shared, std::move(shared.polygon), joint, instance);
+    const CellView cell = complex_.cells[shared.cell[0]];
+    result_.fragments.push_back({{shared.cell[0], shared.cell[1]},
+                                 {shared.face[0], shared.face[1]},
+                                 joint,
+                                 instance,
+                                 none,
+                                 face_area(cell, cell.faces[shared.face[0]])});
+  }
+
+  void add_part(const SharedArea& shared, Polygon polygon, Index joint, Index instance) {
+    const Real area = polygon_moments(polygon).area;
+    if (!(area > 0)) return;
+    result_.fragments.push_back({{shared.cell[0], shared.cell[1]},
+                                 {shared.face[0], shared.face[1]},
+                                 joint,
+                                 instance,
+                                 static_cast<Index>(result_.polygons.size()),
+                                 area});
+    result_.polygons.push_back(std::move(polygon));
   }
 
   struct Part {
@@ -182,132 +164,132 @@ class PlaneMatcher {
     Index origin;
   };
 
-  void add_free_parts(const FaceRef& ref, const Polygon& polygon, bool whole_face) {
-    std::vector<Part> parts = divide_by_origin(ref, polygon);
+  void label(OpenArea& open) {
+    const bool whole_face = open.polygon.empty();
+    const CellView cell = complex_.cells[open.cell];
+    std::vector<Part> parts = divide_by_facets(
+        open.cell, cell.faces[open.face].inside,
+        whole_face ? face_polygon(cell, cell.faces[open.face]) : std::move(open.polygon));
     for (Part& part : parts) {
       const Real area = polygon_moments(part.polygon).area;
       const bool whole = whole_face && parts.size() == 1;
-      // Where no solid ends, the rules of intent have moved the neighbours of a joint's face aside by
-      // up to the tolerance: a whole face stays the joint's, a sliver beside fragments is nothing.
-      if (part.origin == none && whole) part.origin = complex_.joint_of_plane[plane_];
+      // Where no solid ends, the rules of intent have moved the neighbours of a joint's face aside by up to the tolerance:
+      // a whole face stays the joint's, a sliver beside fragments is nothing.
+      if (part.origin == none && whole) part.origin = first_joint();
       if (!(area > 0) || part.origin == none) continue;
-      result_.free_parts.push_back({ref.cell, ref.face, part.origin,
+      result_.free_parts.push_back({open.cell, open.face, part.origin,
                                     whole ? none : static_cast<Index>(result_.polygons.size()),
                                     area});
       if (!whole) result_.polygons.push_back(std::move(part.polygon));
     }
   }
 
-  void add_fragment(const FaceRef& below, const FaceRef& above, Index polygon, Real area) {
-    result_.fragments.push_back({{below.cell, above.cell},
-                                 {below.face, above.face},
-                                 complex_.joint_of_plane[plane_],
-                                 none,
-                                 polygon,
-                                 area});
+  Index first_joint() const {
+    const auto joints = complex_.joints_by_plane.on(plane_);
+    return joints.empty() ? none : complex_.joints[joints.front()].origin;
   }
 
-  // The faces of solids that a free area lies on: of the solid whose rock the cell is, if the plane bounds it; else of
-  // the solids that were taken away there, each where no later one was.
-  std::vector<Part> divide_by_origin(const FaceRef& ref, const Polygon& polygon) {
-    const HalfSpaceId inside = face(ref).inside;
-    const Index own = origin_on(complex_.bodies[complex_.cell_body[ref.cell]], inside);
-    if (own != none) return {{polygon, own}};
-    std::vector<Part> parts;
-    std::vector<Polygon> left{polygon};
-    Index first_listed = none;
-    for (std::size_t i = complex_.bodies.size(); i-- > 0;) {
-      const ConvexBody& body = complex_.bodies[i];
-      const Index origin = origin_on(body, inside ^ 1);
-      if (origin == none) continue;
-      first_listed = origin;
-      Polygon bounds;
-      std::copy_if(body.inside.begin(), body.inside.end(), std::back_inserter(bounds.edge),
-                   [this](HalfSpaceId h) { return plane_of(h) != plane_; });
-      std::vector<Polygon> rest;
-      for (Polygon& p : left) {
-        Polygon common = clipper_.intersection(p, bounds);
-        if (common.empty()) {
-          rest.push_back(std::move(p));
-          continue;
-        }
-        clipper_.subtract(p, bounds, rest);
-        parts.push_back({std::move(common), origin});
-      }
-      left = std::move(rest);
+  // The faces of solids that a free area lies on: of the solid whose rock the cell is; what these do not cover, of the
+  // solids that were taken away there, each where no later one was.
+  std::vector<Part> divide_by_facets(Index cell, HalfSpaceId inside, Polygon polygon) {
+    const Index own = zone(cell).solid;
+    const auto on_plane = complex_.facets_by_plane.on(plane_);
+    usable_.clear();
+    for (const Index f : on_plane)
+      if (complex_.facets[f].inside == inside && owner_of(complex_.facets[f]) == own)
+        usable_.push_back(f);
+    if (usable_.size() == 1 && complex_.facets[usable_.front()].origin != none)
+      return {{std::move(polygon), complex_.facets[usable_.front()].origin}};
+    for (std::size_t i = on_plane.size(); i-- > 0;) {
+      const Facet& facet = complex_.facets[on_plane[i]];
+      if (facet.inside == (inside ^ 1) && owner_of(facet) != none) usable_.push_back(on_plane[i]);
     }
-    for (Polygon& p : left)
-      parts.push_back({std::move(p), first_listed});  // rounding may leave a trace
+    std::vector<Part> parts;
+    std::vector<Polygon> left{std::move(polygon)};
+    Index first_listed = none;
+    for (const Index f : usable_) {
+      const Facet& facet = complex_.facets[f];
+      if (facet.origin == none) continue;
+      if (first_listed == none) first_listed = facet.origin;
+      left = take(facet, std::move(left), parts);
+    }
+    // Rounding may leave a trace beside the parts.
+    for (Polygon& p : left) parts.push_back({std::move(p), first_listed});
     return parts;
   }
 
-  static Index origin_on(const ConvexBody& body, HalfSpaceId h) {
-    const auto it = std::find(body.inside.begin(), body.inside.end(), h);
-    return it == body.inside.end()
-               ? none
-               : body.first_origin + static_cast<Index>(it - body.inside.begin());
+  Index owner_of(const Facet& facet) const {
+    const Body& body = complex_.bodies[facet.body];
+    return body.role == Body::Role::solid ? body.owner : none;
+  }
+
+  // What the facet does not cover; the rest becomes its parts.
+  std::vector<Polygon> take(const Facet& facet, std::vector<Polygon> left,
+                            std::vector<Part>& parts) {
+    std::vector<Polygon> rest;
+    for (Polygon& p : left) {
+      const auto share = clipper_.share(p, facet.patch.edges);
+      if (share == PolygonClipper::Share::all) {
+        parts.push_back({std::move(p), facet.origin});
+        continue;
+      }
+      Polygon common;
+      if (share == PolygonClipper::Share::some)
+        common = clipper_.intersection(p, facet.patch.edges);
+      if (common.empty()) {
+        rest.push_back(std::move(p));
+        continue;
+      }
+      clipper_.subtract(p, facet.patch.edges, rest);
+      parts.push_back({std::move(common), facet.origin});
+    }
+    return rest;
   }
 
   const Complex& complex_;
   const Index plane_;
   PolygonClipper clipper_;
   PlaneResult result_;
-  std::vector<Loose> loose_below_, loose_above_;
+  std::vector<Index> usable_;  // joints or facets that count for the area at hand
 };
-
-struct FacesByPlane {
-  std::vector<std::int64_t> begin;  // [planes + 1]
-  std::vector<PlaneFace> faces;     // by plane, then cell
-};
-
-FacesByPlane sort_by_plane(const Complex& complex) {
-  FacesByPlane result;
-  result.begin.assign(static_cast<std::size_t>(complex.planes.size()) + 1, 0);
-  for (Index c = 0; c < complex.cells.size(); ++c)
-    for (const auto& f : complex.cells[c].faces) ++result.begin[plane_of(f.inside) + 1];
-  for (std::size_t p = 1; p < result.begin.size(); ++p) result.begin[p] += result.begin[p - 1];
-  result.faces.resize(result.begin.back());
-  std::vector<std::int64_t> next(result.begin.begin(), result.begin.end() - 1);
-  for (Index c = 0; c < complex.cells.size(); ++c) {
-    const CellView cell = complex.cells[c];
-    for (std::size_t f = 0; f < cell.faces.size(); ++f)
-      result.faces[next[plane_of(cell.faces[f].inside)]++] = {{c, static_cast<Index>(f)}, 0};
-  }
-  return result;
-}
 
 }  // namespace
 
 IntentCount find_adjacency(Complex& complex) {
-  const FacesByPlane by_plane = sort_by_plane(complex);
-  complex.joint_of_plane.resize(complex.planes.size(), none);
   std::vector<PlaneResult> results(complex.planes.size());
-  parallel_for(complex.planes.size(), 1, [&](std::int64_t plane) {
-    std::vector<PlaneFace> below, above;  // cells below and above the plane
-    for (auto i = by_plane.begin[plane]; i < by_plane.begin[plane + 1]; ++i) {
-      PlaneFace f = by_plane.faces[i];
-      const CellView cell = complex.cells[f.ref.cell];
-      f.hash = edge_set_hash(cell, cell.faces[f.ref.face]);
-      (is_above(cell.faces[f.ref.face].inside) ? above : below).push_back(f);
-    }
-    results[plane] = PlaneMatcher(complex, static_cast<Index>(plane)).run(below, above);
+  for_each_plane(complex.planes, complex.cells, [&](Index plane, PlaneContacts& contacts) {
+    results[plane] = PlaneLabeller(complex, plane).run(contacts);
   });
 
+  // Joined in the order of planes, on all threads.
+  std::vector<std::array<std::size_t, 3>> begin(results.size() + 1);
   IntentCount intent;
-  for (PlaneResult& r : results) {
-    const auto shift = static_cast<Index>(complex.polygons.size());
-    for (Fragment& f : r.fragments) {
-      if (f.polygon != none) f.polygon += shift;
-      complex.fragments.push_back(f);
-    }
-    for (FreePart& f : r.free_parts) {
-      if (f.polygon != none) f.polygon += shift;
-      complex.free_parts.push_back(f);
-    }
-    std::move(r.polygons.begin(), r.polygons.end(), std::back_inserter(complex.polygons));
-    intent.add(r.intent);
-    r = {};
+  for (std::size_t p = 0; p < results.size(); ++p) {
+    begin[p + 1] = {begin[p][0] + results[p].fragments.size(),
+                    begin[p][1] + results[p].free_parts.size(),
+                    begin[p][2] + results[p].polygons.size()};
+    intent.add(results[p].intent);
   }
+  complex.fragments.resize(begin.back()[0]);
+  complex.free_parts.resize(begin.back()[1]);
+  complex.polygons.resize(begin.back()[2]);
+  const auto take = [&](std::int64_t p) {
+    PlaneResult& r = results[p];
+    const auto shift = static_cast<Index>(begin[p][2]);
+    for (std::size_t i = 0; i < r.fragments.size(); ++i) {
+      if (r.fragments[i].polygon != none) r.fragments[i].polygon += shift;
+      complex.fragments[begin[p][0] + i] = r.fragments[i];
+    }
+    for (std::size_t i = 0; i < r.free_parts.size(); ++i) {
+      if (r.free_parts[i].polygon != none) r.free_parts[i].polygon += shift;
+      complex.free_parts[begin[p][1] + i] = r.free_parts[i];
+    }
+    std::move(r.polygons.begin(), r.polygons.end(),
+              complex.polygons.begin() + static_cast<std::ptrdiff_t>(begin[p][2]));
+    r = {};
+  };
+  parallel_for(static_cast<std::int64_t>(results.size()), 16, take,
+               complex.fragments.size() > 2000);
   return intent;
 }
 

@@ -1,5 +1,5 @@
-// Who touches whom, plane by plane: the faces on the two sides of a plane tile the same region, and their overlaps are
-// the fragments that cells share (DESIGN.md, "Adjacency afterwards").
+// What lies between cells that touch: a joint, the boundary of an excavation, or nothing (glue); and which face of which
+// solid bounds a cell where nothing is behind it.
 #pragma once
 
 #include "host/cut/complex.hpp"
@@ -7,7 +7,6 @@
 namespace rockfold {
 
 /// Fills fragments, free_parts and polygons of a complex whose cells are complete. Returns what intent decided.
-/// Faces bounded by the same half-spaces match by hash in O(faces); the rest by sweep and clip.
 IntentCount find_adjacency(Complex& complex);
 
 }  // namespace rockfold

@@ -1,5 +1,10 @@
 #include "host/cut/complex.hpp"
 
+#include <algorithm>
+#include <array>
+
+#include "host/parallel.hpp"
+
 namespace rockfold {
 
 CellView CellStore::operator[](Index cell) const {
@@ -20,15 +25,45 @@ void CellStore::append(const CellView& cell) {
   copy(corners_, corner_begin_, cell.corners);
 }
 
-void CellStore::append(const CellStore& other) {
-  const auto join = [](auto& array, auto& begin, const auto& more, const auto& more_begin) {
-    const auto shift = static_cast<std::int64_t>(array.size());
-    array.insert(array.end(), more.begin(), more.end());
-    for (std::size_t i = 1; i < more_begin.size(); ++i) begin.push_back(more_begin[i] + shift);
+CellStore CellStore::join(const std::vector<const CellStore*>& stores,
+                          const std::vector<std::vector<Index>>& chosen) {
+  // Where each store's part begins in the result: cells, then vertices, faces, corners.
+  std::vector<std::array<std::int64_t, 4>> begin(stores.size() + 1);
+  for (std::size_t s = 0; s < stores.size(); ++s) {
+    auto& next = begin[s + 1] = begin[s];
+    next[0] += static_cast<std::int64_t>(chosen[s].size());
+    for (const Index c : chosen[s]) {
+      const CellView cell = (*stores[s])[c];
+      next[1] += static_cast<std::int64_t>(cell.vertices.size());
+      next[2] += static_cast<std::int64_t>(cell.faces.size());
+      next[3] += static_cast<std::int64_t>(cell.corners.size());
+    }
+  }
+  CellStore result;
+  result.vertex_begin_.resize(begin.back()[0] + 1);
+  result.face_begin_.resize(begin.back()[0] + 1);
+  result.corner_begin_.resize(begin.back()[0] + 1);
+  result.vertices_.resize(begin.back()[1]);
+  result.faces_.resize(begin.back()[2]);
+  result.corners_.resize(begin.back()[3]);
+  const auto copy_store = [&](std::int64_t s) {
+    auto at = begin[s];
+    const auto copy = [](const auto& part, auto& array, auto& array_begin, std::int64_t cell,
+                         std::int64_t& next) {
+      std::copy(part.begin(), part.end(), array.begin() + next);
+      next += static_cast<std::int64_t>(part.size());
+      array_begin[cell + 1] = next;
+    };
+    for (const Index c : chosen[s]) {
+      const CellView cell = (*stores[s])[c];
+      copy(cell.vertices, result.vertices_, result.vertex_begin_, at[0], at[1]);
+      copy(cell.faces, result.faces_, result.face_begin_, at[0], at[2]);
+      copy(cell.corners, result.corners_, result.corner_begin_, at[0], at[3]);
+      ++at[0];
+    }
   };
-  join(vertices_, vertex_begin_, other.vertices_, other.vertex_begin_);
-  join(faces_, face_begin_, other.faces_, other.face_begin_);
-  join(corners_, corner_begin_, other.corners_, other.corner_begin_);
+  parallel_for(static_cast<std::int64_t>(stores.size()), 1, copy_store, begin.back()[0] > 1000);
+  return result;
 }
 
 Polygon Complex::polygon_of(const Fragment& f) const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "host/cut/convex_cell.hpp"
+#include "host/cut/patch.hpp"
 #include "host/cut/polygon.hpp"
 #include "host/exact/plane_table.hpp"
 #include "src/arrays/block_arrays.hpp"
@@ -16,7 +17,10 @@ class CellStore {
   Index size() const { return static_cast<Index>(face_begin_.size()) - 1; }
   CellView operator[](Index cell) const;
   void append(const CellView& cell);
-  void append(const CellStore& other);
+  /// The chosen cells of several stores, one store after another, copied on all threads.
+  /// chosen[s] lists cells of *stores[s], ascending.
+  static CellStore join(const std::vector<const CellStore*>& stores,
+                        const std::vector<std::vector<Index>>& chosen);
   /// Faces of all cells before this one: cell c's face f has the global number face_begin(c) + f.
   std::int64_t face_begin(Index cell) const { return face_begin_[cell]; }
 
@@ -27,14 +31,15 @@ class CellStore {
   std::vector<std::int64_t> vertex_begin_{0}, face_begin_{0}, corner_begin_{0};
 };
 
-/// A convex area shared by two cells on one plane. Real where a joint lies there, virtual (glue) where none does.
+/// A convex area shared by two cells on one plane. Real where a joint or the boundary of an excavation lies there,
+/// virtual (glue) where none does.
 struct Fragment {
   Index cell[2] = {none, none};  ///< below and above the plane
   Index face[2] = {none, none};  ///< local face of each
   Index joint = none;            ///< into Complex::origins; none = virtual: the cells are one body
-  Index instance = none;         ///< of joints: the plane or disc of the set, counted over all placed joints
-  Index polygon = none;          ///< into Complex::polygons; none = the whole face of both cells
-  Real area = 0;                 ///< m²
+  Index instance = none;  ///< JointPatch::instance of the joint; none = virtual or no joint's
+  Index polygon = none;   ///< into Complex::polygons; none = the whole face of both cells
+  Real area = 0;          ///< m²
 };
 
 /// A convex part of a cell's face with no rock on the other side.
@@ -46,23 +51,40 @@ struct FreePart {
   Real area = 0;
 };
 
-/// A convex solid as half-spaces, one a face in the order of face_names().
-struct ConvexBody {
-  std::vector<HalfSpaceId> inside;
-  Index first_origin = none;  ///< into Complex::origins, of face 0
+/// A convex part of a shape, or a shape with one closed surface.
+struct Body {
+  enum class Role : std::uint8_t { solid, excavation, merge };
+  Role role = Role::solid;
+  Index owner = none;  ///< into Model::solids, excavations or merges
+  std::vector<HalfSpaceId>
+      inside;  ///< a convex body is their intersection; empty: a closed surface
+  Index facet_begin = 0, facet_end = 0;  ///< into Complex::facets
+  Box box;
+};
+
+/// What a cell lies in; the same for all cells that joints cut from one cell.
+struct Zone {
+  Index solid = none;         ///< the solid whose rock it is
+  Index stage = 0;            ///< at which it is excavated; 0 = it stays
+  std::vector<Index> within;  ///< solids named by joints' `within` whose shapes hold it, ascending
+  std::vector<Index> merges;  ///< merge regions that hold it, ascending
+  auto operator<=>(const Zone&) const = default;
 };
 
 struct Complex {
   explicit Complex(PlaneTable table) : planes(std::move(table)) {}
 
   PlaneTable planes;
-  std::vector<Index>
-      joint_of_plane;  ///< [planes] origin of the through-going joint on it (the first listed), or none
-  std::vector<ConvexBody> bodies;   ///< [solids]
-  std::vector<FaceOrigin> origins;  ///< joint sets, joints, then the faces of the solids
+  std::vector<FaceOrigin> origins;  ///< joints, faces of solids, of excavations, then interfaces
+  std::vector<Body> bodies;   ///< of the solids in their order, of excavations, of merge regions
+  std::vector<Facet> facets;  ///< of all bodies
+  std::vector<JointPatch> joints;         ///< by plane in the order of precedence
+  std::vector<Index> interface_of_solid;  ///< [solids] into origins; none = welded
+  ByPlane facets_by_plane, joints_by_plane;
 
-  CellStore cells;                   ///< rock only
-  std::vector<Index> cell_body;      ///< [cells] the solid whose rock it is
+  CellStore cells;  ///< rock only
+  std::vector<Zone> zones;
+  std::vector<Index> cell_zone;      ///< [cells] into zones
   std::vector<Index> cell_block;     ///< [cells] blocks ordered by centroid
   std::vector<CellMoments> moments;  ///< [cells]
   Index block_count = 0;
@@ -71,6 +93,7 @@ struct Complex {
   std::vector<FreePart> free_parts;  ///< ordered by plane
   std::vector<Polygon> polygons;     ///< of the fragments and free parts that are no whole face
 
+  const Zone& zone(Index cell) const { return zones[cell_zone[cell]]; }
   Polygon polygon_of(const Fragment& f) const;
   Polygon polygon_of(const FreePart& f) const;
 };

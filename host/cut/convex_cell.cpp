@@ -255,8 +255,12 @@ ConvexCell make_box(PlaneTable& planes, const Vec3& min, const Vec3& max) {
   return box;
 }
 
-ConvexCell clip_cube(PlaneTable& planes, Real reach, const std::vector<HalfSpaceId>& inside) {
-  ConvexCell cell = make_box(planes, {-reach, -reach, -reach}, {reach, reach, reach}), part;
+ConvexCell clip(const PlaneTable& planes, const CellView& view,
+                const std::vector<HalfSpaceId>& inside) {
+  ConvexCell cell, part;
+  cell.vertices.assign(view.vertices.begin(), view.vertices.end());
+  cell.faces.assign(view.faces.begin(), view.faces.end());
+  cell.corners.assign(view.corners.begin(), view.corners.end());
   CellSplitter splitter(planes);
   for (const HalfSpaceId h : inside) {
     const CellSide place = splitter.classify(cell, plane_of(h));
@@ -269,6 +273,11 @@ ConvexCell clip_cube(PlaneTable& planes, Real reach, const std::vector<HalfSpace
     }
   }
   return cell;
+}
+
+ConvexCell clip_cube(PlaneTable& planes, Real reach, const std::vector<HalfSpaceId>& inside) {
+  const ConvexCell cube = make_box(planes, {-reach, -reach, -reach}, {reach, reach, reach});
+  return clip(planes, cube, inside);
 }
 
 }  // namespace rockfold

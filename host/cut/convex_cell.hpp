@@ -108,6 +108,10 @@ struct CellMoments {
 };
 CellMoments cell_moments(const CellView& cell, const PlaneTable& planes);
 
+/// The part of a cell inside all of the half-spaces. Empty if nothing is left.
+ConvexCell clip(const PlaneTable& planes, const CellView& cell,
+                const std::vector<HalfSpaceId>& inside);
+
 /// The cell inside all of the half-spaces, by clipping a cube of half-width `reach` about the table's centre, whose six
 /// planes are added to the table first. Empty if nothing is left.
 ConvexCell clip_cube(PlaneTable& planes, Real reach, const std::vector<HalfSpaceId>& inside);

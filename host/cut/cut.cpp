@@ -1,116 +1,161 @@
 #include "host/cut/cut.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <bit>
 #include <set>
 
 #include "host/cut/adjacency.hpp"
-#include "host/cut/complex.hpp"
+#include "host/cut/blocks.hpp"
 #include "host/cut/subdivide.hpp"
 #include "host/cut/surfaces.hpp"
-#include "host/cut/union_find.hpp"
+#include "host/cut/zones.hpp"
 #include "host/parallel.hpp"
 #include "host/refuse.hpp"
-#include "src/base/error.hpp"
 #include "src/base/sum.hpp"
-#include "src/base/vector.hpp"
 
 namespace rockfold {
 
 namespace {
 
-bool lies_inside(const CellView& cell, const ConvexBody& body, const PlaneTable& planes) {
-  IntentCount ignored;  // counted when the solids' faces cut
-  for (const HalfSpaceId h : body.inside)
-    for (const Vertex& v : cell.vertices)
-      if (planes.side(v, plane_of(h), ignored) == (is_above(h) ? -1 : 1)) return false;
-  return true;
-}
-
-// The block operations in their order: the solid whose rock a cell is, or none. A cell lies wholly inside or outside
-// each solid, since all of their faces have cut.
-Index rock_of(const CellView& cell, const Complex& complex, const Model& model) {
-  Index rock = none;
-  for (std::size_t s = 0; s < model.solids.size(); ++s) {
-    if (!model.solids[s].add && rock == none) continue;
-    if (lies_inside(cell, complex.bodies[s], complex.planes))
-      rock = model.solids[s].add ? static_cast<Index>(s) : none;
+// 0, n/2, n/4, 3n/4, …: parallel planes next to each other in the list halve what is left.
+std::vector<Index> bisecting_order(Index n) {
+  std::vector<Index> order;
+  order.reserve(n);
+  const auto bits = static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(n)));
+  for (std::uint32_t i = 0; i < (1u << bits); ++i) {
+    std::uint32_t reversed = 0;
+    for (unsigned b = 0; b < bits; ++b) reversed |= (i >> b & 1u) << (bits - 1 - b);
+    if (reversed < static_cast<std::uint32_t>(n)) order.push_back(static_cast<Index>(reversed));
   }
-  return rock;
+  return order;
 }
 
-// A box that holds all rock with a margin, so that none of its planes is one of the model's.
-CellStore enclosing_cell(CuttingInput& input) {
-  const Real margin = 0.125 * norm(input.box_max - input.box_min);
-  const Vec3 m{margin, margin, margin};
-  CellStore store;
-  store.append(make_box(input.complex.planes, input.box_min - m, input.box_max + m));
-  return store;
+// Through-going joints first, each plane once, in an order that balances the cutting and that the order in the model does
+// not enter; then the finite ones.
+std::vector<CuttingSurface> joint_surfaces(const Complex& complex) {
+  std::vector<const JointPatch*> through, finite;
+  for (const JointPatch& joint : complex.joints)
+    (joint.patch.bounded() || joint.within != none ? finite : through).push_back(&joint);
+  const auto by_instance = [](const JointPatch* a, const JointPatch* b) {
+    return a->instance < b->instance;
+  };
+  std::stable_sort(through.begin(), through.end(), by_instance);
+  std::stable_sort(finite.begin(), finite.end(), by_instance);
+  std::set<Index> seen;
+  std::erase_if(through, [&](const JointPatch* j) { return !seen.insert(j->patch.plane).second; });
+  std::erase_if(finite, [&](const JointPatch* j) { return seen.count(j->patch.plane) != 0; });
+  std::vector<CuttingSurface> surfaces;
+  for (const auto* list : {&through, &finite})
+    for (const Index i : bisecting_order(static_cast<Index>(list->size())))
+      surfaces.push_back({&(*list)[i]->patch, (*list)[i]->within});
+  return surfaces;
+}
+
+std::vector<CuttingSurface> facet_surfaces(const Complex& complex) {
+  std::vector<CuttingSurface> surfaces;
+  for (const Facet& facet : complex.facets) surfaces.push_back({&facet.patch, none});
+  return surfaces;
+}
+
+AuxTree make_tree(PlaneTable& planes, const std::vector<CuttingSurface>& surfaces,
+                  const Box& space) {
+  std::vector<const Patch*> patches;
+  for (const CuttingSurface& s : surfaces) patches.push_back(s.patch);
+  return {planes, patches, space};
+}
+
+// Everything inside the enclosing box, rock and void, cut by the boundaries of all shapes.
+CellStore cut_by_shapes(CuttingInput& input, const Model& model, IntentCount& intent) {
+  Complex& complex = input.complex;
+  auto surfaces = facet_surfaces(complex);
+  Box space;
+  for (const Vertex& v : input.start[0].vertices) space.add(v.x);
+  const AuxTree tree = make_tree(complex.planes, surfaces, space);
+  Progress silent;
+  Subdivision cut = subdivide(
+      {complex.planes, input.start, {0}, std::move(surfaces), tree, {}, model.cut.max_cells},
+      silent);
+  intent.add(cut.intent);
+  std::vector<const CellStore*> stores;
+  std::vector<std::vector<Index>> all;
+  for (const CellStore& part : cut.parts) {
+    stores.push_back(&part);
+    all.emplace_back(part.size());
+    for (Index c = 0; c < part.size(); ++c) all.back()[c] = c;
+  }
+  return CellStore::join(stores, all);
 }
 
 struct Rock {
-  CellStore cells;
-  std::vector<Index> body;
-  Sum volume;
+  CellStore cells;             // with the void
+  std::vector<Index> zone;     // [cells] none = void
+  std::vector<Index> of_rock;  // cells that are rock
+  Real volume = 0;
 };
 
-Rock keep_rock(const CellStore& cells, const Complex& complex, const Model& model) {
-  Rock rock;
-  for (Index c = 0; c < cells.size(); ++c) {
-    const Index body = rock_of(cells[c], complex, model);
-    if (body == none) continue;
-    rock.cells.append(cells[c]);
-    rock.body.push_back(body);
-    rock.volume += cell_moments(cells[c], complex.planes).volume;
-  }
-  if (rock.cells.size() == 0)
+Rock find_rock(CellStore cells, Complex& complex, const Model& model) {
+  ZonedCells zoned = find_zones(complex, cells, model);
+  complex.zones = std::move(zoned.zones);
+  Rock rock{std::move(cells), std::move(zoned.cell_zone), {}, 0};
+  for (Index c = 0; c < rock.cells.size(); ++c)
+    if (rock.zone[c] != none) rock.of_rock.push_back(c);
+  if (rock.of_rock.empty())
     refuse(model.solids.back().place, "solid", "the block operations leave no rock");
+  std::vector<Real> volume(rock.of_rock.size());
+  parallel_for(static_cast<std::int64_t>(volume.size()), 256, [&](std::int64_t i) {
+    volume[i] = cell_moments(rock.cells[rock.of_rock[i]], complex.planes).volume;
+  });
+  Sum sum;
+  for (const Real v : volume) sum += v;
+  rock.volume = sum.value();
   return rock;
 }
 
-// Takes over the cells with their moments. A cell without positive volume is a trace of planes that
-// nearly meet in one point, within the tolerance; it is left out and counted as a near decision.
-Index take_cells(const Subdivision& jointed, const std::vector<Index>& body, Complex& complex) {
-  const Index n = jointed.cells.size();
-  std::vector<CellMoments> moments(n);
-  parallel_for(n, 256, [&](std::int64_t c) {
-    moments[c] = cell_moments(jointed.cells[static_cast<Index>(c)], complex.planes);
-  });
-  for (Index c = 0; c < n; ++c) {
-    if (!(moments[c].volume > 0)) continue;
-    complex.cells.append(jointed.cells[c]);
-    complex.cell_body.push_back(body[jointed.parent[c]]);
-    complex.moments.push_back(moments[c]);
+// Takes over the cells with their moments. A cell without positive volume is a trace of planes that nearly meet in one
+// point, within the tolerance; it is left out and counted as a near decision.
+Index take_cells(const Subdivision& cut, const Rock& rock, Complex& complex) {
+  const std::size_t n = cut.parts.size();
+  std::vector<std::vector<CellMoments>> moments(n);
+  std::vector<std::vector<Index>> kept(n);
+  const auto measure = [&](std::int64_t p) {
+    const CellStore& part = cut.parts[p];
+    for (Index c = 0; c < part.size(); ++c) {
+      const CellMoments m = cell_moments(part[c], complex.planes);
+      if (!(m.volume > 0)) continue;
+      moments[p].push_back(m);
+      kept[p].push_back(c);
+    }
+  };
+  const bool many = rock.of_rock.size() > 256 || n >= 256;
+  parallel_for(static_cast<std::int64_t>(n), 1, measure, many);
+  std::vector<const CellStore*> stores;
+  Index dropped = 0;
+  for (std::size_t p = 0; p < n; ++p) {
+    stores.push_back(&cut.parts[p]);
+    dropped += cut.parts[p].size() - static_cast<Index>(kept[p].size());
+    complex.moments.insert(complex.moments.end(), moments[p].begin(), moments[p].end());
+    for (const Index c : kept[p]) complex.cell_zone.push_back(rock.zone[cut.parents[p][c]]);
   }
-  return n - complex.cells.size();
+  complex.cells = CellStore::join(stores, kept);
+  return dropped;
 }
 
-// Blocks are the components of cells over virtual fragments, ordered by centroid (z, then y, then x). Coordinates are
-// compared in units of 1e-9 of the model's size, so that rounding does not shuffle a regular pattern.
-void find_blocks(Complex& complex) {
-  const Index n = complex.cells.size();
-  UnionFind parts(n);
-  for (const Fragment& f : complex.fragments)
-    if (f.joint == none) parts.join(f.cell[0], f.cell[1]);
-  complex.cell_block = parts.components();
-  complex.block_count =
-      n == 0 ? 0 : 1 + *std::max_element(complex.cell_block.begin(), complex.cell_block.end());
-
-  std::vector<CellMoments> sum(complex.block_count);
-  for (Index c = 0; c < n; ++c) {
-    sum[complex.cell_block[c]].volume += complex.moments[c].volume;
-    sum[complex.cell_block[c]].first += complex.moments[c].first;
-  }
-  const Real unit = 1e-9 * complex.planes.model_size();
-  std::vector<std::array<Real, 3>> key(sum.size());
-  for (std::size_t b = 0; b < sum.size(); ++b)
-    for (int d = 0; d < 3; ++d) key[b][d] = std::round(sum[b].first[2 - d] / sum[b].volume / unit);
-  std::vector<Index> order(sum.size()), rank(sum.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key[a] < key[b]; });
-  for (std::size_t i = 0; i < order.size(); ++i) rank[order[i]] = static_cast<Index>(i);
-  for (Index& b : complex.cell_block) b = rank[b];
+IntentCount cut_by_joints(const Rock& rock, const Model& model, Complex& complex,
+                          Progress& progress) {
+  auto surfaces = joint_surfaces(complex);
+  Box space;
+  for (const Index c : rock.of_rock)
+    for (const Vertex& v : rock.cells[c].vertices) space.add(v.x);
+  const AuxTree tree = make_tree(complex.planes, surfaces, space);
+  const auto applies = [&](Index cell, Index within) {
+    const auto& solids = complex.zones[rock.zone[cell]].within;
+    return std::binary_search(solids.begin(), solids.end(), within);
+  };
+  Subdivision cut = subdivide({complex.planes, rock.cells, rock.of_rock, std::move(surfaces), tree,
+                               applies, model.cut.max_cells},
+                              progress);
+  cut.intent.near_decisions += take_cells(cut, rock, complex);
+  return std::move(cut.intent);
 }
 
 IntentReport intent_report(const Complex& complex, const IntentCount& count,
@@ -119,51 +164,54 @@ IntentReport intent_report(const Complex& complex, const IntentCount& count,
   report.planes_identified = planes_identified;
   report.vertices_identified = count.vertices_identified;
   report.near_decisions = count.near_decisions;
+  const std::set<Index> near(count.near_planes.begin(), count.near_planes.end());
   std::set<std::string> names;
-  for (const Index plane : std::set<Index>(count.near_planes.begin(), count.near_planes.end())) {
-    if (plane < static_cast<Index>(complex.joint_of_plane.size()) &&
-        complex.joint_of_plane[plane] != none)
-      names.insert(complex.origins[complex.joint_of_plane[plane]].name);
-    for (const ConvexBody& body : complex.bodies)
-      for (std::size_t f = 0; f < body.inside.size(); ++f)
-        if (plane_of(body.inside[f]) == plane)
-          names.insert(complex.origins[body.first_origin + f].name);
-  }
+  const auto name_all = [&](const auto& things) {
+    for (const auto& thing : things) {
+      if (thing.origin == none) continue;
+      bool is_near = near.count(thing.patch.plane) != 0;
+      for (const HalfSpaceId edge : thing.patch.edges)
+        is_near = is_near || near.count(plane_of(edge)) != 0;
+      if (is_near) names.insert(complex.origins[thing.origin].name);
+    }
+  };
+  if (!near.empty()) name_all(complex.joints), name_all(complex.facets);
   report.near_planes.assign(names.begin(), names.end());
   if (report.near_planes.size() > 20) report.near_planes.resize(20);
   return report;
+}
+
+CutTotals totals_of(const Complex& complex, const Rock& rock) {
+  CutTotals totals;
+  totals.cells = complex.cells.size();
+  totals.solid_volume = rock.volume;
+  Sum joint_area, dangling_joint_area;
+  for (const Fragment& f : complex.fragments) {
+    if (f.joint == none || complex.origins[f.joint].kind != FaceOrigin::Kind::joint) continue;
+    joint_area += f.area;
+    if (complex.cell_block[f.cell[0]] == complex.cell_block[f.cell[1]])
+      dangling_joint_area += f.area;
+  }
+  totals.joint_area = joint_area.value();
+  totals.dangling_joint_area = dangling_joint_area.value();
+  return totals;
 }
 
 }  // namespace
 
 Cutting cut_blocks(const Model& model, Progress& progress) {
   CuttingInput input = make_surfaces(model);
-  const CellStore start = enclosing_cell(input);
-  Progress silent;
-  Subdivision solids = subdivide(input.complex.planes, start, input.solid_faces, silent);
-  const Rock rock = keep_rock(solids.cells, input.complex, model);
-
-  Subdivision jointed = subdivide(input.complex.planes, rock.cells, input.joints, progress);
+  IntentCount intent;
+  CellStore cells = cut_by_shapes(input, model, intent);
   auto complex = std::make_shared<Complex>(std::move(input.complex));
-  IntentCount intent = solids.intent;
-  intent.add(jointed.intent);
-  intent.near_decisions += take_cells(jointed, rock.body, *complex);
-  jointed = {};
-  intent.add(find_adjacency(*complex));
-  find_blocks(*complex);
-
   Cutting cutting;
-  cutting.totals.cells = complex->cells.size();
-  cutting.totals.solid_volume = rock.volume.value();
-  Sum joint_area, dangling_joint_area;
-  for (const Fragment& f : complex->fragments) {
-    if (f.joint == none) continue;
-    joint_area += f.area;
-    if (complex->cell_block[f.cell[0]] == complex->cell_block[f.cell[1]])
-      dangling_joint_area += f.area;
+  {
+    const Rock rock = find_rock(std::move(cells), *complex, model);
+    intent.add(cut_by_joints(rock, model, *complex, progress));
+    intent.add(find_adjacency(*complex));
+    find_blocks(*complex, model);
+    cutting.totals = totals_of(*complex, rock);
   }
-  cutting.totals.joint_area = joint_area.value();
-  cutting.totals.dangling_joint_area = dangling_joint_area.value();
   cutting.totals.intent = intent_report(*complex, intent, input.planes_identified);
   cutting.complex = std::move(complex);
   return cutting;

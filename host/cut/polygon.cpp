@@ -21,6 +21,16 @@ Polygon face_polygon(const CellView& cell, const ConvexCell::Face& face) {
   return polygon;
 }
 
+Real face_area(const CellView& cell, const ConvexCell::Face& face) {
+  const auto* corner = &cell.corners[face.begin];
+  const Vec3& o = cell.vertices[corner[0].vertex].x;
+  Real area2 = 0;
+  for (std::int32_t k = 1; k + 1 < face.count; ++k)
+    area2 += norm(
+        cross(cell.vertices[corner[k].vertex].x - o, cell.vertices[corner[k + 1].vertex].x - o));
+  return area2 / 2;
+}
+
 PolygonMoments polygon_moments(const Polygon& polygon) {
   PolygonMoments m;
   if (polygon.empty()) return m;
@@ -89,9 +99,24 @@ void PolygonClipper::split(const Polygon& polygon, HalfSpaceId h, Polygon& insid
   if (any_inside && any_outside) write_part(polygon, h, inside);
 }
 
-Polygon PolygonClipper::intersection(const Polygon& a, const Polygon& b) {
+PolygonClipper::Share PolygonClipper::share(const Polygon& polygon,
+                                            std::span<const HalfSpaceId> inside) {
+  bool all = true;
+  for (const HalfSpaceId h : inside) {
+    bool any_inside = false;
+    for (const Vertex& v : polygon.corner) {
+      const int side = planes_.side(v, plane_of(h), intent) * (is_above(h) ? 1 : -1);
+      any_inside = any_inside || side > 0;
+      all = all && side >= 0;
+    }
+    if (!any_inside) return Share::nothing;
+  }
+  return all ? Share::all : Share::some;
+}
+
+Polygon PolygonClipper::intersection(const Polygon& a, std::span<const HalfSpaceId> inside) {
   Polygon result = a, part;
-  for (const HalfSpaceId h : b.edge) {
+  for (const HalfSpaceId h : inside) {
     split(result, h, part, nullptr);
     std::swap(result, part);
     if (result.empty()) return {};
@@ -99,12 +124,13 @@ Polygon PolygonClipper::intersection(const Polygon& a, const Polygon& b) {
   return result;
 }
 
-void PolygonClipper::subtract(const Polygon& a, const Polygon& b, std::vector<Polygon>& rest) {
-  Polygon kept = a, inside, outside;
-  for (const HalfSpaceId h : b.edge) {
-    split(kept, h, inside, &outside);
+void PolygonClipper::subtract(const Polygon& a, std::span<const HalfSpaceId> inside,
+                              std::vector<Polygon>& rest) {
+  Polygon kept = a, part, outside;
+  for (const HalfSpaceId h : inside) {
+    split(kept, h, part, &outside);
     if (!outside.empty()) rest.push_back(outside);
-    std::swap(kept, inside);
+    std::swap(kept, part);
     if (kept.empty()) return;
   }
 }

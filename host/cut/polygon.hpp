@@ -2,6 +2,7 @@
 // away. All questions are signs of four planes, as for cells.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "host/cut/convex_cell.hpp"
@@ -21,6 +22,9 @@ struct Polygon {
 /// A face of a cell as a polygon (reversed where the cell lies above its plane).
 Polygon face_polygon(const CellView& cell, const ConvexCell::Face& face);
 
+/// Area of a cell's face, m².
+Real face_area(const CellView& cell, const ConvexCell::Face& face);
+
 /// Area in m², and the centroid about the table's centre.
 struct PolygonMoments {
   Real area = 0;
@@ -37,11 +41,15 @@ class PolygonClipper {
   /// empty (no area). `outside` may be null.
   void split(const Polygon& polygon, HalfSpaceId h, Polygon& inside, Polygon* outside);
 
-  /// The common part of two polygons of one plane; empty if they share no area.
-  Polygon intersection(const Polygon& a, const Polygon& b);
+  /// How much of a polygon lies inside half-spaces none of whose planes is the polygon's own.
+  enum class Share { nothing, some, all };  ///< `some` may turn out to be nothing
+  Share share(const Polygon& polygon, std::span<const HalfSpaceId> inside);
 
-  /// What is left of `a` without `b`, as convex polygons appended to `rest`.
-  void subtract(const Polygon& a, const Polygon& b, std::vector<Polygon>& rest);
+  /// The part of `a` inside all of the half-spaces; empty if they share no area.
+  Polygon intersection(const Polygon& a, std::span<const HalfSpaceId> inside);
+
+  /// What is left of `a` without that part, as convex polygons appended to `rest`.
+  void subtract(const Polygon& a, std::span<const HalfSpaceId> inside, std::vector<Polygon>& rest);
 
   IntentCount intent;
 

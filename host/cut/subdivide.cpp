@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -19,42 +20,134 @@ namespace {
 
 // Independent subtrees; enough to keep any likely number of threads busy, and the same for all of them.
 constexpr std::size_t subtree_count = 512;
-constexpr std::int64_t max_cells = 20'000'000;
 
 using SurfaceList = std::vector<Index>;
 
+// Some of the given cells, or a part of one of them, with the surfaces that may still meet it.
 struct Task {
-  ConvexCell cell;
-  SurfaceList surfaces;  // that may still meet the cell
+  std::vector<Index> group;
+  ConvexCell cell;  // if the group is empty
   Index parent = none;
+  Index node = AuxTree::root;
+  SurfaceList surfaces;
 };
+
+struct Extent {
+  Box box;
+  BoundingBall ball;
+};
+Extent extent_of(const CellView& cell) {
+  Extent e;
+  for (const Vertex& v : cell.vertices) e.box.add(v.x);
+  e.ball.centre = 0.5 * (e.box.low + e.box.high);
+  Real squared = 0;
+  for (const Vertex& v : cell.vertices) {
+    const Vec3 r = v.x - e.ball.centre;
+    squared = std::max(squared, dot(r, r));
+  }
+  e.ball.radius = std::sqrt(squared);
+  return e;
+}
+
+ConvexCell copy_of(const CellView& view) {
+  ConvexCell cell;
+  cell.vertices.assign(view.vertices.begin(), view.vertices.end());
+  cell.faces.assign(view.faces.begin(), view.faces.end());
+  cell.corners.assign(view.corners.begin(), view.corners.end());
+  return cell;
+}
 
 // Cuts cells by surfaces, with buffers that live as long as it does.
 class Cutter {
  public:
-  Cutter(const PlaneTable& planes, const std::vector<CuttingSurface>& surfaces)
-      : planes_(planes), surfaces_(surfaces), splitter_(planes), clipper_(planes) {}
+  explicit Cutter(const CuttingJob& job)
+      : job_(job), planes_(job.planes), splitter_(job.planes), clipper_(job.planes) {}
 
-  // The first surface of the list that cuts the cell, after which the list holds those that follow; none if none does.
-  // Surfaces found not to meet the cell are left out.
-  Index first_cut(const CellView& cell, const SurfaceList& list, SurfaceList& rest,
-                  ConvexCell& below, ConvexCell& above) {
-    const BoundingBall ball = bounding_ball(cell);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      const CuttingSurface& surface = surfaces_[list[i]];
-      if (!may_meet(ball, surface.plane)) continue;
-      if (splitter_.classify(cell, surface.plane) != CellSide::split) continue;
-      split(cell, surface.plane, below, above);
-      if (!section_meets(below, surface)) continue;
-      rest.assign(list.begin() + static_cast<std::ptrdiff_t>(i) + 1, list.end());
-      return list[i];
+  /// Cuts a cell once: by the plane of its node of the tree, or by the first surface that cuts it. False if none does.
+  /// The two halves share `rest`, from which surfaces found not to meet the cell are left out.
+  bool cut_once(const CellView& cell, Index& node, const SurfaceList& list, SurfaceList& rest,
+                Index (&child_node)[2], ConvexCell& below, ConvexCell& above) {
+    const Extent extent = extent_of(cell);
+    while (job_.tree[node].plane != none) {
+      const AuxTree::Node& at = job_.tree[node];
+      const CellSide side = splitter_.classify(cell, at.plane);
+      if (side == CellSide::split) {
+        split(cell, at.plane, below, above);
+        child_node[0] = at.child[0], child_node[1] = at.child[1];
+        keep_near(extent, list, 0, rest);
+        return true;
+      }
+      node = at.child[side == CellSide::above ? 1 : 0];
     }
-    return none;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const Patch& patch = *job_.surfaces[list[i]].patch;
+      if (!may_meet(extent, patch)) continue;
+      if (splitter_.classify(cell, patch.plane) != CellSide::split) continue;
+      split(cell, patch.plane, below, above);
+      if (!section_meets(below, patch)) continue;
+      child_node[0] = child_node[1] = node;
+      keep_near(extent, list, i + 1, rest);
+      return true;
+    }
+    return false;
   }
 
-  // All cells of a subtree, depth first.
-  void run(Task& task, Subdivision& out, std::atomic<std::int64_t>& made) {
-    descend(0, task.cell, task.surfaces, task.parent, out, made);
+  /// All cells of a task.
+  void run(Task& task, CellStore& out, std::vector<Index>& parents,
+           std::atomic<std::int64_t>& made) {
+    if (task.group.empty()) {
+      descend(0, task.cell, task.node, task.surfaces, task.parent, out, parents, made);
+    } else if (task.group.size() == 1) {
+      const Index c = task.group.front();
+      const SurfaceList mine = applying(c, task.surfaces);
+      descend(0, job_.cells[c], task.node, mine, c, out, parents, made);
+    } else {
+      Task halves[2];
+      divide(task, halves);
+      for (Task& half : halves) run(half, out, parents, made);
+    }
+  }
+
+  /// Two groups of nearby cells, each with the surfaces near it.
+  void divide(Task& task, Task (&halves)[2]) const {
+    std::vector<Box> boxes;
+    Box centres;
+    for (const Index c : task.group) {
+      Box box;
+      for (const Vertex& v : job_.cells[c].vertices) box.add(v.x);
+      boxes.push_back(box);
+      centres.add(box.low + box.high);
+    }
+    int axis = 0;
+    for (int d = 1; d < 3; ++d)
+      if (centres.high[d] - centres.low[d] > centres.high[axis] - centres.low[axis]) axis = d;
+    std::vector<std::size_t> order(task.group.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto middle = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2);
+    std::nth_element(order.begin(), middle, order.end(), [&](std::size_t a, std::size_t b) {
+      const Real x = boxes[a].low[axis] + boxes[a].high[axis],
+                 y = boxes[b].low[axis] + boxes[b].high[axis];
+      return x != y ? x < y : a < b;
+    });
+    for (int h = 0; h < 2; ++h) {
+      Box box;
+      for (auto it = h == 0 ? order.begin() : middle; it != (h == 0 ? middle : order.end()); ++it) {
+        halves[h].group.push_back(task.group[*it]);
+        box.add(boxes[*it]);
+      }
+      for (const Index s : task.surfaces)
+        if (job_.surfaces[s].patch->box.meets(box, planes_.tolerance()))
+          halves[h].surfaces.push_back(s);
+    }
+    task = {};
+  }
+
+  SurfaceList applying(Index cell, const SurfaceList& list) const {
+    SurfaceList mine;
+    for (const Index s : list)
+      if (job_.surfaces[s].within == none || job_.applies(cell, job_.surfaces[s].within))
+        mine.push_back(s);
+    return mine;
   }
 
   IntentCount take_intent() {
@@ -69,9 +162,18 @@ class Cutter {
     SurfaceList rest;
   };
 
-  bool may_meet(const BoundingBall& ball, Index plane) const {
-    const Real distance = dot(planes_.normal(plane), ball.centre) - planes_.offset(plane);
-    return std::abs(distance) <= ball.radius + 100 * planes_.tolerance();
+  bool may_meet(const Extent& extent, const Patch& patch) const {
+    const Vec3& n = planes_.normal(patch.plane);
+    const Real distance = dot(n, extent.ball.centre) - planes_.offset(patch.plane);
+    return std::abs(distance) <= extent.ball.radius + 100 * planes_.tolerance() &&
+           (!patch.bounded() || patch.box.meets(extent.box, planes_.tolerance()));
+  }
+
+  void keep_near(const Extent& extent, const SurfaceList& list, std::size_t from,
+                 SurfaceList& rest) const {
+    rest.clear();
+    for (std::size_t i = from; i < list.size(); ++i)
+      if (may_meet(extent, *job_.surfaces[list[i]].patch)) rest.push_back(list[i]);
   }
 
   void split(const CellView& cell, Index plane, ConvexCell& below, ConvexCell& above) {
@@ -87,10 +189,10 @@ class Cutter {
   }
 
   // Whether the polygon's interior meets the section, which is the last face of the part below.
-  bool section_meets(const ConvexCell& below, const CuttingSurface& surface) {
-    if (surface.edges.empty()) return true;
+  bool section_meets(const ConvexCell& below, const Patch& patch) {
+    if (!patch.bounded()) return true;
     Polygon section = face_polygon(below, below.faces.back()), part;
-    for (const HalfSpaceId edge : surface.edges) {
+    for (const HalfSpaceId edge : patch.edges) {
       clipper_.split(section, edge, part, nullptr);
       if (part.empty()) return false;
       std::swap(section, part);
@@ -98,68 +200,87 @@ class Cutter {
     return true;
   }
 
-  void descend(std::size_t depth, const ConvexCell& cell, const SurfaceList& list, Index parent,
-               Subdivision& out, std::atomic<std::int64_t>& made) {
+  void descend(std::size_t depth, const CellView& cell, Index node, const SurfaceList& list,
+               Index parent, CellStore& out, std::vector<Index>& parents,
+               std::atomic<std::int64_t>& made) {
     if (levels_.size() <= depth) levels_.push_back(std::make_unique<Level>());
     Level& level = *levels_[depth];
-    if (first_cut(cell, list, level.rest, level.below, level.above) == none) {
-      out.cells.append(cell);
-      out.parent.push_back(parent);
+    Index child_node[2];
+    if (!cut_once(cell, node, list, level.rest, child_node, level.below, level.above)) {
+      out.append(cell);
+      parents.push_back(parent);
       count(made);
       return;
     }
-    descend(depth + 1, level.below, level.rest, parent, out, made);
-    descend(depth + 1, level.above, level.rest, parent, out, made);
+    descend(depth + 1, level.below, child_node[0], level.rest, parent, out, parents, made);
+    descend(depth + 1, level.above, child_node[1], level.rest, parent, out, parents, made);
   }
 
-  static void count(std::atomic<std::int64_t>& made) {
+  void count(std::atomic<std::int64_t>& made) const {
     const auto n = made.fetch_add(1, std::memory_order_relaxed) + 1;
-    if (n > max_cells)
-      throw Error(
-          ErrorKind::model,
-          fmt::format("the joints make more than {} cells; use larger spacings or fewer joints",
-                      max_cells));
+    if (n > job_.max_cells)
+      throw Error(ErrorKind::model,
+                  fmt::format("the joints make more than {} cells; use larger spacings or fewer "
+                              "joints, or raise cut.max_cells",
+                              job_.max_cells));
     if (n % 1024 == 0 && interrupt_signal != 0)
       throw Error(ErrorKind::analysis, "interrupted while cutting; nothing was written");
   }
 
+  const CuttingJob& job_;
   const PlaneTable& planes_;
-  const std::vector<CuttingSurface>& surfaces_;
   CellSplitter splitter_;
   PolygonClipper clipper_;
   std::vector<std::unique_ptr<Level>> levels_;
 };
 
-// Cuts breadth first until there are enough subtrees to share out; the order is that of a depth-first walk.
-std::vector<Task> make_tasks(const CellStore& cells, Cutter& cutter, std::size_t surface_count) {
-  std::vector<Task> tasks;
-  SurfaceList all(surface_count);
-  for (std::size_t i = 0; i < surface_count; ++i) all[i] = static_cast<Index>(i);
-  for (Index c = 0; c < cells.size(); ++c) {
-    const CellView view = cells[c];
-    Task task;
-    task.cell.vertices.assign(view.vertices.begin(), view.vertices.end());
-    task.cell.faces.assign(view.faces.begin(), view.faces.end());
-    task.cell.corners.assign(view.corners.begin(), view.corners.end());
-    task.surfaces = all;
-    task.parent = c;
-    tasks.push_back(std::move(task));
+// A task in two, or false if there is nothing to share out.
+bool divide_task(Task& task, Cutter& cutter, const CuttingJob& job, Task (&halves)[2]) {
+  if (task.group.size() > 1) {
+    cutter.divide(task, halves);
+    return true;
   }
+  if (task.group.size() == 1) {
+    const Index c = task.group.front();
+    task.cell = copy_of(job.cells[c]);
+    task.parent = c;
+    task.surfaces = cutter.applying(c, task.surfaces);
+    task.group.clear();
+  }
+  if (task.surfaces.empty() && job.tree[task.node].plane == none) return false;
+  Index child_node[2];
+  if (!cutter.cut_once(task.cell, task.node, task.surfaces, halves[0].surfaces, child_node,
+                       halves[0].cell, halves[1].cell)) {
+    task.surfaces.clear();
+    return false;
+  }
+  halves[1].surfaces = halves[0].surfaces;
+  for (int h = 0; h < 2; ++h) {
+    halves[h].parent = task.parent;
+    halves[h].node = child_node[h];
+  }
+  return true;
+}
+
+// Divides breadth first until there are enough subtrees to share out; the order is that of a depth-first walk.
+std::vector<Task> make_tasks(const CuttingJob& job, Cutter& cutter) {
+  Task all;
+  all.group = job.which;
+  all.surfaces.resize(job.surfaces.size());
+  std::iota(all.surfaces.begin(), all.surfaces.end(), 0);
+  std::vector<Task> tasks;
+  if (all.group.empty()) return tasks;
+  tasks.push_back(std::move(all));
   for (bool grew = true; grew && tasks.size() < subtree_count;) {
     grew = false;
     std::vector<Task> next;
     for (Task& task : tasks) {
-      Task below, above;
-      if (task.surfaces.empty() || cutter.first_cut(task.cell, task.surfaces, below.surfaces,
-                                                    below.cell, above.cell) == none) {
-        task.surfaces.clear();
+      Task halves[2];
+      if (!divide_task(task, cutter, job, halves)) {
         next.push_back(std::move(task));
         continue;
       }
-      above.surfaces = below.surfaces;
-      below.parent = above.parent = task.parent;
-      next.push_back(std::move(below));
-      next.push_back(std::move(above));
+      for (Task& half : halves) next.push_back(std::move(half));
       grew = true;
     }
     tasks = std::move(next);
@@ -169,32 +290,28 @@ std::vector<Task> make_tasks(const CellStore& cells, Cutter& cutter, std::size_t
 
 }  // namespace
 
-Subdivision subdivide(const PlaneTable& planes, const CellStore& cells,
-                      const std::vector<CuttingSurface>& surfaces, Progress& progress) {
-  Cutter first(planes, surfaces);
-  std::vector<Task> tasks = make_tasks(cells, first, surfaces.size());
-
-  std::vector<Subdivision> parts(tasks.size());
+Subdivision subdivide(const CuttingJob& job, Progress& progress) {
+  Cutter first(job);
+  std::vector<Task> tasks = make_tasks(job, first);
+  Subdivision result;
+  result.parts.resize(tasks.size());
+  result.parents.resize(tasks.size());
+  std::vector<IntentCount> intent(tasks.size());
   std::atomic<std::int64_t> made{0};
   progress.begin("cutting", 0, "cells");
-  parallel_for(static_cast<std::int64_t>(tasks.size()), 1, [&](std::int64_t i) {
-    Cutter cutter(planes, surfaces);
-    cutter.run(tasks[i], parts[i], made);
-    parts[i].intent = cutter.take_intent();
+  const auto run = [&](std::int64_t i) {
+    Cutter cutter(job);
+    cutter.run(tasks[i], result.parts[i], result.parents[i], made);
+    intent[i] = cutter.take_intent();
     tasks[i] = {};
 #pragma omp critical(rockfold_progress)
     progress.done(made.load(std::memory_order_relaxed));
-  });
+  };
+  const bool unfinished = tasks.size() >= subtree_count;
+  parallel_for(static_cast<std::int64_t>(tasks.size()), 1, run, unfinished);
   progress.end();
-
-  Subdivision result;
   result.intent = first.take_intent();
-  for (Subdivision& part : parts) {
-    result.cells.append(part.cells);
-    result.parent.insert(result.parent.end(), part.parent.begin(), part.parent.end());
-    result.intent.add(part.intent);
-    part = {};
-  }
+  for (const IntentCount& more : intent) result.intent.add(more);
   return result;
 }
 

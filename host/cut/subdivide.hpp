@@ -1,23 +1,39 @@
 // Depth-first subdivision of convex cells by convex polygons on planes (DESIGN.md, "Cutting").
 #pragma once
 
+#include <functional>
 #include <vector>
 
+#include "host/cut/aux_tree.hpp"
 #include "host/cut/complex.hpp"
-#include "host/cut/surfaces.hpp"
 #include "src/base/progress.hpp"
 
 namespace rockfold {
 
+struct CuttingSurface {
+  const Patch* patch = nullptr;
+  Index within = none;  ///< cuts only cells for which `applies` says so; none = all
+};
+
+struct CuttingJob {
+  const PlaneTable& planes;
+  const CellStore& cells;
+  std::vector<Index> which;  ///< of the cells
+  std::vector<CuttingSurface> surfaces;
+  const AuxTree& tree;
+  std::function<bool(Index cell, Index within)> applies;
+  std::int64_t max_cells = 0;
+};
+
 struct Subdivision {
-  CellStore cells;
-  std::vector<Index> parent;  ///< [cells] the given cell that each is part of
+  std::vector<CellStore> parts;             ///< of independent subtrees, in a fixed order
+  std::vector<std::vector<Index>> parents;  ///< likewise: the given cell that each is part of
   IntentCount intent;
 };
 
-/// Cuts each of `cells` by the surfaces whose interior meets its section. The order of the result depends on the surfaces'
-/// order but not on the number of threads. O(cells made · log(surfaces)) for sets of parallel planes in bisecting order.
-Subdivision subdivide(const PlaneTable& planes, const CellStore& cells,
-                      const std::vector<CuttingSurface>& surfaces, Progress& progress);
+/// Cuts each of the cells by the surfaces whose interior meets its section. The order of the result depends on the
+/// surfaces' order but not on the number of threads. O(cells made · log(surfaces)) for sets of parallel planes in
+/// bisecting order.
+Subdivision subdivide(const CuttingJob& job, Progress& progress);
 
 }  // namespace rockfold

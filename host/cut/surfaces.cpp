@@ -1,12 +1,12 @@
 #include "host/cut/surfaces.hpp"
 
-#include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "host/exact/plane_exact.hpp"
+#include "host/cut/edge_planes.hpp"
+#include "host/cut/joint_patches_exact.hpp"
 #include "host/joints/place_joints_exact.hpp"
 #include "host/refuse.hpp"
 #include "host/shapes/shape_geometry_exact.hpp"
@@ -16,53 +16,101 @@ namespace rockfold {
 
 namespace {
 
-std::string solid_key(const Model& model, std::size_t solid) {
-  return fmt::format("solid[{}] \"{}\"", solid + 1, model.solids[solid].name);
-}
-
-struct Corners {
-  std::vector<Vec3> all;
-  Vec3 min{}, max{};
+// A shape of the model and what it is for.
+struct ShapeRegion {
+  Body::Role role;
+  Index owner;
+  ShapeGeometry geometry;
+  Index first_origin = none;  // of face 0; none = its faces are no faces of blocks
 };
 
-Corners model_corners(const Model& model, const std::vector<ShapeGeometry>& shapes) {
-  Corners corners;
-  for (std::size_t s = 0; s < model.solids.size(); ++s) {
-    if (!model.solids[s].add) continue;
-    const auto& more = shapes[s].corners;
-    corners.all.insert(corners.all.end(), more.begin(), more.end());
-  }
-  if (corners.all.empty())
-    refuse({model.path, 0, 0, {}}, "solid", "no solid is added: there is no rock to cut");
-  corners.min = corners.max = corners.all.front();
-  for (const Vec3& p : corners.all)
-    for (int d = 0; d < 3; ++d) {
-      corners.min[d] = std::min(corners.min[d], p[d]);
-      corners.max[d] = std::max(corners.max[d], p[d]);
-    }
-  return corners;
+Place keyed(const Place& place, std::string key) {
+  return {place.file, place.line, place.column, std::move(key)};
 }
 
-void add_origins(const Model& model, const PlacedJoints& joints, Complex& complex) {
-  for (const JointOrigin& joint : joints.origins) {
-    FaceOrigin origin;
-    origin.name = joint.name;
-    origin.joint_material = joint.material;
-    complex.origins.push_back(origin);
-  }
-  for (std::size_t s = 0; s < model.solids.size(); ++s) {
+std::vector<ShapeRegion> make_regions(const Model& model) {
+  std::vector<ShapeRegion> regions;
+  const auto count = [](const auto& list) { return static_cast<Index>(list.size()); };
+  for (Index s = 0; s < count(model.solids); ++s) {
     const Solid& solid = model.solids[s];
-    complex.bodies.push_back({{}, static_cast<Index>(complex.origins.size())});
-    const auto names = face_names(solid.shape);
+    const Place place = keyed(solid.place, fmt::format("solid[{}] \"{}\"", s + 1, solid.name));
+    regions.push_back({Body::Role::solid, s, shape_geometry(solid.shape, solid.add, place)});
+  }
+  for (Index e = 0; e < count(model.excavations); ++e) {
+    const Excavation& excavation = model.excavations[e];
+    const Place place =
+        keyed(excavation.place, fmt::format("excavation[{}] \"{}\"", e + 1, excavation.name));
+    regions.push_back({Body::Role::excavation, e, shape_geometry(excavation.shape, false, place)});
+  }
+  for (Index m = 0; m < count(model.merges); ++m) {
+    const auto& region = model.merges[m].region;
+    if (const auto* box = std::get_if<Merge::Box>(&region))
+      regions.push_back(
+          {Body::Role::merge, m,
+           shape_geometry(BoxShape{box->min, box->max}, false, model.merges[m].place)});
+    else if (const auto* inside = std::get_if<Merge::InSolid>(&region))
+      regions.push_back({Body::Role::merge, m, regions[inside->solid].geometry});
+  }
+  return regions;
+}
+
+RockBounds rock_bounds(const Model& model, const std::vector<ShapeRegion>& regions) {
+  RockBounds rock;
+  for (std::size_t s = 0; s < model.solids.size(); ++s) {
+    const auto& corners = regions[s].geometry.corners;
+    rock.solid_corners.push_back(corners);
+    if (model.solids[s].add)
+      rock.corners.insert(rock.corners.end(), corners.begin(), corners.end());
+  }
+  if (rock.corners.empty())
+    refuse({model.path, 0, 0, {}}, "solid", "no solid is added: there is no rock to cut");
+  return rock;
+}
+
+FaceOrigin shape_origin(FaceOrigin::Kind kind, const std::string& owner, const std::string& face,
+                        std::size_t owner_id, std::size_t face_id) {
+  FaceOrigin origin;
+  origin.kind = kind;
+  origin.name = owner + "." + face;
+  origin.solid = static_cast<Index>(owner_id);
+  origin.solid_face = static_cast<Index>(face_id);
+  return origin;
+}
+
+FaceOrigin joint_origin(const std::string& name, Index material) {
+  FaceOrigin origin;
+  origin.name = name;
+  origin.joint_material = material;
+  return origin;
+}
+
+void add_origins(const Model& model, const PlacedJoints& joints, std::vector<ShapeRegion>& regions,
+                 Complex& complex) {
+  auto& origins = complex.origins;
+  for (const JointOrigin& joint : joints.origins)
+    origins.push_back(joint_origin(joint.name, joint.material));
+  for (ShapeRegion& region : regions) {
+    if (region.role == Body::Role::merge) continue;
+    region.first_origin = static_cast<Index>(origins.size());
+    const bool is_solid = region.role == Body::Role::solid;
+    const std::string& owner =
+        is_solid ? model.solids[region.owner].name : model.excavations[region.owner].name;
+    const auto names = face_names(is_solid ? model.solids[region.owner].shape
+                                           : model.excavations[region.owner].shape);
     for (std::size_t f = 0; f < names.size(); ++f) {
-      FaceOrigin origin;
-      origin.kind = FaceOrigin::Kind::solid_face;
-      origin.name = solid.name + "." + names[f];
-      origin.solid = static_cast<Index>(s);
-      origin.solid_face = static_cast<Index>(f);
-      origin.continues = f < solid.continues.size() && solid.continues[f];
-      complex.origins.push_back(origin);
+      origins.push_back(
+          shape_origin(is_solid ? FaceOrigin::Kind::solid_face : FaceOrigin::Kind::excavation,
+                       owner, names[f], region.owner, f));
+      if (!is_solid) continue;
+      const auto& continues = model.solids[region.owner].continues;
+      origins.back().continues = f < continues.size() && continues[f];
     }
+  }
+  complex.interface_of_solid.assign(model.solids.size(), none);
+  for (std::size_t s = 0; s < model.solids.size(); ++s) {
+    if (model.solids[s].interface == none) continue;
+    complex.interface_of_solid[s] = static_cast<Index>(origins.size());
+    origins.push_back(joint_origin(model.solids[s].name + ".interface", model.solids[s].interface));
   }
 }
 
@@ -71,101 +119,135 @@ HalfSpaceId find_or_add(PlaneTable& planes, const ExactPlane& plane) {
   return found != none ? found : half_space(planes.add(plane), true);
 }
 
-void add_solids(const std::vector<ShapeGeometry>& shapes, CuttingInput& input) {
-  Complex& complex = input.complex;
-  for (std::size_t s = 0; s < shapes.size(); ++s) {
-    auto& inside = complex.bodies[s].inside;
-    for (const FacePlane& f : shapes[s].parts.front().faces) {
-      const HalfSpaceId up = find_or_add(complex.planes, f.plane);
-      inside.push_back(f.inside_above ? up : up ^ 1);
+Index origin_of(const ShapeRegion& region, Index face) {
+  return region.first_origin == none || face == none ? none : region.first_origin + face;
+}
+
+// The faces that a convex part has inside the enclosing box, with the edges between them.
+void add_convex(const ShapeRegion& region, const ConvexPart& part, const CellView& start,
+                Complex& complex) {
+  Body body;
+  body.role = region.role;
+  body.owner = region.owner;
+  for (const FacePlane& f : part.faces) {
+    const HalfSpaceId up = find_or_add(complex.planes, f.plane);
+    body.inside.push_back(f.inside_above ? up : up ^ 1);
+  }
+  body.facet_begin = static_cast<Index>(complex.facets.size());
+  const ConvexCell cell = clip(complex.planes, start, body.inside);
+  for (const Vertex& v : cell.vertices) body.box.add(v.x);
+  for (const auto& face : cell.faces) {
+    const auto found = std::find(body.inside.begin(), body.inside.end(), face.inside);
+    if (found == body.inside.end()) continue;  // of the enclosing box
+    const Polygon polygon = face_polygon(cell, face);
+    Facet facet;
+    facet.patch.plane = polygon.plane;
+    facet.patch.edges = polygon.edge;
+    facet.patch.box = {};
+    for (const Vertex& v : polygon.corner) facet.patch.box.add(v.x);
+    facet.inside = face.inside;
+    facet.origin = origin_of(region, part.faces[found - body.inside.begin()].face);
+    facet.body = static_cast<Index>(complex.bodies.size());
+    complex.facets.push_back(std::move(facet));
+  }
+  body.facet_end = static_cast<Index>(complex.facets.size());
+  complex.bodies.push_back(std::move(body));
+}
+
+// The plane of a polygon of the surface, through the three corners that make the largest triangle with the first.
+ExactPlane plane_of_polygon(const ClosedSurface& surface, Index begin, Index end) {
+  const auto corner = [&](Index k) { return surface.vertices[surface.corner[k]]; };
+  Index widest = begin + 1;
+  Real largest = 0;
+  for (Index k = begin + 1; k + 1 < end; ++k) {
+    const Real area = norm(cross(corner(k) - corner(begin), corner(k + 1) - corner(begin)));
+    if (area > largest) largest = area, widest = k;
+  }
+  return plane_through_points(corner(begin), corner(widest), corner(widest + 1));
+}
+
+// A closed surface; its facets get their edges together with the joints'.
+void add_surface(const ShapeRegion& region, Complex& complex, std::vector<FlatPolygon>& polygons,
+                 std::vector<Index>& facet_of_polygon) {
+  const ClosedSurface& surface = region.geometry.surface;
+  Body body;
+  body.role = region.role;
+  body.owner = region.owner;
+  body.facet_begin = static_cast<Index>(complex.facets.size());
+  const auto count = static_cast<Index>(surface.face.size());
+  for (Index i = 0; i < count; ++i) {
+    const Index begin = surface.polygon_begin[i], end = surface.polygon_begin[i + 1];
+    const HalfSpaceId outward = find_or_add(complex.planes, plane_of_polygon(surface, begin, end));
+    FlatPolygon polygon;
+    polygon.plane = plane_of(outward);
+    Facet facet;
+    facet.patch.plane = polygon.plane;
+    facet.patch.box = {};
+    for (Index k = begin; k < end; ++k) {
+      polygon.corner.push_back(surface.vertices[surface.corner[k]] - complex.planes.centre());
+      facet.patch.box.add(polygon.corner.back());
     }
-    for (const HalfSpaceId h : inside) {
-      CuttingSurface surface{plane_of(h), {}};
-      for (const HalfSpaceId edge : inside)
-        if (plane_of(edge) != plane_of(h)) surface.edges.push_back(edge);
-      input.solid_faces.push_back(std::move(surface));
-    }
+    if (!is_above(outward)) std::reverse(polygon.corner.begin(), polygon.corner.end());
+    facet.inside = outward ^ 1;
+    facet.origin = origin_of(region, surface.face[i]);
+    facet.body = static_cast<Index>(complex.bodies.size());
+    body.box.add(facet.patch.box);
+    facet_of_polygon.push_back(static_cast<Index>(complex.facets.size()));
+    complex.facets.push_back(std::move(facet));
+    polygons.push_back(std::move(polygon));
   }
+  body.facet_end = static_cast<Index>(complex.facets.size());
+  complex.bodies.push_back(std::move(body));
 }
 
-// 0, n/2, n/4, 3n/4, …: parallel planes next to each other in the list halve what is left.
-std::vector<Index> bisecting_order(Index n) {
-  std::vector<Index> order;
-  order.reserve(n);
-  const auto bits = static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(n)));
-  for (std::uint32_t i = 0; i < (1u << bits); ++i) {
-    std::uint32_t reversed = 0;
-    for (unsigned b = 0; b < bits; ++b) reversed |= (i >> b & 1u) << (bits - 1 - b);
-    if (reversed < static_cast<std::uint32_t>(n)) order.push_back(static_cast<Index>(reversed));
-  }
-  return order;
-}
+// Edges of the facets of closed surfaces and of the joints' polygons.
+void add_edges(const std::vector<Index>& facet_of_polygon, std::vector<FlatPolygon> polygons,
+               const JointPolygons& joints, Complex& complex) {
+  std::vector<Index> unbounded;  // planes of convex bodies and of through-going joints
+  for (const Body& body : complex.bodies)
+    for (const HalfSpaceId h : body.inside) unbounded.push_back(plane_of(h));
+  unbounded.insert(unbounded.end(), joints.through_going.begin(), joints.through_going.end());
+  std::sort(unbounded.begin(), unbounded.end());
+  unbounded.erase(std::unique(unbounded.begin(), unbounded.end()), unbounded.end());
 
-struct JointPlane {
-  ExactPlane plane;
-  // Unit normal with the upward sense, and offset: an order that the model's own does not enter.
-  std::array<Real, 4> key;
-  Index origin;
-};
-
-JointPlane joint_plane(ExactPlane plane, const Vec3& centre, Index origin) {
-  if (plane.n[2] < 0 ||
-      (plane.n[2] == 0 && (plane.n[1] < 0 || (plane.n[1] == 0 && plane.n[0] < 0))))
-    plane = opposite(plane);
-  PlaneTable rounding(centre, 1);
-  const Index id = rounding.add(plane);
-  const Vec3& n = rounding.normal(id);
-  return {std::move(plane), {n[0], n[1], n[2], rounding.offset(id)}, origin};
-}
-
-void add_joints(const PlacedJoints& placed, CuttingInput& input) {
-  Complex& complex = input.complex;
-  std::vector<JointPlane> joints;
-  for (const PlacedJoint& joint : placed.joints)
-    joints.push_back(joint_plane(joint.plane, complex.planes.centre(), joint.origin));
-  std::sort(joints.begin(), joints.end(), [](const JointPlane& a, const JointPlane& b) {
-    return a.key != b.key ? a.key < b.key : a.origin < b.origin;
-  });
-  std::vector<Index> planes;  // each once
-  for (const JointPlane& joint : joints) {
-    const HalfSpaceId found = complex.planes.find(joint.plane);
-    if (found != none) ++input.planes_identified;
-    const Index plane = found != none ? plane_of(found) : complex.planes.add(joint.plane);
-    complex.joint_of_plane.resize(complex.planes.size(), none);
-    Index& origin = complex.joint_of_plane[plane];
-    if (origin == none) planes.push_back(plane);
-    if (origin == none || joint.origin < origin) origin = joint.origin;
-  }
-  complex.joint_of_plane.resize(complex.planes.size(), none);
-  for (const Index i : bisecting_order(static_cast<Index>(planes.size())))
-    input.joints.push_back({planes[i], {}});
+  const std::size_t facets = polygons.size();
+  polygons.insert(polygons.end(), joints.polygons.begin(), joints.polygons.end());
+  auto edges = edge_planes(complex.planes, polygons, unbounded);
+  for (std::size_t i = 0; i < facets; ++i)
+    complex.facets[facet_of_polygon[i]].patch.edges = std::move(edges[i]);
+  for (std::size_t i = facets; i < polygons.size(); ++i)
+    complex.joints[joints.patch[i - facets]].patch.edges = std::move(edges[i]);
 }
 
 }  // namespace
 
 CuttingInput make_surfaces(const Model& model) {
-  std::vector<ShapeGeometry> shapes;
-  RockBounds rock;
-  for (std::size_t s = 0; s < model.solids.size(); ++s) {
-    Place place = model.solids[s].place;
-    place.key = solid_key(model, s);
-    shapes.push_back(shape_geometry(model.solids[s].shape, model.solids[s].add, place));
-    rock.solid_corners.push_back(shapes.back().corners);
-  }
-  const Corners corners = model_corners(model, shapes);
-  const Vec3 centre = 0.5 * (corners.min + corners.max);
-  rock.corners = corners.all;
-  const PlacedJoints joints = place_joints(model, rock);
+  std::vector<ShapeRegion> regions = make_regions(model);
+  const RockBounds rock = rock_bounds(model, regions);
+  const PlacedJoints placed = place_joints(model, rock);
 
-  CuttingInput input{Complex(PlaneTable(centre, norm(corners.max - corners.min))),
-                     corners.min - centre,
-                     corners.max - centre,
-                     {},
-                     {},
-                     0};
-  add_origins(model, joints, input.complex);
-  add_solids(shapes, input);
-  add_joints(joints, input);
+  Box box;
+  for (const Vec3& x : rock.corners) box.add(x);
+  const Vec3 centre = 0.5 * (box.low + box.high);
+  const Real size = norm(box.high - box.low);
+  CuttingInput input{Complex(PlaneTable(centre, size)), {}, 0};
+  Complex& complex = input.complex;
+  const Vec3 reach = 0.5 * (box.high - box.low) + 0.125 * size * Vec3{1, 1, 1};
+  const ConvexCell start = make_box(complex.planes, -reach, reach);
+  input.start.append(start);
+
+  add_origins(model, placed, regions, complex);
+  std::vector<FlatPolygon> polygons;
+  std::vector<Index> facet_of_polygon;
+  for (const ShapeRegion& region : regions) {
+    for (const ConvexPart& part : region.geometry.parts) add_convex(region, part, start, complex);
+    if (!region.geometry.surface.face.empty())
+      add_surface(region, complex, polygons, facet_of_polygon);
+  }
+  const JointPolygons joints = add_joints(placed, input);
+  add_edges(facet_of_polygon, std::move(polygons), joints, complex);
+  complex.facets_by_plane = ByPlane::sort(complex.facets, complex.planes.size());
+  complex.joints_by_plane = ByPlane::sort(complex.joints, complex.planes.size());
   return input;
 }
 

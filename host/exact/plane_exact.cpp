@@ -24,6 +24,12 @@ ExactPlane plane_along(const ExactVec3& point, const ExactVec3& u, const ExactVe
   return {n, dot(n, point)};
 }
 
+ExactPlane plane_through_points(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const ExactVec3 o = exact(a), p = exact(b), q = exact(c);
+  return plane_along(o, {p[0] - o[0], p[1] - o[1], p[2] - o[2]},
+                     {q[0] - o[0], q[1] - o[1], q[2] - o[2]});
+}
+
 ExactPlane opposite(const ExactPlane& plane) {
   return {{-plane.n[0], -plane.n[1], -plane.n[2]}, -plane.d};
 }

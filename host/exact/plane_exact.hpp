@@ -28,6 +28,9 @@ ExactPlane plane_through(const Vec3& normal, const Vec3& point, Real offset = 0)
 /// Through `point`, along `u` and `v`; the normal is u × v, exactly.
 ExactPlane plane_along(const ExactVec3& point, const ExactVec3& u, const ExactVec3& v);
 
+/// Exactly through three points, counter-clockwise seen from above.
+ExactPlane plane_through_points(const Vec3& a, const Vec3& b, const Vec3& c);
+
 ExactPlane opposite(const ExactPlane& plane);
 
 }  // namespace rockfold

@@ -36,6 +36,14 @@ UnitPlane rounded(const ExactVec3& n, const Exact& centred_d) {
   return {(1.0 / length) * m, CGAL::to_double(Exact(centred_d / largest)) / length};
 }
 
+// A number that is the same for both orientations of a plane and differs by at most thrice the tolerance between planes
+// that coincide: the size of a generic linear function of normal and offset (that of the offset alone would be one number
+// for all faces of a sphere).
+Real search_key(const UnitPlane& plane, Real size) {
+  constexpr Vec3 generic{0.3782, 0.5847, 0.7177};
+  return std::abs(plane.offset + size * dot(generic, plane.normal));
+}
+
 ExactVec3 cramer_numerators(const ExactPlane& a, const ExactPlane& b, const ExactPlane& c) {
   const ExactVec3 bc = cross(b.n, c.n), ca = cross(c.n, a.n), ab = cross(a.n, b.n);
   ExactVec3 x;
@@ -51,7 +59,7 @@ Exact determinant(const ExactPlane& a, const ExactPlane& b, const ExactPlane& c)
 
 struct PlaneTable::Store {
   std::vector<ExactPlane> plane;           // d relative to the centre
-  std::multimap<Real, Index> by_distance;  // |offset| → plane, for find()
+  std::multimap<Real, Index> by_key;  // for find()
 };
 
 void IntentCount::add(const IntentCount& other) {
@@ -83,18 +91,18 @@ Index PlaneTable::add(const ExactPlane& plane) {
   normal_.push_back(unit.normal);
   offset_.push_back(unit.offset);
   store_->plane.push_back({plane.n, d});
-  store_->by_distance.emplace(std::abs(unit.offset), id);
+  store_->by_key.emplace(search_key(unit, size_), id);
   return id;
 }
 
 HalfSpaceId PlaneTable::find(const ExactPlane& plane) const {
   const UnitPlane unit = rounded(plane.n, plane.d - dot(plane.n, exact(centre_)));
-  const Real distance = std::abs(unit.offset);
-  const auto& map = store_->by_distance;
+  const Real key = search_key(unit, size_);
+  const auto& map = store_->by_key;
   Index best = none;
   bool same_sense = true;
-  for (auto it = map.lower_bound(distance - 2 * tolerance_);
-       it != map.end() && it->first <= distance + 2 * tolerance_; ++it) {
+  for (auto it = map.lower_bound(key - 3 * tolerance_);
+       it != map.end() && it->first <= key + 3 * tolerance_; ++it) {
     const Vec3& n = normal_[it->second];
     const Real sense = dot(n, unit.normal) < 0 ? -1 : 1;
     const bool same_angle = norm(cross(n, unit.normal)) <= relative_tolerance;

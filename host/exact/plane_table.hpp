@@ -58,8 +58,7 @@ class PlaneTable {
   /// Adds a plane and returns its id.
   Index add(const ExactPlane& plane);
 
-  /// The plane that coincides with `plane` to the tolerance, on either orientation, or none. O(log n) and the
-  /// planes at a similar distance from the centre.
+  /// The plane that coincides with `plane` to the tolerance, on either orientation, or none. O(log n).
   HalfSpaceId find(const ExactPlane& plane) const;
 
   Index size() const { return static_cast<Index>(normal_.size()); }

@@ -361,8 +361,10 @@ bool is_plain_cell(const Complex& complex, const CellView& cell,
     origin[a.face] = a.origin;
   }
   // A face thinner than rounding may have no area of its own.
-  for (std::size_t f = 0; f < origin.size(); ++f)
-    if (origin[f] == none) origin[f] = complex.joint_of_plane[plane_of(cell.faces[f].inside)];
+  for (std::size_t f = 0; f < origin.size(); ++f) {
+    const auto joints = complex.joints_by_plane.on(plane_of(cell.faces[f].inside));
+    if (origin[f] == none && !joints.empty()) origin[f] = complex.joints[joints.front()].origin;
+  }
   return std::find(origin.begin(), origin.end(), none) == origin.end();
 }
 

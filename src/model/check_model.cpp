@@ -34,7 +34,9 @@ class Needs {
   }
 
   void joint_materials() {
-    if (model_.joint_materials.empty() && !(model_.joints.empty() && model_.joint_sets.empty()))
+    const bool no_joints = model_.joints.empty() && model_.joint_sets.empty() &&
+                           model_.joint_meshes.empty() && model_.joint_tables.empty();
+    if (model_.joint_materials.empty() && !no_joints)
       missing("joint_material",
               "the model has joints but no [[joint_material]], which this command needs");
   }

@@ -19,9 +19,10 @@ struct Draft {
   Names materials{"material", "material"};
   Names joint_materials{"joint material", "joint_material"};
   Names solids{"solid", "solid"};
-  Names joints{"joint",
-               "joint"};  ///< of joints and joint sets together: reports name planes by them
+  Names joints{"joint", "joint"};  ///< of all kinds of joints together: reports name planes by them
   Names monitors{"monitor", "monitor"};
+  Names excavations{"excavation", "excavation"};
+  Names scanlines{"scanline", "scanline"};
   std::vector<bool> has_shape{};  ///< [solids] its shape could be read
 };
 
@@ -35,9 +36,15 @@ void read_section(Draft& draft, const std::string& key, Read read);
 
 void read_materials(Draft& draft);
 void read_joint_materials(Draft& draft);
-void read_solids(Draft& draft);      // needs materials
-void read_joint_sets(Draft& draft);  // needs joint materials
-void read_joints(Draft& draft);      // likewise
+void read_solids(Draft& draft);        // needs materials and joint materials
+void read_joint_sets(Draft& draft);    // needs joint materials and solids
+void read_joints(Draft& draft);        // likewise
+void read_joint_meshes(Draft& draft);  // likewise
+void read_joint_tables(Draft& draft);  // likewise
+void read_merges(Draft& draft);        // needs solids
+void read_excavations(Draft& draft);   // needs solids
+void read_cut(Draft& draft);
+void read_scanlines(Draft& draft);
 void read_cover(Draft& draft);
 void read_fixed(Draft& draft);  // needs solids
 void read_point_loads(Draft& draft);
@@ -57,8 +64,16 @@ bool read_orientation(TableReader& in, Orientation& target);
 /// An orientation and "point".
 bool read_plane(TableReader& in, GivenPlane& target);
 
-/// Upward unit normal.
+/// Unit normal; upward for angles.
 Vec3 unit_normal(const DipOrientation& orientation);
+Vec3 unit_normal(const Orientation& orientation);
+
+/// "within": the id of a solid, or none.
+void read_within(TableReader& in, const Draft& draft, Index& target);
+/// "sides" of a disc's polygon or of a cylinder.
+void read_sides(TableReader& in, Index& target);
+/// What a shape's faces and groups of faces are called, for messages.
+std::vector<std::string> names_and_groups(const Shape& shape);
 
 /// Largest extent of the points that the solids are given by, m; at least 1e-9 times their largest
 /// coordinate.

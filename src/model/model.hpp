@@ -229,14 +229,17 @@ struct Excavation {
   Place place = {};
 };
 
+/// An axis-aligned box of a condition or a merge.
+struct BoxRegion {
+  Vec3 min{}, max{};
+};
+
 /// Block operation '+' after cutting: joints inside the region become intact rock. A joint on the region's boundary
 /// stays.
 struct Merge {
-  struct Box {
-    Vec3 min{}, max{};
-  };
+  using Box = BoxRegion;
   struct InSolid {
-    Index solid = 0;
+    Index solid;
   };
   struct Blocks {
     std::vector<Vec3> points;  ///< the blocks that hold these points become one
@@ -280,9 +283,6 @@ struct FaceRegion {
   Index solid = 0;
   std::vector<Index> faces;
 };  ///< faces into face_names
-struct BoxRegion {
-  Vec3 min{}, max{};
-};
 struct PointRegion {
   Vec3 point{};
 };

@@ -1,7 +1,67 @@
 // [[joint_set]] and [[joint]].
+#include "src/base/vector.hpp"
 #include "src/model/draft.hpp"
+#include "src/model/planar_polygon.hpp"
+#include "src/model/read_random.hpp"
+#include "src/model/read_value.hpp"
 
 namespace rockfold {
+
+namespace {
+
+/// "sides" without a disc would be without effect.
+void read_disc(TableReader& in, std::optional<Real>& radius, Index& sides, bool other_radius) {
+  in.read("radius", radius, length());
+  read_sides(in, sides);
+  if (in.has("sides") && !in.has("radius") && !other_radius)
+    in.wrong("sides", "belongs to discs, but there is no radius");
+}
+
+void read_planes(TableReader& in, JointSet& set) {
+  in.read("spacing", set.spacing, length());
+  Index count = 0;
+  if (in.read("count", count, IntegerRange{.low = 1}, Need::optional)) set.count = count;
+}
+
+/// What says how many joints there are stands in "random" then.
+void refuse_planes(TableReader& in) {
+  if (in.has("spacing"))
+    in.wrong("spacing", "a random set takes it from [joint_set.random]; leave this one out");
+  if (in.has("count"))
+    in.wrong("count", "a random set takes it from [joint_set.random]; leave this one out");
+}
+
+/// The polygon's own plane, where the joint gives none.
+void take_plane(const std::vector<Vec3>& polygon, GivenPlane& plane) {
+  plane.orientation = doubled_area(polygon);
+}
+
+/// "polygon", with the plane that it lies on or is projected on.
+void read_polygon(TableReader& in, Joint& joint) {
+  const auto* value = in.find("polygon");
+  const bool oriented = in.has("dip") || in.has("dip_direction") || in.has("normal");
+  const bool plane = oriented && read_orientation(in, joint.plane.orientation);
+  const auto points = points_from(*value, in.path_of("polygon"), 3, in.out());
+  const bool placed = in.read("point", joint.plane.point, coordinate(), Need::optional);
+  if (in.has("radius")) in.wrong("radius", "a joint has either a radius or a polygon, not both");
+  if (!points || (oriented && !plane)) return;
+  if (!placed) joint.plane.point = points->front();
+  const auto problem =
+      oriented ? projected_polygon_problem(*points, unit_normal(joint.plane.orientation))
+               : polygon_problem(*points);
+  if (!problem.empty()) {
+    in.wrong("polygon", problem);
+    return;
+  }
+  if (!oriented) take_plane(*points, joint.plane);
+  joint.polygon = *points;
+}
+
+}  // namespace
+
+void read_within(TableReader& in, const Draft& draft, Index& target) {
+  in.read_optional_reference("within", draft.solids, target);
+}
 
 void read_joint_sets(Draft& draft) {
   read_entries(draft, "joint_set", [&](TableReader& in, Index number) {
@@ -9,15 +69,18 @@ void read_joint_sets(Draft& draft) {
     set.name = in.read_name(draft.joints, "set" + std::to_string(number));
     set.place = in.place();
     read_orientation(in, set.orientation);
-    in.read("spacing", set.spacing, length());
+    const bool random = in.has("random");
+    if (random) {
+      refuse_planes(in);
+    } else {
+      read_planes(in, set);
+    }
     in.read("origin", set.origin, coordinate(), Need::optional);
-    Index count = 0;
-    if (in.read("count", count, IntegerRange{.low = 1}, Need::optional)) set.count = count;
     in.read_reference("material", draft.joint_materials, set.material);
-    for (const char* key : {"radius", "sides", "within"})
-      in.not_yet(key, "joints are through-going");
-    in.not_yet("random", "joints are given one by one or by a constant spacing");
-    draft.model.joint_sets.push_back(set);
+    if (random) set.random = read_random(in, static_cast<std::uint64_t>(number));
+    read_disc(in, set.radius, set.sides, set.random && set.random->radius);
+    read_within(in, draft, set.within);
+    draft.model.joint_sets.push_back(std::move(set));
   });
 }
 
@@ -26,11 +89,19 @@ void read_joints(Draft& draft) {
     Joint joint;
     joint.name = in.read_name(draft.joints, "joint" + std::to_string(number));
     joint.place = in.place();
-    read_plane(in, joint.plane);
+    if (in.has("polygon")) {
+      read_polygon(in, joint);
+    } else {
+      read_plane(in, joint.plane);
+    }
     in.read_reference("material", draft.joint_materials, joint.material);
-    for (const char* key : {"radius", "sides", "polygon", "within"})
-      in.not_yet(key, "joints are through-going");
-    draft.model.joints.push_back(joint);
+    if (!in.has("polygon")) {
+      read_disc(in, joint.radius, joint.sides, false);
+    } else if (in.has("sides")) {
+      in.wrong("sides", "belongs to discs, but this joint is a polygon");
+    }
+    read_within(in, draft, joint.within);
+    draft.model.joints.push_back(std::move(joint));
   });
 }
 

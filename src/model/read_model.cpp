@@ -53,12 +53,12 @@ void read_title_and_gravity(TableReader& in, Model& model) {
 void read_top_level(Draft& draft, const Value& root) {
   TableReader in(root, "", draft.out);
   read_title_and_gravity(in, draft.model);
-  for (const char* key :
-       {"material", "joint_material", "solid", "joint_set", "joint", "cover", "fixed", "point_load",
-        "analysis", "solver", "output", "monitor", "support"})
+  for (const char* key : {"material", "joint_material", "solid", "joint_set", "joint", "joint_mesh",
+                          "joint_table", "merge", "excavation", "cut", "scanline", "cover", "fixed",
+                          "point_load", "analysis", "solver", "output", "monitor", "support"})
     in.has(key);
-  for (const char* key : {"joint_mesh", "merge", "excavation", "traction", "initial_velocity",
-                          "initial_stress", "contact", "bolt", "bolt_pattern"})
+  for (const char* key :
+       {"traction", "initial_velocity", "initial_stress", "contact", "bolt", "bolt_pattern"})
     in.not_yet(key);
 }
 
@@ -68,6 +68,12 @@ void read_sections(Draft& draft) {
   read_solids(draft);
   read_joint_sets(draft);
   read_joints(draft);
+  read_joint_meshes(draft);
+  read_joint_tables(draft);
+  read_merges(draft);
+  read_excavations(draft);
+  read_cut(draft);
+  read_scanlines(draft);
   read_cover(draft);
   read_fixed(draft);
   read_point_loads(draft);

@@ -1,7 +1,9 @@
 // Orientations and planes as a model gives them.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "src/base/vector.hpp"
 #include "src/model/draft.hpp"
 #include "src/model/read_value.hpp"
 
@@ -66,6 +68,14 @@ bool read_orientation(TableReader& in, Orientation& target) {
 bool read_plane(TableReader& in, GivenPlane& target) {
   const bool good = read_orientation(in, target.orientation);
   return in.read("point", target.point, coordinate()) && good;
+}
+
+Vec3 unit_normal(const Orientation& orientation) {
+  if (const auto* dip = std::get_if<DipOrientation>(&orientation)) return unit_normal(*dip);
+  // Divided first: the square of a long normal would overflow.
+  const auto [x, y, z] = std::get<Vec3>(orientation);
+  const Real size = std::max({std::abs(x), std::abs(y), std::abs(z)});
+  return normalized(Vec3{x / size, y / size, z / size});
 }
 
 Vec3 unit_normal(const DipOrientation& orientation) {

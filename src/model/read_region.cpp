@@ -1,8 +1,5 @@
 #include "src/model/read_region.hpp"
 
-#include <algorithm>
-
-#include "src/base/vector.hpp"
 #include "src/model/nearest.hpp"
 #include "src/model/read_value.hpp"
 
@@ -41,31 +38,22 @@ std::optional<Region> read_face(TableReader& in, const Draft& draft) {
   const auto faces = faces_named(shape, face_name);
   if (!faces.empty()) return FaceRegion{solid, faces};
   in.wrong("face", "unknown face \"" + face_name + "\" of solid \"" + solid_name + "\"" +
-                       suggestion(face_name, face_names(shape), "its faces are"));
+                       suggestion(face_name, names_and_groups(shape), "its faces are"));
   return {};
 }
 
 std::optional<Region> read_box(TableReader& in) {
-  const auto* value = in.find("box");
-  const auto* corners = std::get_if<Array>(&value->data);
-  if (!corners || corners->size() != 2) {
-    in.wrong("box",
-             "found " + described(*value) + ", must be 2 corners [[x, y, z], [x, y, z]] (m)");
-    return {};
-  }
-  const auto min =
-      vector_from((*corners)[0], item_path(in.path_of("box"), 0), coordinate(), in.out());
-  const auto max =
-      vector_from((*corners)[1], item_path(in.path_of("box"), 1), coordinate(), in.out());
-  if (!min || !max) return {};
+  const auto corners = two_points_from(*in.find("box"), in.path_of("box"), "corners", in.out());
+  if (!corners) return {};
+  const auto& [min, max] = *corners;
   for (int d = 0; d < 3; ++d)
-    if ((*min)[d] > (*max)[d]) {
+    if (min[d] > max[d]) {
       in.wrong("box", std::string("the first corner must be the lower one, but its ") + "xyz"[d] +
-                          " = " + number_text((*min)[d]) + " is over the second's " +
-                          number_text((*max)[d]));
+                          " = " + number_text(min[d]) + " is over the second's " +
+                          number_text(max[d]));
       return {};
     }
-  return BoxRegion{*min, *max};
+  return BoxRegion{min, max};
 }
 
 std::optional<Region> read_plane_region(TableReader& in, const Draft& draft) {
@@ -76,10 +64,7 @@ std::optional<Region> read_plane_region(TableReader& in, const Draft& draft) {
   const bool normal = plane.read_direction("normal", region.normal);
   plane.read("tolerance", region.tolerance, not_negative("m"), Need::optional);
   if (!point || !normal) return {};
-  // Divided first: the square of a long normal would overflow.
-  const auto [x, y, z] = region.normal;
-  const Real size = std::max({std::abs(x), std::abs(y), std::abs(z)});
-  region.normal = normalized(Vec3{x / size, y / size, z / size});
+  region.normal = unit_normal(region.normal);
   return region;
 }
 

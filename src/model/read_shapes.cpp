@@ -1,8 +1,10 @@
 #include "src/model/read_shapes.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "src/base/vector.hpp"
 #include "src/model/draft.hpp"
-#include "src/model/prism_base.hpp"
 #include "src/model/read_value.hpp"
 
 namespace rockfold {
@@ -36,10 +38,10 @@ std::optional<HalfSpace> read_half_space(const Value& value, const std::string& 
   return plane && keep ? std::optional(half) : std::nullopt;
 }
 
-std::optional<Shape> read_halfspaces(TableReader& in, bool add) {
-  const std::size_t least = add ? 4 : 1;
+std::optional<Shape> read_halfspaces(TableReader& in, bool bounded) {
+  const std::size_t least = bounded ? 4 : 1;
   const std::string what =
-      add ? "4 or more planes {…}: fewer bound no solid" : "one or more planes {…}";
+      bounded ? "4 or more planes {…}: fewer bound no solid" : "one or more planes {…}";
   const auto* value = in.find("planes", "must be " + what);
   const auto* planes =
       value ? array_from(*value, in.path_of("planes"), least, what, in.out()) : nullptr;
@@ -52,37 +54,90 @@ std::optional<Shape> read_halfspaces(TableReader& in, bool add) {
   return shape.planes.size() == planes->size() ? std::optional<Shape>(shape) : std::nullopt;
 }
 
-std::optional<Shape> read_prism(TableReader& in) {
-  PrismShape prism;
-  const auto* value = in.find("base", "must be 3 or more points [x, y, z] (m)");
-  const auto base = value ? points_from(*value, in.path_of("base"), 3, in.out()) : std::nullopt;
-  const bool extruded = in.read("extrude", prism.extrude, coordinate());
-  if (!base) return {};
-  const auto problem = base_problem(*base);
-  if (!problem.empty()) in.wrong("base", problem);
-  const bool moves = extruded && norm(prism.extrude) > 0;
-  if (extruded && !moves) in.wrong("extrude", "found [0, 0, 0], must not be zero");
-  if (!problem.empty() || !moves) return {};
-  if (!leaves_plane(*base, prism.extrude)) {
-    in.wrong("extrude", "lies in the plane of the base, must leave it");
-    return {};
-  }
-  prism.base = *base;
-  return prism;
+/// The corners of a box about a point.
+std::vector<Vec3> around(const Vec3& point, Real reach) {
+  const Vec3 diagonal{reach, reach, reach};
+  return {point - diagonal, point + diagonal};
 }
+
+struct GivenPoints {
+  std::vector<Vec3> operator()(const BoxShape& box) const { return {box.min, box.max}; }
+  std::vector<Vec3> operator()(const HalfspacesShape& shape) const {
+    std::vector<Vec3> points;
+    for (const auto& half : shape.planes) points.push_back(half.plane.point);
+    return points;
+  }
+  std::vector<Vec3> operator()(const PrismShape& prism) const {
+    auto points = prism.base;
+    for (const auto& p : prism.base) points.push_back(p + prism.extrude);
+    return points;
+  }
+  std::vector<Vec3> operator()(const PyramidShape& pyramid) const {
+    auto points = pyramid.base;
+    points.push_back(pyramid.apex);
+    return points;
+  }
+  std::vector<Vec3> operator()(const FrustumShape& frustum) const {
+    auto points = frustum.base;
+    points.insert(points.end(), frustum.top.begin(), frustum.top.end());
+    return points;
+  }
+  std::vector<Vec3> operator()(const CylinderShape& cylinder) const {
+    auto points = around(cylinder.axis[0], cylinder.radius);
+    for (const auto& p : around(cylinder.axis[1], cylinder.radius)) points.push_back(p);
+    return points;
+  }
+  std::vector<Vec3> operator()(const SphereShape& sphere) const {
+    return around(sphere.center, sphere.radius);
+  }
+  std::vector<Vec3> operator()(const TunnelShape& tunnel) const {
+    Real reach = 0;
+    for (const auto& [x, y] : tunnel.section) reach = std::max(reach, std::hypot(x, y));
+    std::vector<Vec3> points;
+    for (const auto& corner : tunnel.path)
+      for (const auto& p : around(corner, reach)) points.push_back(p);
+    return points;
+  }
+  std::vector<Vec3> operator()(const MeshShape&) const { return {}; }
+  std::vector<Vec3> operator()(const TerrainShape&) const { return {}; }
+};
 
 }  // namespace
 
-std::optional<Shape> read_shape(TableReader& in, bool add) {
-  const auto shape = in.choose(
-      "shape", {{"box", "halfspaces", "prism"},
-                {"pyramid", "frustum", "cylinder", "sphere", "tunnel", "mesh", "terrain"}});
+std::optional<Shape> read_shape(TableReader& in, bool bounded, const std::string& model_path) {
+  const auto shape = in.choose("shape", {{"box", "halfspaces", "prism", "pyramid", "frustum",
+                                          "cylinder", "sphere", "tunnel", "mesh", "terrain"},
+                                         {}});
   if (!shape) {
     in.give_up();
     return {};
   }
-  if (*shape == 0) return read_box(in);
-  return *shape == 1 ? read_halfspaces(in, add) : read_prism(in);
+  switch (*shape) {
+    case 0:
+      return read_box(in);
+    case 1:
+      return read_halfspaces(in, bounded);
+    case 2:
+      return read_prism(in);
+    case 3:
+      return read_pyramid(in);
+    case 4:
+      return read_frustum(in);
+    case 5:
+      return read_cylinder(in);
+    case 6:
+      return read_sphere(in);
+    case 7:
+      return read_tunnel(in);
+    case 8:
+      return read_mesh(in, model_path);
+    default:
+      return read_terrain(in, model_path);
+  }
+}
+
+std::vector<Vec3> given_points(const Shape& shape) {
+  return std::visit(GivenPoints{}, shape);
 }
 
 }  // namespace rockfold

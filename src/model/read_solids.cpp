@@ -12,14 +12,6 @@ namespace rockfold {
 
 namespace {
 
-/// What a message lists where a face is not known.
-std::vector<std::string> names_and_groups(const Shape& shape) {
-  auto names = face_names(shape);
-  if (std::holds_alternative<PrismShape>(shape))
-    names.insert(names.begin(), {"side", "cap0", "cap1"});
-  return names;
-}
-
 /// Without a shape only the types are checked.
 void read_continues(TableReader& in, const std::optional<Shape>& shape, Solid& solid) {
   const auto* value = in.find("continues");
@@ -49,25 +41,6 @@ void read_operation(TableReader& in, bool first, Solid& solid) {
              "found \"subtract\", must be \"add\": there is nothing to subtract from yet");
 }
 
-/// Points that a solid is given by.
-struct GivenPoints {
-  std::vector<Vec3> operator()(const BoxShape& box) const { return {box.min, box.max}; }
-  std::vector<Vec3> operator()(const HalfspacesShape& shape) const {
-    std::vector<Vec3> points;
-    for (const auto& half : shape.planes) points.push_back(half.plane.point);
-    return points;
-  }
-  std::vector<Vec3> operator()(const PrismShape& prism) const {
-    auto points = prism.base;
-    for (const auto& p : prism.base) points.push_back(p + prism.extrude);
-    return points;
-  }
-  template <class Other>
-  std::vector<Vec3> operator()(const Other&) const {
-    return {};
-  }
-};
-
 /// The cutter takes planes closer than 1e-10 of the model's size for one: a box's faces must not
 /// be.
 void check_thickness(Draft& draft) {
@@ -92,9 +65,13 @@ void read_solids(Draft& draft) {
     solid.name = in.read_name(draft.solids, "solid" + std::to_string(number));
     solid.place = in.place();
     read_operation(in, number == 1, solid);
-    const auto shape = read_shape(in, solid.add);
+    const auto shape = read_shape(in, solid.add, draft.model.path);
     read_continues(in, shape, solid);
     in.read_reference("material", draft.materials, solid.material);
+    if (in.read_optional_reference("interface", draft.joint_materials, solid.interface) &&
+        solid.interface != none && !solid.add)
+      in.wrong("interface",
+               "belongs to rock that is added: a solid that is subtracted leaves none");
     if (shape) solid.shape = *shape;
     draft.has_shape.push_back(shape.has_value());
     draft.model.solids.push_back(std::move(solid));
@@ -102,11 +79,19 @@ void read_solids(Draft& draft) {
   check_thickness(draft);
 }
 
+std::vector<std::string> names_and_groups(const Shape& shape) {
+  std::vector<std::string> names;
+  for (const char* group : {"side", "cap0", "cap1"})
+    if (!faces_named(shape, group).empty()) names.emplace_back(group);
+  for (auto& name : face_names(shape)) names.push_back(std::move(name));
+  return names;
+}
+
 Real given_size(const Model& model) {
   Vec3 low{largest_coordinate, largest_coordinate, largest_coordinate}, high = -low;
   Real largest = 0;
   for (const auto& solid : model.solids)
-    for (const auto& point : std::visit(GivenPoints{}, solid.shape))
+    for (const auto& point : given_points(solid.shape))
       for (int d = 0; d < 3; ++d) {
         low[d] = std::min(low[d], point[d]);
         high[d] = std::max(high[d], point[d]);

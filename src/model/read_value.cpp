@@ -111,4 +111,16 @@ std::optional<std::vector<Vec3>> points_from(const Value& value, const std::stri
   return points.size() == array->size() ? std::optional(points) : std::nullopt;
 }
 
+std::optional<std::array<Vec3, 2>> two_points_from(const Value& value, const std::string& path,
+                                                   const std::string& what, Diagnostics& out) {
+  const auto* array = std::get_if<Array>(&value.data);
+  if (!array || array->size() != 2) {
+    wrong(value, path, "must be 2 " + what + " [[x, y, z], [x, y, z]] (m)", out);
+    return {};
+  }
+  const auto first = vector_from((*array)[0], item_path(path, 0), coordinate(), out);
+  const auto second = vector_from((*array)[1], item_path(path, 1), coordinate(), out);
+  return first && second ? std::optional(std::array{*first, *second}) : std::nullopt;
+}
+
 }  // namespace rockfold

@@ -2,6 +2,7 @@
 // nothing.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,10 @@ std::optional<Vec3> direction_from(const Value& value, const std::string& path, 
 /// At least `least` points.
 std::optional<std::vector<Vec3>> points_from(const Value& value, const std::string& path,
                                              std::size_t least, Diagnostics& out);
+
+/// Exactly two points; `what` names them, e.g. "corners".
+std::optional<std::array<Vec3, 2>> two_points_from(const Value& value, const std::string& path,
+                                                   const std::string& what, Diagnostics& out);
 
 /// An array with at least `least` values; `what` says of which, e.g. "3 numbers".
 const Array* array_from(const Value& value, const std::string& path, std::size_t least,

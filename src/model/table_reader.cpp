@@ -167,6 +167,12 @@ bool TableReader::read_reference(const std::string& key, const Names& names, Ind
   return false;
 }
 
+bool TableReader::read_optional_reference(const std::string& key, const Names& names,
+                                          Index& target) {
+  target = none;
+  return !has(key) || read_reference(key, names, target);
+}
+
 bool TableReader::not_yet(const std::string& key, const std::string& instead) {
   known_.push_back(key);
   const auto* found = entry(key);

@@ -56,6 +56,10 @@ class TableReader {
   /// Stores the id that the name under `key` refers to; default: the first, or none if there is
   /// none.
   bool read_reference(const std::string& key, const Names& names, Index& target);
+  /// Likewise; default: none.
+  bool read_optional_reference(const std::string& key, const Names& names, Index& target);
+
+  bool is_table() const { return table_ != nullptr; }
 
   /// A key of the model's format that is not built yet; `instead` says what is. Whether it is
   /// there.

@@ -1,0 +1,87 @@
+#include "host/cut/blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "host/cut/union_find.hpp"
+#include "host/refuse.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+
+namespace {
+
+std::vector<Index> components(const Complex& complex) {
+  UnionFind parts(complex.cells.size());
+  for (const Fragment& f : complex.fragments)
+    if (f.joint == none) parts.join(f.cell[0], f.cell[1]);
+  return parts.components();
+}
+
+// The cell that holds a point, deepest inside if it lies on a boundary; none outside of all.
+Index cell_at(const Complex& complex, const Vec3& point) {
+  const Vec3 x = point - complex.planes.centre();
+  Index best = none;
+  Real deepest = -complex.planes.tolerance();
+  for (Index c = 0; c < complex.cells.size(); ++c) {
+    Real depth = Box::infinity;
+    for (const auto& face : complex.cells[c].faces) {
+      const Index plane = plane_of(face.inside);
+      const Real d = dot(complex.planes.normal(plane), x) - complex.planes.offset(plane);
+      depth = std::min(depth, is_above(face.inside) ? d : -d);
+      if (depth <= deepest) break;
+    }
+    if (depth > deepest) best = c, deepest = depth;
+  }
+  return best;
+}
+
+// Joints between and inside the blocks that hold the points become virtual.
+void merge_blocks(Complex& complex, const Merge::Blocks& merge, const Place& place) {
+  const std::vector<Index> part = components(complex);
+  std::vector<bool> joined(complex.cells.size(), false);  // [parts]
+  for (const Vec3& point : merge.points) {
+    const Index cell = cell_at(complex, point);
+    if (cell == none)
+      refuse(place, place.key + ".points",
+             fmt::format("({:g}, {:g}, {:g}) is not in the rock", point[0], point[1], point[2]));
+    joined[part[cell]] = true;
+  }
+  for (Fragment& f : complex.fragments)
+    if (f.joint != none && joined[part[f.cell[0]]] && joined[part[f.cell[1]]] &&
+        complex.zone(f.cell[0]).stage == complex.zone(f.cell[1]).stage)
+      f.joint = f.instance = none;
+}
+
+}  // namespace
+
+// Coordinates are compared in units of 1e-9 of the model's size, so that rounding does not shuffle a regular pattern.
+void find_blocks(Complex& complex, const Model& model) {
+  for (const Merge& merge : model.merges)
+    if (const auto* blocks = std::get_if<Merge::Blocks>(&merge.region))
+      merge_blocks(complex, *blocks, merge.place);
+  complex.cell_block = components(complex);
+  const Index n = complex.cells.size();
+  complex.block_count =
+      n == 0 ? 0 : 1 + *std::max_element(complex.cell_block.begin(), complex.cell_block.end());
+
+  std::vector<CellMoments> sum(complex.block_count);
+  for (Index c = 0; c < n; ++c) {
+    sum[complex.cell_block[c]].volume += complex.moments[c].volume;
+    sum[complex.cell_block[c]].first += complex.moments[c].first;
+  }
+  const Real unit = 1e-9 * complex.planes.model_size();
+  std::vector<std::array<Real, 3>> key(sum.size());
+  for (std::size_t b = 0; b < sum.size(); ++b)
+    for (int d = 0; d < 3; ++d) key[b][d] = std::round(sum[b].first[2 - d] / sum[b].volume / unit);
+  std::vector<Index> order(sum.size()), rank(sum.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key[a] < key[b]; });
+  for (std::size_t i = 0; i < order.size(); ++i) rank[order[i]] = static_cast<Index>(i);
+  for (Index& b : complex.cell_block) b = rank[b];
+}
+
+}  // namespace rockfold

@@ -1,0 +1,13 @@
+// Blocks: the components of cells over virtual fragments.
+#pragma once
+
+#include "host/cut/complex.hpp"
+#include "src/model/model.hpp"
+
+namespace rockfold {
+
+/// Fills cell_block and block_count; blocks are ordered by centroid (z, then y, then x). Joints inside what a [[merge]] by
+/// points joins become virtual. Throws Error(model) for such a point outside of the rock.
+void find_blocks(Complex& complex, const Model& model);
+
+}  // namespace rockfold

@@ -1,0 +1,216 @@
+#include "host/cut/contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "host/parallel.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+
+namespace {
+
+struct FaceRef {
+  Index cell = none, face = none;
+};
+
+// A face with what is needed to match it: its edges as a sorted set, and a bounding ball.
+struct PlaneFace {
+  FaceRef ref;
+  std::uint64_t hash = 0;
+};
+
+std::uint64_t mix(std::uint64_t x) {  // the finaliser of SplitMix64
+  x ^= x >> 30;
+  x *= 0xbf58476d1ce4e5b9u;
+  x ^= x >> 27;
+  x *= 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+// Independent of where the loop starts and which way it runs.
+std::uint64_t edge_set_hash(const CellView& cell, const ConvexCell::Face& face) {
+  std::uint64_t sum = static_cast<std::uint64_t>(face.count);
+  for (const auto& corner : cell.corners.subspan(face.begin, face.count))
+    sum += mix(static_cast<std::uint64_t>(corner.neighbour) + 0x9e3779b97f4a7c15u);
+  return sum;
+}
+
+std::vector<HalfSpaceId> edge_set(const CellView& cell, const ConvexCell::Face& face) {
+  std::vector<HalfSpaceId> set;
+  for (const auto& corner : cell.corners.subspan(face.begin, face.count))
+    set.push_back(corner.neighbour);
+  std::sort(set.begin(), set.end());
+  return set;
+}
+
+// Matches the faces of the cells below a plane with those of the cells above it.
+class PlaneMatcher {
+ public:
+  PlaneMatcher(const PlaneTable& planes, const CellStore& cells, Index plane)
+      : planes_(planes), cells_(cells), plane_(plane), clipper_(planes) {}
+
+  PlaneContacts run(std::vector<PlaneFace>& below, std::vector<PlaneFace>& above) {
+    const auto order = [](const PlaneFace& a, const PlaneFace& b) {
+      return a.hash != b.hash ? a.hash < b.hash : a.ref.cell < b.ref.cell;
+    };
+    std::sort(below.begin(), below.end(), order);
+    std::sort(above.begin(), above.end(), order);
+    match_equal(below, above);
+    overlap_rest();
+    result_.intent = clipper_.intent;
+    return std::move(result_);
+  }
+
+ private:
+  struct Loose {
+    FaceRef ref;
+    Polygon polygon;
+    Vec3 low{}, high{};
+    std::vector<Polygon> rest;  // not yet covered by a face of the other side
+    bool touched = false;
+  };
+
+  ConvexCell::Face face(const FaceRef& ref) const { return cells_[ref.cell].faces[ref.face]; }
+
+  bool same_edges(const FaceRef& a, const FaceRef& b) const {
+    return edge_set(cells_[a.cell], face(a)) == edge_set(cells_[b.cell], face(b));
+  }
+
+  void match_equal(const std::vector<PlaneFace>& below, const std::vector<PlaneFace>& above) {
+    std::size_t j = 0;
+    for (const PlaneFace& b : below) {
+      while (j < above.size() && above[j].hash < b.hash) loosen(above[j++].ref, loose_above_);
+      if (j < above.size() && above[j].hash == b.hash && same_edges(b.ref, above[j].ref)) {
+        result_.shared.push_back(
+            {{b.ref.cell, above[j].ref.cell}, {b.ref.face, above[j].ref.face}, {}});
+        ++j;
+      } else {
+        loosen(b.ref, loose_below_);
+      }
+    }
+    while (j < above.size()) loosen(above[j++].ref, loose_above_);
+  }
+
+  void loosen(const FaceRef& ref, std::vector<Loose>& list) const {
+    Loose loose;
+    loose.ref = ref;
+    loose.polygon = face_polygon(cells_[ref.cell], face(ref));
+    loose.low = loose.high = loose.polygon.corner.front().x;
+    for (const Vertex& v : loose.polygon.corner)
+      for (int d = 0; d < 3; ++d) {
+        loose.low[d] = std::min(loose.low[d], v.x[d]);
+        loose.high[d] = std::max(loose.high[d], v.x[d]);
+      }
+    list.push_back(std::move(loose));
+  }
+
+  static bool boxes_meet(const Loose& a, const Loose& b, Real slack) {
+    for (int d = 0; d < 3; ++d)
+      if (a.low[d] > b.high[d] + slack || b.low[d] > a.high[d] + slack) return false;
+    return true;
+  }
+
+  // Sweep along the axis in which the plane extends most.
+  void overlap_rest() {
+    const Vec3& n = planes_.normal(plane_);
+    int axis = 0;
+    for (int d = 1; d < 3; ++d)
+      if (std::abs(n[d]) < std::abs(n[axis])) axis = d;
+    const auto by_low = [axis](const Loose& a, const Loose& b) {
+      return a.low[axis] != b.low[axis] ? a.low[axis] < b.low[axis] : a.ref.cell < b.ref.cell;
+    };
+    std::sort(loose_below_.begin(), loose_below_.end(), by_low);
+    std::sort(loose_above_.begin(), loose_above_.end(), by_low);
+    const Real slack = planes_.tolerance();
+    std::vector<std::size_t> active;
+    std::size_t next = 0;
+    for (Loose& b : loose_below_) {
+      while (next < loose_above_.size() && loose_above_[next].low[axis] <= b.high[axis] + slack)
+        active.push_back(next++);
+      std::erase_if(
+          active, [&](std::size_t i) { return loose_above_[i].high[axis] < b.low[axis] - slack; });
+      for (const std::size_t i : active)
+        if (boxes_meet(b, loose_above_[i], slack)) overlap(b, loose_above_[i]);
+    }
+    for (Loose& b : loose_below_) finish(b);
+    for (Loose& a : loose_above_) finish(a);
+  }
+
+  void overlap(Loose& below, Loose& above) {
+    Polygon common = clipper_.intersection(below.polygon, above.polygon.edge);
+    if (common.empty() || !(polygon_moments(common).area > 0)) return;
+    for (Loose* side : {&below, &above}) {
+      if (!side->touched) side->rest = {side->polygon};
+      side->touched = true;
+      std::vector<Polygon> rest;
+      for (const Polygon& p : side->rest) {
+        if (clipper_.intersection(p, common.edge).empty())
+          rest.push_back(p);
+        else
+          clipper_.subtract(p, common.edge, rest);
+      }
+      side->rest = std::move(rest);
+    }
+    result_.shared.push_back(
+        {{below.ref.cell, above.ref.cell}, {below.ref.face, above.ref.face}, std::move(common)});
+  }
+
+  void finish(Loose& loose) {
+    if (!loose.touched) result_.open.push_back({loose.ref.cell, loose.ref.face, {}});
+    for (Polygon& p : loose.rest)
+      result_.open.push_back({loose.ref.cell, loose.ref.face, std::move(p)});
+  }
+
+  const PlaneTable& planes_;
+  const CellStore& cells_;
+  const Index plane_;
+  PolygonClipper clipper_;
+  PlaneContacts result_;
+  std::vector<Loose> loose_below_, loose_above_;
+};
+
+struct FacesByPlane {
+  std::vector<std::int64_t> begin;  // [planes + 1]
+  std::vector<PlaneFace> faces;     // by plane, then cell
+};
+
+FacesByPlane sort_by_plane(const PlaneTable& planes, const CellStore& cells) {
+  FacesByPlane result;
+  result.begin.assign(static_cast<std::size_t>(planes.size()) + 1, 0);
+  for (Index c = 0; c < cells.size(); ++c)
+    for (const auto& f : cells[c].faces) ++result.begin[plane_of(f.inside) + 1];
+  for (std::size_t p = 1; p < result.begin.size(); ++p) result.begin[p] += result.begin[p - 1];
+  result.faces.resize(result.begin.back());
+  std::vector<std::int64_t> next(result.begin.begin(), result.begin.end() - 1);
+  for (Index c = 0; c < cells.size(); ++c) {
+    const CellView cell = cells[c];
+    for (std::size_t f = 0; f < cell.faces.size(); ++f)
+      result.faces[next[plane_of(cell.faces[f].inside)]++] = {{c, static_cast<Index>(f)}, 0};
+  }
+  return result;
+}
+
+}  // namespace
+
+void for_each_plane(const PlaneTable& planes, const CellStore& cells,
+                    const std::function<void(Index, PlaneContacts&)>& use) {
+  const FacesByPlane by_plane = sort_by_plane(planes, cells);
+  const auto match = [&](std::int64_t plane) {
+    if (by_plane.begin[plane] == by_plane.begin[plane + 1]) return;
+    std::vector<PlaneFace> below, above;  // cells below and above the plane
+    for (auto i = by_plane.begin[plane]; i < by_plane.begin[plane + 1]; ++i) {
+      PlaneFace f = by_plane.faces[i];
+      const CellView cell = cells[f.ref.cell];
+      f.hash = edge_set_hash(cell, cell.faces[f.ref.face]);
+      (is_above(cell.faces[f.ref.face].inside) ? above : below).push_back(f);
+    }
+    const auto p = static_cast<Index>(plane);
+    PlaneContacts contacts = PlaneMatcher(planes, cells, p).run(below, above);
+    use(p, contacts);
+  };
+  parallel_for(planes.size(), 1, match, by_plane.faces.size() > 2000);
+}
+
+}  // namespace rockfold

@@ -1,0 +1,150 @@
+#include <cmath>
+#include <limits>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2_algorithms.h>
+#include <fmt/format.h>
+
+#include "host/exact/orientation.hpp"
+#include "host/joints/given_joints_exact.hpp"
+#include "host/joints/place_set_exact.hpp"
+#include "host/refuse.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+
+namespace {
+
+// To nearest: CGAL's own conversion may be off by one in the last place.
+Real rounded(const Exact& x) {
+  Real best = CGAL::to_double(x);
+  Exact least = abs(Exact(best) - x);
+  const Real infinity = std::numeric_limits<Real>::infinity();
+  for (const Real other : {std::nextafter(best, -infinity), std::nextafter(best, infinity)})
+    if (const Exact miss = abs(Exact(other) - x); miss < least) best = other, least = miss;
+  return best;
+}
+
+Vec3 projected(const Vec3& point, const ExactPlane& plane, const Exact& n_squared) {
+  const ExactVec3 p = exact(point);
+  const Exact t = (dot(plane.n, p) - plane.d) / n_squared;
+  Vec3 x;
+  for (int d = 0; d < 3; ++d) x[d] = rounded(p[d] - t * plane.n[d]);
+  return x;
+}
+
+// Seen along the axis that the plane faces most, exactly on the rounded corners.
+bool is_simple_with_area(const std::vector<Vec3>& polygon, const ExactPlane& plane) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  int axis = 0;
+  for (int d = 1; d < 3; ++d)
+    if (abs(plane.n[d]) > abs(plane.n[axis])) axis = d;
+  std::vector<Kernel::Point_2> seen;
+  for (const Vec3& p : polygon) seen.emplace_back(p[(axis + 1) % 3], p[(axis + 2) % 3]);
+  return CGAL::is_simple_2(seen.begin(), seen.end()) &&
+         CGAL::orientation_2(seen.begin(), seen.end()) != CGAL::COLLINEAR;
+}
+
+void refuse_tiny_disc(Real radius, const PlacingRegion& region, const Place& place,
+                      const std::string& key) {
+  const Real size = diagonal(region.box);
+  if (radius < least_radius_share * size)
+    refuse(place, key,
+           fmt::format("a disc of radius {:.3g} m is too small beside rock of {:.3g} m; at least "
+                       "{:.3g} m can be told from a point",
+                       radius, size, least_radius_share * size));
+}
+
+// The origin for a table's rows of `material`, made when it is first asked for.
+Index origin_for(Index material, std::vector<Index>& origin_of_material, PlacedJoints& placed,
+                 const std::string& name) {
+  const std::size_t i = material + 1;  // `none` is -1
+  if (origin_of_material.size() <= i) origin_of_material.resize(i + 1, none);
+  if (origin_of_material[i] == none) {
+    origin_of_material[i] = static_cast<Index>(placed.origins.size());
+    placed.origins.push_back({name, material});
+  }
+  return origin_of_material[i];
+}
+
+}  // namespace
+
+void place_joint(const Joint& joint, const RockBounds& rock, const std::string& key,
+                 PlacedJoints& placed) {
+  const auto origin = static_cast<Index>(placed.origins.size());
+  placed.origins.push_back({joint.name, joint.material});
+  const GivenPlane& given = joint.plane;
+  PlacedJoint one{
+      plane_through(normal_of(given.orientation), given.point), {}, origin, joint.within};
+  const PlacingRegion region = placing_region(rock, joint.within);
+  if (!joint.polygon.empty()) {
+    const Exact n_squared = dot(one.plane.n, one.plane.n);
+    for (const Vec3& p : joint.polygon) one.polygon.push_back(projected(p, one.plane, n_squared));
+    if (!is_simple_with_area(one.polygon, one.plane))
+      refuse(joint.place, key + ".polygon",
+             fmt::format("the polygon of joint \"{}\", projected on its plane along the normal, "
+                         "crosses or touches itself or has no area; corners must go once around",
+                         joint.name));
+    if (boxes_meet(bounding_box(one.polygon), region.box, region.margin))
+      placed.joints.push_back(std::move(one));
+  } else if (joint.radius) {
+    refuse_tiny_disc(*joint.radius, region, joint.place, key + ".radius");
+    const ExactPlane plane = one.plane;
+    place_disc(plane, plane_frame(given.orientation), given.point, {}, *joint.radius,
+               disc_outline(joint.sides), region, std::move(one), placed.joints);
+  } else {
+    placed.joints.push_back(std::move(one));
+  }
+}
+
+void place_mesh(const JointMesh& mesh, const RockBounds& rock, const std::string& key,
+                PlacedJoints& placed) {
+  const auto origin = static_cast<Index>(placed.origins.size());
+  placed.origins.push_back({mesh.name, mesh.material});
+  const PlacingRegion region = placing_region(rock, mesh.within);
+  const TriangleSurface& surface = *mesh.surface;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    PlacedJoint one;
+    one.polygon = {surface.vertices[a], surface.vertices[b], surface.vertices[c]};
+    if (!boxes_meet(bounding_box(one.polygon), region.box, region.margin)) continue;
+    const ExactVec3 p = exact(one.polygon[0]), q = exact(one.polygon[1]), r = exact(one.polygon[2]);
+    one.plane = plane_along(p, {q[0] - p[0], q[1] - p[1], q[2] - p[2]},
+                            {r[0] - p[0], r[1] - p[1], r[2] - p[2]});
+    if (one.plane.n[0] == 0 && one.plane.n[1] == 0 && one.plane.n[2] == 0)
+      refuse(mesh.place, key + ".file",
+             fmt::format("triangle {} of \"{}\" has no area: its corners lie on one line", t + 1,
+                         mesh.file));
+    one.origin = origin;
+    one.within = mesh.within;
+    placed.joints.push_back(std::move(one));
+  }
+}
+
+void place_table(const JointTable& table, const std::vector<JointMaterial>& materials,
+                 const RockBounds& rock, const std::string& key, PlacedJoints& placed) {
+  const PlacingRegion region = placing_region(rock, table.within);
+  const std::size_t first_origin = placed.origins.size();
+  const DiscOutline outline = disc_outline(table.sides);
+  std::vector<Index> origin_of_material;
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    const JointTable::Row& row = table.rows[r];
+    const Index origin = origin_for(row.material, origin_of_material, placed, table.name);
+    const ExactPlane plane = plane_through(normal_of(row.orientation), row.center);
+    const PlacedJoint one{plane, {}, origin, table.within};
+    if (std::isinf(row.radius)) {
+      placed.joints.push_back(one);
+      continue;
+    }
+    refuse_tiny_disc(row.radius, region, table.place, fmt::format("{}.file row {}", key, r + 1));
+    place_disc(plane, plane_frame(row.orientation), row.center, {}, row.radius, outline, region,
+               one, placed.joints);
+  }
+  if (placed.origins.size() == first_origin) placed.origins.push_back({table.name, table.material});
+  if (placed.origins.size() - first_origin > 1)
+    for (std::size_t i = first_origin; i < placed.origins.size(); ++i)
+      if (const Index m = placed.origins[i].material; m != none)
+        placed.origins[i].name += "." + materials[m].name;
+}
+
+}  // namespace rockfold

@@ -1,0 +1,193 @@
+#include "tests/cut/conservation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <sstream>
+
+#include <omp.h>
+
+#include "src/base/vector.hpp"
+#include "tests/flatten/array_difference.hpp"
+
+namespace rockfold::test {
+
+namespace {
+
+class Losses {
+ public:
+  Losses(const Blocks& blocks, Real size, Real relative)
+      : a_(blocks.arrays), t_(blocks.cutting.totals), size_(size), relative_(relative) {}
+
+  std::vector<std::string> run() {
+    if (!near(sum(a_.volume), t_.solid_volume, relative_ * t_.solid_volume))
+      line("blocks of ", sum(a_.volume), " m3 in solids of ", t_.solid_volume);
+    Real joint_faces = 0;
+    for (Index b = 0; b < a_.block_count(); ++b) {
+      check_surface(b);
+      for (Index f = a_.face_begin[b]; f < a_.face_begin[b + 1]; ++f)
+        if (a_.origins[a_.face_origin[f]].kind == FaceOrigin::Kind::joint)
+          joint_faces += a_.face_area[f];
+    }
+    Real shared = 0;
+    for (const auto& i : a_.interfaces) shared += i.area;
+    const Real area = 1e-11 * std::max(size_ * size_, t_.joint_area);
+    if (!near(joint_faces, 2 * shared, area))
+      line("joint faces of ", joint_faces, " m2, interfaces of ", shared);
+    if (!near(t_.joint_area - t_.dangling_joint_area, shared, area))
+      line("joints of ", t_.joint_area, " m2, of these ", t_.dangling_joint_area,
+           " dead ends; interfaces of ", shared);
+    if (!near(sum(a_.dead_end_area), t_.dangling_joint_area, area))
+      line("dead ends of ", sum(a_.dead_end_area), " m2, in all ", t_.dangling_joint_area);
+    if (!a_.dead_end_area.empty()) check_dead_ends(area);
+    return std::move(lines_);
+  }
+
+ private:
+  template <class... Part>
+  void line(const Part&... part) {
+    if (lines_.size() >= 20) return;
+    std::ostringstream text;
+    text.precision(17);
+    (text << ... << part);
+    lines_.push_back(text.str());
+  }
+  static bool near(Real a, Real b, Real off) { return std::abs(a - b) <= off; }
+
+  // Polygons of dead ends against the areas that blocks claim.
+  void check_dead_ends(Real area) {
+    std::vector<Real> of_block(a_.block_count(), 0);
+    for (std::size_t d = 0; d < a_.dead_end_block.size(); ++d) {
+      const Index begin = a_.dead_end_corner_begin[d], end = a_.dead_end_corner_begin[d + 1];
+      Vec3 twice{};
+      for (Index c = begin + 1; c + 1 < end; ++c)
+        twice += cross(a_.dead_end_vertex[c] - a_.dead_end_vertex[begin],
+                       a_.dead_end_vertex[c + 1] - a_.dead_end_vertex[begin]);
+      of_block[a_.dead_end_block[d]] += norm(twice) / 2;
+    }
+    for (Index b = 0; b < a_.block_count(); ++b)
+      if (!near(of_block[b], a_.dead_end_area[b], area))
+        line("block ", b, ": dead ends of ", a_.dead_end_area[b], " m2, their polygons ",
+             of_block[b]);
+  }
+
+  void check_surface(Index b) {
+    std::map<std::pair<Index, Index>, int> runs;  // edge → times along minus times against
+    Vec3 vector_area{};
+    Real volume = 0, surface = 0;
+    const Vec3 o = a_.centroid[b];
+    for (Index f = a_.face_begin[b]; f < a_.face_begin[b + 1]; ++f) {
+      vector_area += a_.face_area[f] * a_.face_normal[f];
+      surface += a_.face_area[f];
+      for (Index l = a_.loop_begin[f]; l < a_.loop_begin[f + 1]; ++l)
+        for (Index c = a_.corner_begin[l]; c < a_.corner_begin[l + 1]; ++c) {
+          const Index next = c + 1 < a_.corner_begin[l + 1] ? c + 1 : a_.corner_begin[l];
+          const Index p = a_.corner_vertex[c], q = a_.corner_vertex[next];
+          runs[std::minmax(p, q)] += p < q ? 1 : -1;
+          const Vec3& apex = a_.vertex[a_.corner_vertex[a_.corner_begin[l]]];
+          volume += dot(apex - o, cross(a_.vertex[p] - o, a_.vertex[q] - o)) / 6;
+        }
+    }
+    for (const auto& [edge, balance] : runs)
+      if (balance != 0) {
+        line("block ", b, ": an edge is run through ", balance, " times more in one sense");
+        break;
+      }
+    if (!(norm(vector_area) <= 1e-9 * size_ * size_))
+      line("block ", b, ": its faces' vector areas leave ", norm(vector_area));
+    if (!near(volume, a_.volume[b], 1e-9 * size_ * surface))
+      line("block ", b, ": volume ", a_.volume[b], ", its faces enclose ", volume);
+    if (!(a_.volume[b] > 0)) line("block ", b, ": volume ", a_.volume[b]);
+  }
+
+  const BlockArrays& a_;
+  const CutTotals& t_;
+  const Real size_, relative_;
+  std::vector<std::string> lines_;
+};
+
+std::string totals_text(const CutTotals& t) {
+  std::ostringstream text;
+  text << std::hexfloat << t.cells << " cells, " << t.solid_volume << " m3, joints " << t.joint_area
+       << " dangling " << t.dangling_joint_area << ", near decisions " << t.intent.near_decisions;
+  return text.str();
+}
+
+// Totals are sums over cells, whose shapes may depend on the order of joints: to rounding only.
+bool nearly_equal(Real a, Real b) {
+  return std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b));
+}
+
+}  // namespace
+
+std::vector<std::string> losses(const Blocks& blocks, Real size, Real relative) {
+  return Losses(blocks, size, relative).run();
+}
+
+Real clipped_area(const std::vector<Vec3>& polygon, const std::vector<HalfSpaceOutside>& solid) {
+  // A polygon's vector area is that of its fan of signed triangles, each of them convex.
+  Vec3 whole{};
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+    whole += cross(polygon[k] - polygon[0], polygon[k + 1] - polygon[0]);
+  const Vec3 up = normalized(whole);
+  Real area = 0;
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+    std::vector<Vec3> part{polygon[0], polygon[k], polygon[k + 1]};
+    const Real sense = dot(up, cross(part[1] - part[0], part[2] - part[0])) < 0 ? -1 : 1;
+    for (const auto& [normal, point] : solid) {
+      std::vector<Vec3> kept;
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        const Vec3 &p = part[i], &q = part[(i + 1) % part.size()];
+        const Real dp = dot(normal, p - point), dq = dot(normal, q - point);
+        if (dp <= 0) kept.push_back(p);
+        if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0))
+          kept.push_back(p + (dp / (dp - dq)) * (q - p));
+      }
+      part = std::move(kept);
+      if (part.size() < 3) break;
+    }
+    Vec3 twice{};
+    for (std::size_t i = 1; i + 1 < part.size(); ++i)
+      twice += cross(part[i] - part[0], part[i + 1] - part[0]);
+    area += sense * norm(twice) / 2;
+  }
+  return area;
+}
+
+std::vector<std::string> dependences(const Model& model, bool shuffle_joints) {
+  std::vector<std::string> lines;
+  const int threads_before = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const Blocks one = cut(model);
+  const auto compare = [&](const Blocks& other, const std::string& what) {
+    std::string differs = first_difference(one.arrays, other.arrays);
+    if (differs.empty() && one.arrays.dead_end_area != other.arrays.dead_end_area)
+      differs = "dead_end_area";
+    if (!differs.empty()) lines.push_back(what + ": " + differs);
+  };
+  for (const int threads : {2, 4}) {
+    omp_set_num_threads(threads);
+    const Blocks many = cut(model);
+    const std::string what = std::to_string(threads) + " threads";
+    compare(many, what);
+    if (totals_text(many.cutting.totals) != totals_text(one.cutting.totals))
+      lines.push_back(what + ": " + totals_text(many.cutting.totals) +
+                      ", one thread: " + totals_text(one.cutting.totals));
+  }
+  omp_set_num_threads(threads_before);
+  for (unsigned seed = 1; shuffle_joints && seed <= 3; ++seed) {
+    Model shuffled = model;
+    std::mt19937 random(seed);
+    std::shuffle(shuffled.joints.begin(), shuffled.joints.end(), random);
+    const Blocks other = cut(shuffled);
+    const std::string what = "shuffle " + std::to_string(seed);
+    compare(other, what);
+    const CutTotals &t = one.cutting.totals, &u = other.cutting.totals;
+    if (!nearly_equal(t.joint_area, u.joint_area) || !nearly_equal(t.solid_volume, u.solid_volume))
+      lines.push_back(what + ": " + totals_text(u) + ", before: " + totals_text(t));
+  }
+  return lines;
+}
+
+}  // namespace rockfold::test

@@ -1,0 +1,431 @@
+// What the user meant by finite joints: polygons that share lines and corners but for rounding or noise (DESIGN.md, rules
+// 1 to 5), and which joint a face belongs to.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "src/base/vector.hpp"
+#include "tests/cut/conservation.hpp"
+#include "tests/cut/nef_models.hpp"
+
+namespace rockfold::test {
+namespace {
+
+const std::vector<std::string> none_differ;
+constexpr Real pi = 3.14159265358979323846;
+
+// A rotation, a shift and noise of up to `noise` m in each coordinate.
+class Placement {
+ public:
+  Placement(unsigned seed, const Vec3& shift, Real noise)
+      : random_(seed), shift_(shift), noise_(-noise, noise) {
+    std::normal_distribution<Real> gauss;
+    const auto any = [&] { return Vec3{gauss(random_), gauss(random_), gauss(random_)}; };
+    z_ = normalized(any());
+    x_ = normalized(cross(any(), z_));
+    y_ = cross(z_, x_);
+  }
+  Vec3 direction(const Vec3& v) const { return v[0] * x_ + v[1] * y_ + v[2] * z_; }
+  Vec3 operator()(const Vec3& p) {
+    Vec3 moved = direction(p) + shift_;
+    for (Real& c : moved) c += noise_(random_);
+    return moved;
+  }
+
+  /// A cube of edge 2·half about the origin, turned and shifted.
+  Model cube(Real half) {
+    Model model;
+    std::vector<std::pair<Vec3, Vec3>> faces;
+    for (int d = 0; d < 3; ++d)
+      for (const Real s : {-1.0, 1.0}) {
+        Vec3 n{};
+        n[d] = s;
+        faces.emplace_back(direction(n), (*this)(half * n));
+      }
+    model.solids.push_back(convex_solid("rock", faces));
+    return model;
+  }
+  /// The plane is the one that best fits the corners (Newell).
+  void add(Model& model, const std::vector<Vec3>& corners) {
+    std::vector<Vec3> moved;
+    for (const Vec3& p : corners) moved.push_back((*this)(p));
+    Vec3 normal{};
+    for (std::size_t i = 1; i + 1 < moved.size(); ++i)
+      normal += cross(moved[i] - moved[0], moved[i + 1] - moved[0]);
+    add_joint(model, normal, moved[0]);
+    model.joints.back().polygon = moved;
+  }
+
+ private:
+  std::mt19937 random_;
+  Vec3 x_, y_, z_, shift_;
+  std::uniform_real_distribution<Real> noise_;
+};
+
+// Near, and far enough that doubles are 2e-12 m apart; exact, and with noise of a tenth of the tolerance.
+template <class Check>
+void in_all_placements(const Check& check) {
+  for (const Vec3& shift : {Vec3{}, Vec3{1e4, -2e4, 500}})
+    for (const Real noise : {0.0, 5e-11})
+      for (unsigned seed = 1; seed <= 5; ++seed) {
+        SCOPED_TRACE(testing::Message()
+                     << "seed " << seed << " shift " << shift[0] << " noise " << noise);
+        Placement place(seed, shift, noise);
+        check(place);
+      }
+}
+
+void expect_volume(const Blocks& blocks, Real volume) {
+  EXPECT_NEAR(sum(blocks.arrays.volume), volume, 1e-8 * volume);
+  EXPECT_EQ(losses(blocks, std::cbrt(volume) * 2, 1e-9), none_differ);
+}
+
+Index block_of_volume(const BlockArrays& a, Real volume) {
+  for (Index b = 0; b < a.block_count(); ++b)
+    if (std::abs(a.volume[b] - volume) < 1e-6 * volume) return b;
+  ADD_FAILURE() << "no block of volume " << volume;
+  return none;
+}
+
+TEST(RadialJoints, OfOneLineMakeASectorEach) {
+  for (const int joints : {3, 5, 6})
+    in_all_placements([&](Placement& place) {
+      Model model = place.cube(2);
+      for (int i = 0; i < joints; ++i) {
+        const Real t = 2 * pi * (i + 0.05 * (i % 2)) / joints + 0.1;
+        const Vec3 out{4 * std::cos(t), 4 * std::sin(t), 0}, foot{0.3, -0.2, 0}, up{0, 0, 3};
+        place.add(model, {foot - up, foot - up + out, foot + up + out, foot + up});
+      }
+      const Blocks blocks = cut(model);
+      ASSERT_EQ(blocks.arrays.block_count(), joints);
+      for (Index b = 0; b < joints; ++b) {
+        EXPECT_EQ(blocks.arrays.shell_count[b], 1);
+        EXPECT_EQ(blocks.arrays.genus[b], 0);
+        EXPECT_GT(blocks.arrays.volume[b], 1);
+      }
+      EXPECT_EQ(blocks.cutting.totals.dangling_joint_area, 0);
+      expect_volume(blocks, 64);
+    });
+}
+
+TEST(RadialJoints, ThatCrossOnOneLineMakeTwoSectorsEach) {
+  for (const int joints : {3, 5, 6})
+    in_all_placements([&](Placement& place) {
+      Model model = place.cube(2);
+      for (int i = 0; i < joints; ++i) {
+        const Real t = pi * i / joints + 0.1;
+        const Vec3 out{4 * std::cos(t), 4 * std::sin(t), 0}, foot{0.3, -0.2, 0}, up{0, 0, 3};
+        place.add(model, {foot - up - out, foot - up + out, foot + up + out, foot + up - out});
+      }
+      const Blocks blocks = cut(model);
+      EXPECT_EQ(blocks.arrays.block_count(), 2 * joints);
+      expect_volume(blocks, 64);
+    });
+}
+
+// They end inside the rock: a star that divides nothing.
+TEST(RadialJoints, ThatEndInsideAreDeadEnds) {
+  for (const int joints : {3, 5, 6})
+    in_all_placements([&](Placement& place) {
+      Model model = place.cube(2);
+      for (int i = 0; i < joints; ++i) {
+        const Real t = 2 * pi * i / joints + 0.1;
+        const Vec3 out{std::cos(t), std::sin(t), 0}, up{0, 0, 1};
+        place.add(model, {-up, out - up, out + up, up});
+      }
+      const Blocks blocks = cut(model);
+      ASSERT_EQ(blocks.arrays.block_count(), 1);
+      EXPECT_EQ(counts_of(blocks.arrays, 0), (Counts{8, 12, 6}));
+      EXPECT_TRUE(blocks.arrays.convex[0]);
+      EXPECT_NEAR(blocks.cutting.totals.dangling_joint_area, 2 * joints, 1e-8);
+      expect_volume(blocks, 64);
+    });
+}
+
+// 12 vertices, each on five planes none of which it is on exactly. Edge 2: volume 20/3·φ², φ = (1 + √5)/2.
+std::vector<std::vector<Vec3>> icosahedron() {
+  const Real phi = (1 + std::sqrt(5.0)) / 2;
+  std::vector<Vec3> v;
+  for (const Real s : {-1.0, 1.0})
+    for (const Real t : {-phi, phi})
+      for (const Vec3& p : {Vec3{0, s, t}, {s, t, 0}, {t, 0, s}}) v.push_back(p);
+  std::vector<std::vector<Vec3>> triangles;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t k = 0; k < j; ++k)
+        if (norm(v[i] - v[j]) < 2.1 && norm(v[j] - v[k]) < 2.1 && norm(v[k] - v[i]) < 2.1)
+          triangles.push_back({v[i], v[j], v[k]});
+  return triangles;
+}
+
+TEST(IcosahedronOfJoints, ClosesOneBlock) {
+  const Real phi = (1 + std::sqrt(5.0)) / 2, volume = 20.0 / 3 * phi * phi;
+  in_all_placements([&](Placement& place) {
+    Model model = place.cube(2.5);
+    for (const auto& triangle : icosahedron()) place.add(model, triangle);
+    ASSERT_EQ(model.joints.size(), 20u);
+    const Blocks blocks = cut(model);
+    const BlockArrays& a = blocks.arrays;
+    ASSERT_EQ(a.block_count(), 2);
+    const Index inner = block_of_volume(a, volume);
+    ASSERT_NE(inner, none);
+    EXPECT_EQ(counts_of(a, inner), (Counts{12, 30, 20}));
+    EXPECT_TRUE(a.convex[inner]);
+    EXPECT_EQ(counts_of(a, 1 - inner), (Counts{8 + 12, 12 + 30, 6 + 20}));
+    EXPECT_EQ(a.shell_count[1 - inner], 2);
+    EXPECT_EQ(a.genus[1 - inner], 0);
+    EXPECT_FALSE(a.convex[1 - inner]);
+    EXPECT_EQ(blocks.cutting.totals.dangling_joint_area, 0);
+    EXPECT_EQ(a.interfaces.size(), 20u);
+    expect_volume(blocks, 125);
+  });
+}
+
+// Without one of its triangles it closes nothing.
+TEST(IcosahedronOfJoints, LacksATriangleAndIsNoBlock) {
+  in_all_placements([&](Placement& place) {
+    Model model = place.cube(2.5);
+    for (const auto& triangle : icosahedron()) place.add(model, triangle);
+    model.joints.erase(model.joints.begin() + 7);
+    const Blocks blocks = cut(model);
+    ASSERT_EQ(blocks.arrays.block_count(), 1);
+    EXPECT_EQ(counts_of(blocks.arrays, 0), (Counts{8, 12, 6}));
+    EXPECT_NEAR(blocks.cutting.totals.dangling_joint_area, 19 * std::sqrt(3.0), 1e-7);
+  });
+}
+
+// m × m squares of two triangles each, from side to side of the cube: two blocks, of all triangles and five sides each.
+void expect_two_halves(Real bumps) {
+  constexpr int m = 6;
+  in_all_placements([&](Placement& place) {
+    Model model = place.cube(3);
+    const auto post = [&](int i, int j) {
+      return Vec3{i - 3.0, j - 3.0, bumps * std::sin(1.3 * i + 0.7 * j * j)};
+    };
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j < m; ++j) {
+        place.add(model, {post(i, j), post(i + 1, j), post(i + 1, j + 1)});
+        place.add(model, {post(i, j), post(i + 1, j + 1), post(i, j + 1)});
+      }
+    const Blocks blocks = cut(model);
+    const BlockArrays& a = blocks.arrays;
+    ASSERT_EQ(a.block_count(), 2);
+    for (Index b = 0; b < 2; ++b) {
+      const Index vertices = (m + 1) * (m + 1) + 4, faces = 2 * m * m + 5;
+      EXPECT_EQ(counts_of(a, b), (Counts{vertices, vertices + faces - 2, faces}));
+      EXPECT_EQ(a.shell_count[b], 1);
+      EXPECT_EQ(a.genus[b], 0);
+    }
+    EXPECT_EQ(blocks.cutting.totals.dangling_joint_area, 0);
+    expect_volume(blocks, 216);
+  });
+}
+
+TEST(TriangularGrid, OfBumpsDividesTheRockInTwo) {
+  expect_two_halves(0.3);
+}
+// Each triangle is a joint of its own: one plane, many origins.
+TEST(TriangularGrid, OfOnePlaneDividesTheRockInTwo) {
+  expect_two_halves(0);
+}
+
+// A window of 2 × 2 m in a joint across the rock, and a disc before it in the same plane.
+Model window_and_disc(Placement& place, Real radius) {
+  Model model = place.cube(3);
+  const auto frame = [&](Real x0, Real x1, Real y0, Real y1) {
+    place.add(model, {{x0, y0, 0.5}, {x1, y0, 0.5}, {x1, y1, 0.5}, {x0, y1, 0.5}});
+  };
+  frame(-4, 4, -4, -1);
+  frame(-4, 4, 1, 4);
+  frame(-4, -1, -1, 1);
+  frame(1, 4, -1, 1);
+  std::vector<Vec3> disc;
+  for (int i = 0; i < 16; ++i)
+    disc.push_back({radius * std::cos(pi * i / 8 + 0.2), radius * std::sin(pi * i / 8 + 0.2), 0.5});
+  place.add(model, disc);
+  return model;
+}
+
+TEST(Window, IsClosedByALargerPatchInItsPlane) {
+  in_all_placements([](Placement& place) {
+    const Blocks blocks = cut(window_and_disc(place, 1.5));  // 1.5·cos(π/16) > √2
+    ASSERT_EQ(blocks.arrays.block_count(), 2);
+    EXPECT_NEAR(blocks.cutting.totals.joint_area, 36, 1e-7);
+    EXPECT_EQ(blocks.cutting.totals.dangling_joint_area, 0);
+    expect_volume(blocks, 216);
+  });
+}
+
+TEST(Window, StaysOpenAtItsCornersBehindASmallerPatch) {
+  in_all_placements([](Placement& place) {
+    const Blocks blocks = cut(window_and_disc(place, 1.4));
+    ASSERT_EQ(blocks.arrays.block_count(), 1);
+    EXPECT_EQ(counts_of(blocks.arrays, 0), (Counts{8, 12, 6}));
+    EXPECT_NEAR(blocks.cutting.totals.joint_area, blocks.cutting.totals.dangling_joint_area, 1e-9);
+    EXPECT_LT(blocks.cutting.totals.joint_area, 36 - 1e-3);
+    expect_volume(blocks, 216);
+  });
+}
+
+// A joint that starts on another at a very small angle: a wedge of volume slope/8.
+TEST(ShallowDihedral, OfFiniteJointsMakesAWedge) {
+  for (const Real slope : {3e-9, 1e-6, 1e-3}) {
+    SCOPED_TRACE(slope);
+    Model model = box_model({0, 0, 0}, {1, 1, 1});
+    add_corners(model, {{-1, -1, 0.5}, {2, -1, 0.5}, {2, 2, 0.5}, {-1, 2, 0.5}});
+    const Real z = 0.5 + 1.5 * slope;
+    add_joint(model, Vec3{-slope, 0, 1}, {0.5, 0, 0.5});
+    model.joints.back().polygon = {{0.5, -1, 0.5}, {2, -1, z}, {2, 2, z}, {0.5, 2, 0.5}};
+    const Blocks blocks = cut(model);
+    ASSERT_EQ(blocks.arrays.block_count(), 3);
+    const Real least = *std::min_element(blocks.arrays.volume.begin(), blocks.arrays.volume.end());
+    EXPECT_NEAR(least / (slope / 8), 1, 1e-7);
+    EXPECT_NEAR(sum(blocks.arrays.volume), 1, 1e-12);
+    EXPECT_EQ(blocks.cutting.totals.dangling_joint_area, 0);
+  }
+}
+
+// Both end there, on either side: four corners of a bent joint, no wedge.
+TEST(ShallowDihedral, OfTwoHalvesIsABentJoint) {
+  for (const Real slope : {3e-9, 1e-6, 1e-3}) {
+    SCOPED_TRACE(slope);
+    Model model = box_model({0, 0, 0}, {1, 1, 1});
+    add_corners(model, {{-1, -1, 0.5}, {0.5, -1, 0.5}, {0.5, 2, 0.5}, {-1, 2, 0.5}});
+    const Real z = 0.5 + 1.5 * slope;
+    add_joint(model, Vec3{-slope, 0, 1}, {0.5, 0, 0.5});
+    model.joints.back().polygon = {{0.5, -1, 0.5}, {2, -1, z}, {2, 2, z}, {0.5, 2, 0.5}};
+    const Blocks blocks = cut(model);
+    ASSERT_EQ(blocks.arrays.block_count(), 2);
+    for (Index b = 0; b < 2; ++b)
+      EXPECT_EQ(counts_of(blocks.arrays, b), (Counts{10, 15, 7})) << "block " << b;
+    EXPECT_NEAR(std::abs(blocks.arrays.volume[0] - blocks.arrays.volume[1]) / (slope / 4), 1, 1e-6);
+  }
+}
+
+// ---- which joint a face belongs to
+
+std::map<std::string, Real> area_by_joint(const BlockArrays& a) {
+  std::map<std::string, Real> areas;
+  for (std::size_t f = 0; f < a.face_area.size(); ++f)
+    if (a.origins[a.face_origin[f]].kind == FaceOrigin::Kind::joint)
+      areas[a.origins[a.face_origin[f]].name] += a.face_area[f] / 2;
+  for (std::size_t d = 0; d < a.dead_end_block.size(); ++d) {
+    const Index begin = a.dead_end_corner_begin[d];
+    Vec3 twice{};
+    for (Index c = begin + 1; c + 1 < a.dead_end_corner_begin[d + 1]; ++c)
+      twice += cross(a.dead_end_vertex[c] - a.dead_end_vertex[begin],
+                     a.dead_end_vertex[c + 1] - a.dead_end_vertex[begin]);
+    areas[a.origins[a.dead_end_origin[d]].name] += norm(twice) / 2;
+  }
+  return areas;
+}
+
+const std::vector<HalfSpaceOutside> cube16{{{-1, 0, 0}, {}},          {{0, -1, 0}, {}},
+                                           {{0, 0, -1}, {}},          {{1, 0, 0}, {16, 16, 16}},
+                                           {{0, 1, 0}, {16, 16, 16}}, {{0, 0, 1}, {16, 16, 16}}};
+
+TEST(CoplanarJoints, AreTheFirstListedWhereTheyOverlap) {
+  const Frame f{{8, 8, 8}, {2, 1, 0}, {0, 1, 2}};
+  const auto strip = [&](Real from, Real to) {
+    return std::vector<Vec3>{f(from, -9), f(to, -9), f(to, 9), f(from, 9)};
+  };
+  const Real whole = clipped_area(strip(-9, 9), cube16);
+  for (const bool swapped : {false, true}) {
+    Model model = box_model({0, 0, 0}, {16, 16, 16});
+    model.joint_materials.resize(2);
+    add_polygon(model, f, {{-9, -9}, {1, -9}, {1, 9}, {-9, 9}});
+    add_polygon(model, f, {{-1, -9}, {9, -9}, {9, 9}, {-1, 9}});
+    model.joints[1].material = 1;
+    if (swapped) std::swap(model.joints[0], model.joints[1]);
+    const BlockArrays a = cut(model).arrays;
+    ASSERT_EQ(a.block_count(), 2);
+    const auto areas = area_by_joint(a);
+    const std::string first = swapped ? "F2" : "F1", second = swapped ? "F1" : "F2";
+    const Real of_first = clipped_area(swapped ? strip(-1, 9) : strip(-9, 1), cube16);
+    EXPECT_NEAR(areas.at(first), of_first, 1e-9);
+    EXPECT_NEAR(areas.at(second), whole - of_first, 1e-9);
+    ASSERT_EQ(a.interfaces.size(), 2u);
+    for (const FaceOrigin& o : a.origins)
+      if (o.kind == FaceOrigin::Kind::joint) {
+        EXPECT_EQ(o.joint_material, o.name == "F2" ? 1 : 0);
+      }
+    // The section is a rhombus with corners of the cube; the line between the two joints ends on two of its edges.
+    for (Index b = 0; b < 2; ++b) {
+      const Counts c = counts_of(a, b);
+      EXPECT_EQ(c.vertices - c.edges + c.faces, 2);
+      EXPECT_EQ(a.face_begin[b + 1] - a.face_begin[b], c.faces);
+    }
+  }
+}
+
+// Each joint's pieces, dead ends and all, add up to the joint's area inside the rock.
+TEST(RandomDiscs, LoseNoArea) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    std::normal_distribution<Real> gauss;
+    std::uniform_real_distribution<Real> unit;
+    Model model = box_model({0, 0, 0}, {16, 16, 16});
+    for (int i = 0; i < 25; ++i) {
+      const Vec3 n = normalized({gauss(random), gauss(random), gauss(random)});
+      const Vec3 u = normalized(cross({gauss(random), gauss(random), gauss(random)}, n)),
+                 v = cross(n, u);
+      const Vec3 centre{16 * unit(random), 16 * unit(random), 16 * unit(random)};
+      const Real radius = 2 + 8 * unit(random);
+      add_joint(model, n, centre);
+      for (int k = 0; k < 16; ++k)
+        model.joints.back().polygon.push_back(centre + radius * std::cos(pi * k / 8) * u +
+                                              radius * std::sin(pi * k / 8) * v);
+    }
+    const Blocks blocks = cut(model);
+    const auto areas = area_by_joint(blocks.arrays);
+    Real all = 0;
+    for (const Joint& j : model.joints) {
+      const Real expected = clipped_area(j.polygon, cube16);
+      all += expected;
+      const auto found = areas.find(j.name);
+      EXPECT_NEAR(found == areas.end() ? 0 : found->second, expected, 1e-9) << j.name;
+    }
+    EXPECT_NEAR(blocks.cutting.totals.joint_area, all, 1e-9);
+    EXPECT_NEAR(blocks.cutting.totals.solid_volume, 4096, 4096e-12);
+    EXPECT_EQ(losses(blocks, 28), none_differ);
+  }
+}
+
+TEST(RandomDiscs, DoNotDependOnOrderAndThreads) {
+  for (unsigned seed = 100; seed < 103; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    std::normal_distribution<Real> gauss;
+    std::uniform_real_distribution<Real> unit;
+    Model model = box_model({0, 0, 0}, {16, 16, 16});
+    for (int i = 0; i < 40; ++i) {
+      add_joint(model, Vec3{gauss(random), gauss(random), gauss(random)},
+                {16 * unit(random), 16 * unit(random), 16 * unit(random)});
+      model.joints.back().radius = 2 + 6 * unit(random);
+    }
+    EXPECT_EQ(dependences(model), none_differ);
+  }
+}
+
+// Discs by their radius: a regular polygon of `sides` corners.
+TEST(Disc, InsideTheRockIsADeadEndOfItsArea) {
+  for (const Index sides : {3, 4, 16, 50}) {
+    Model model = box_model({0, 0, 0}, {16, 16, 16});
+    add_joint(model, DipOrientation{37, 211}, {8, 7, 6});
+    model.joints[0].radius = 3;
+    model.joints[0].sides = sides;
+    const Blocks blocks = cut(model);
+    ASSERT_EQ(blocks.arrays.block_count(), 1);
+    EXPECT_NEAR(blocks.cutting.totals.dangling_joint_area,
+                0.5 * sides * 9 * std::sin(2 * pi / sides), 1e-11);
+    EXPECT_EQ(counts_of(blocks.arrays, 0), (Counts{8, 12, 6}));
+    EXPECT_EQ(losses(blocks, 28), none_differ);
+  }
+}
+
+}  // namespace
+}  // namespace rockfold::test
