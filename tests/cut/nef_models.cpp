@@ -1,5 +1,6 @@
 #include "tests/cut/nef_models.hpp"
 
+#include <cmath>
 #include <random>
 
 #include "src/base/vector.hpp"
@@ -375,6 +376,28 @@ Model concave_solid() {
 
 Model random_finite_joints(unsigned seed) {
   return RandomModel(seed).draw();
+}
+
+Model random_discs(unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<Real> gauss;
+  std::uniform_real_distribution<Real> unit;
+  const auto any = [&] { return Vec3{gauss(random), gauss(random), gauss(random)}; };
+  Model model = box_model({0, 0, 0}, {16, 16, 16});
+  const auto joints = 2 + random() % 7;
+  for (unsigned j = 0; j < joints; ++j) {
+    const Vec3 normal = normalized(any()), u = normalized(cross(any(), normal));
+    const Frame frame{
+        {16 * unit(random), 16 * unit(random), 16 * unit(random)}, u, cross(normal, u)};
+    const Real radius = 4 + 12 * unit(random);
+    const auto sides = 5 + random() % 12;
+    add_joint(model, normal, frame.origin);
+    for (unsigned i = 0; i < sides; ++i) {
+      const Real t = 2 * 3.14159265358979323846 * i / static_cast<Real>(sides);
+      model.joints.back().polygon.push_back(frame(radius * std::cos(t), radius * std::sin(t)));
+    }
+  }
+  return model;
 }
 
 std::ostream& operator<<(std::ostream& out, const NamedModel& m) {
