@@ -273,7 +273,7 @@ IntentCount find_adjacency(Complex& complex) {
   complex.fragments.resize(begin.back()[0]);
   complex.free_parts.resize(begin.back()[1]);
   complex.polygons.resize(begin.back()[2]);
-  parallel_for(static_cast<std::int64_t>(results.size()), 16, [&](std::int64_t p) {
+  const auto take = [&](std::int64_t p) {
     PlaneResult& r = results[p];
     const auto shift = static_cast<Index>(begin[p][2]);
     for (std::size_t i = 0; i < r.fragments.size(); ++i) {
@@ -287,7 +287,9 @@ IntentCount find_adjacency(Complex& complex) {
     std::move(r.polygons.begin(), r.polygons.end(),
               complex.polygons.begin() + static_cast<std::ptrdiff_t>(begin[p][2]));
     r = {};
-  });
+  };
+  parallel_for(static_cast<std::int64_t>(results.size()), 16, take,
+               complex.fragments.size() > 2000);
   return intent;
 }
 

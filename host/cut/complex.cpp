@@ -46,7 +46,7 @@ CellStore CellStore::join(const std::vector<const CellStore*>& stores,
   result.vertices_.resize(begin.back()[1]);
   result.faces_.resize(begin.back()[2]);
   result.corners_.resize(begin.back()[3]);
-  parallel_for(static_cast<std::int64_t>(stores.size()), 1, [&](std::int64_t s) {
+  const auto copy_store = [&](std::int64_t s) {
     auto at = begin[s];
     const auto copy = [](const auto& part, auto& array, auto& array_begin, std::int64_t cell,
                          std::int64_t& next) {
@@ -61,7 +61,8 @@ CellStore CellStore::join(const std::vector<const CellStore*>& stores,
       copy(cell.corners, result.corners_, result.corner_begin_, at[0], at[3]);
       ++at[0];
     }
-  });
+  };
+  parallel_for(static_cast<std::int64_t>(stores.size()), 1, copy_store, begin.back()[0] > 1000);
   return result;
 }
 

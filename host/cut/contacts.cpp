@@ -197,7 +197,7 @@ FacesByPlane sort_by_plane(const PlaneTable& planes, const CellStore& cells) {
 void for_each_plane(const PlaneTable& planes, const CellStore& cells,
                     const std::function<void(Index, PlaneContacts&)>& use) {
   const FacesByPlane by_plane = sort_by_plane(planes, cells);
-  parallel_for(planes.size(), 1, [&](std::int64_t plane) {
+  const auto match = [&](std::int64_t plane) {
     if (by_plane.begin[plane] == by_plane.begin[plane + 1]) return;
     std::vector<PlaneFace> below, above;  // cells below and above the plane
     for (auto i = by_plane.begin[plane]; i < by_plane.begin[plane + 1]; ++i) {
@@ -209,7 +209,8 @@ void for_each_plane(const PlaneTable& planes, const CellStore& cells,
     const auto p = static_cast<Index>(plane);
     PlaneContacts contacts = PlaneMatcher(planes, cells, p).run(below, above);
     use(p, contacts);
-  });
+  };
+  parallel_for(planes.size(), 1, match, by_plane.faces.size() > 2000);
 }
 
 }  // namespace rockfold

@@ -117,7 +117,7 @@ Index take_cells(const Subdivision& cut, const Rock& rock, Complex& complex) {
   const std::size_t n = cut.parts.size();
   std::vector<std::vector<CellMoments>> moments(n);
   std::vector<std::vector<Index>> kept(n);
-  parallel_for(static_cast<std::int64_t>(n), 1, [&](std::int64_t p) {
+  const auto measure = [&](std::int64_t p) {
     const CellStore& part = cut.parts[p];
     for (Index c = 0; c < part.size(); ++c) {
       const CellMoments m = cell_moments(part[c], complex.planes);
@@ -125,7 +125,9 @@ Index take_cells(const Subdivision& cut, const Rock& rock, Complex& complex) {
       moments[p].push_back(m);
       kept[p].push_back(c);
     }
-  });
+  };
+  const bool many = rock.of_rock.size() > 256 || n >= 256;
+  parallel_for(static_cast<std::int64_t>(n), 1, measure, many);
   std::vector<const CellStore*> stores;
   Index dropped = 0;
   for (std::size_t p = 0; p < n; ++p) {

@@ -76,17 +76,16 @@ class EdgePlanes {
     for (std::size_t i = 0; i < edges_.size(); ++i)
       if (edges_[i].plane == none) open.push_back(static_cast<Index>(i));
     std::sort(open.begin(), open.end(), [this](Index i, Index j) { return before(i, j); });
-    std::vector<Index> rank(edges_.size(), none);
-    for (std::size_t r = 0; r < open.size(); ++r) rank[open[r]] = static_cast<Index>(r);
 
     std::vector<std::vector<Index>> longer(open.size());  // neighbours decided before, by rank
     std::vector<TreeBox> boxes;
-    for (const Index i : open) boxes.push_back(tree_box(edges_[i], planes_.tolerance(), rank[i]));
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
-                                  [&](const TreeBox& x, const TreeBox& y) {
-                                    const auto [low, high] = std::minmax(x.info(), y.info());
-                                    longer[high].push_back(low);
-                                  });
+    for (std::size_t r = 0; r < open.size(); ++r)
+      boxes.push_back(tree_box(edges_[open[r]], planes_.tolerance(), static_cast<Index>(r)));
+    CGAL::box_self_intersection_d(
+        boxes.begin(), boxes.end(), [&](const TreeBox& x, const TreeBox& y) {
+          const Index low = std::min(x.info(), y.info()), high = std::max(x.info(), y.info());
+          longer[high].push_back(low);
+        });
     for (std::size_t r = 0; r < open.size(); ++r) {
       Edge& e = edges_[open[r]];
       std::sort(longer[r].begin(), longer[r].end());

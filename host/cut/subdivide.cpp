@@ -299,14 +299,16 @@ Subdivision subdivide(const CuttingJob& job, Progress& progress) {
   std::vector<IntentCount> intent(tasks.size());
   std::atomic<std::int64_t> made{0};
   progress.begin("cutting", 0, "cells");
-  parallel_for(static_cast<std::int64_t>(tasks.size()), 1, [&](std::int64_t i) {
+  const auto run = [&](std::int64_t i) {
     Cutter cutter(job);
     cutter.run(tasks[i], result.parts[i], result.parents[i], made);
     intent[i] = cutter.take_intent();
     tasks[i] = {};
 #pragma omp critical(rockfold_progress)
     progress.done(made.load(std::memory_order_relaxed));
-  });
+  };
+  const bool unfinished = tasks.size() >= subtree_count;
+  parallel_for(static_cast<std::int64_t>(tasks.size()), 1, run, unfinished);
   progress.end();
   result.intent = first.take_intent();
   for (const IntentCount& more : intent) result.intent.add(more);

@@ -59,14 +59,32 @@ void append_surface(const BlockSurface& s, const Complex& complex, BlockArrays& 
   out.finite.push_back(finite);
 }
 
+// Joints that end inside a block: convex polygons, as seen from above their planes.
+void add_dead_ends(const Complex& complex, BlockArrays& out) {
+  out.dead_end_area.assign(complex.block_count, 0);
+  out.dead_end_corner_begin = {0};
+  for (const Fragment& f : complex.fragments) {
+    const Index block = complex.cell_block[f.cell[0]];
+    if (f.joint == none || block != complex.cell_block[f.cell[1]]) continue;
+    out.dead_end_area[block] += f.area;
+    out.dead_end_block.push_back(block);
+    out.dead_end_origin.push_back(f.joint);
+    for (const Vertex& v : complex.polygon_of(f).corner)
+      out.dead_end_vertex.push_back(v.x + complex.planes.centre());
+    out.dead_end_corner_begin.push_back(static_cast<Index>(out.dead_end_vertex.size()));
+  }
+}
+
 void add_bulk(const Complex& complex, const Model& model, BlockArrays& out) {
   std::vector<Vec3> first(complex.block_count);
   std::vector<std::map<Index, Real>> by_material(complex.block_count);
   out.volume.assign(complex.block_count, 0);
   out.mass.assign(complex.block_count, 0);
+  out.stage.assign(complex.block_count, 0);
   for (Index c = 0; c < complex.cells.size(); ++c) {
     const Index b = complex.cell_block[c];
     out.volume[b] += complex.moments[c].volume;
+    out.stage[b] = complex.zone(c).stage;  // one for all cells of a block
     first[b] += complex.moments[c].first;
     const Index material = model.solids[complex.zone(c).solid].material;
     by_material[b][material] += complex.moments[c].volume;
@@ -134,6 +152,7 @@ BlockArrays flatten_blocks(const Cutting& cutting, const Model& model) {
   out.origins = complex.origins;
   out.face_begin = out.vertex_begin = out.loop_begin = out.corner_begin = {0};
   add_bulk(complex, model, out);
+  add_dead_ends(complex, out);
   for (const BlockSurface& s : surfaces) append_surface(s, complex, out);
   add_interfaces(complex, areas, surfaces, out);
   return out;
