@@ -40,7 +40,10 @@ class RandomModel {
     model_ = box_model({0, 0, 0}, {16, 16, 16});
     if (small(0, 3) == 0) add_solid();
     const int joints = small(2, 8);
-    while (static_cast<int>(model_.joints.size()) < joints) add_one();
+    while (static_cast<int>(model_.joints.size()) < joints) {
+      add_one();
+      leave_out_coplanar_joints();
+    }
     return std::move(model_);
   }
 
@@ -81,6 +84,20 @@ class RandomModel {
     }
     solid.continues.assign(face_names(solid.shape).size(), false);
     model_.solids.push_back(solid);
+  }
+
+  // The oracle takes coplanar joints for one origin. Integers: exact.
+  void leave_out_coplanar_joints() {
+    std::vector<Joint>& joints = model_.joints;
+    for (std::size_t i = 1; i < joints.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const Vec3 &m = std::get<Vec3>(joints[i].plane.orientation),
+                   &n = std::get<Vec3>(joints[j].plane.orientation);
+        if (cross(m, n) != Vec3{} || dot(n, joints[i].plane.point - joints[j].plane.point) != 0)
+          continue;
+        joints.erase(joints.begin() + static_cast<std::ptrdiff_t>(i--));
+        break;
+      }
   }
 
   void add_one() {
