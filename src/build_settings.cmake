@@ -42,6 +42,14 @@ if(ROCKFOLD_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
+if(ROCKFOLD_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    message(FATAL_ERROR "ROCKFOLD_FUZZ needs clang (libFuzzer): -DCMAKE_CXX_COMPILER=clang++")
+  endif()
+  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
 # Warnings of our own targets. nvcc's generated host code trips -Wpedantic on every line.
 function(rockfold_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow)

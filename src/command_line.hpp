@@ -17,7 +17,8 @@ struct Options {
   bool json = false;   ///< one JSON document on stdout, nothing else there
   bool quiet = false;  ///< no progress and no summary; warnings and errors stay
   int threads = 0;     ///< 0 = as many as the machine offers
-  std::optional<std::uint64_t> seed;   ///< recorded in the JSON; nothing draws random numbers yet
+  /// of the first joint set; the n-th one gets seed + n − 1; recorded in the JSON
+  std::optional<std::uint64_t> seed;
   std::vector<std::string> overrides;  ///< --set key.path=value, in order
 };
 

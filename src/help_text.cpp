@@ -61,7 +61,7 @@ constexpr const char* common_options =
     "  --json                 one JSON document on stdout, nothing else there\n"
     "  -q, --quiet            no progress and no summary; warnings and errors stay\n"
     "  --threads N            threads to use; default: OMP_NUM_THREADS, or all there are\n"
-    "  --seed N               recorded in the JSON; nothing in this version draws random numbers\n"
+    "  --seed N               seed of the first joint set where random; the next has N + 1, …\n"
     "  --set KEY.PATH=VALUE   override a value of the model, e.g. cover.spacing=0.5 (repeatable)\n"
     "  -h, --help             this text\n";
 

@@ -36,6 +36,20 @@ void find_outside(const std::string& what, const Vec3& point, Index element, con
                                            point[1], point[2], what)});
 }
 
+/// Each random set gets a seed of its own: equal ones would draw alike.
+void reseed(Model& model, std::uint64_t seed) {
+  bool random = false;
+  for (std::size_t s = 0; s < model.joint_sets.size(); ++s)
+    if (auto& set = model.joint_sets[s]; set.random) {
+      set.random->seed = seed + s;
+      random = true;
+    }
+  if (!random) return;
+  if (!model.text.empty() && model.text.back() != '\n') model.text += '\n';
+  model.text +=
+      fmt::format("\n# Random joint sets drawn with --seed {} on the command line.\n", seed);
+}
+
 }  // namespace
 
 bool wants_run(const Options& options) {
@@ -52,6 +66,7 @@ Model load_model(const Options& options, Terminal& terminal) {
       options.command == Command::demo
           ? parse_model(find_example("slope").text, "slope.toml", options.overrides, purpose)
           : read_model(options.input, options.overrides, purpose);
+  if (options.seed) reseed(model, *options.seed);
   load_files(model);
   if (options.command == Command::support && !model.support) model.support = SupportSpec{};
   if (wants_support(options, model)) check_for(model, Purpose::support);

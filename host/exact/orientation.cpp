@@ -4,6 +4,8 @@
 #include <numbers>
 #include <utility>
 
+#include "host/exact/correctly_rounded.hpp"
+
 namespace rockfold {
 
 SineCosine sine_cosine_degrees(Real angle) {
@@ -21,7 +23,7 @@ SineCosine sine_cosine_degrees(Real angle) {
     s = 0.5, c = std::sqrt(0.75);
   } else {
     const Real radians = a * (std::numbers::pi / 180.0);
-    s = std::sin(radians), c = std::cos(radians);
+    s = correctly_rounded::sin(radians), c = correctly_rounded::cos(radians);
   }
   if (upper) std::swap(s, c);
   switch (quadrant) {

@@ -1,7 +1,102 @@
 #include "host/files/load_files.hpp"
 
+#include <map>
+#include <memory>
+#include <new>
+#include <utility>
+#include <variant>
+
+#include "host/files/data_file.hpp"
+#include "host/files/faults.hpp"
+#include "host/files/read_joint_table.hpp"
+#include "host/files/read_mesh.hpp"
+#include "host/files/read_terrain.hpp"
+
 namespace rockfold {
 
-void load_files(Model&) {}
+namespace {
+
+using SharedSurface = std::shared_ptr<const TriangleSurface>;
+
+/// Loads one file after another and keeps what is wrong with them until the end.
+class Loader {
+ public:
+  explicit Loader(Model& model) : model_(model) {}
+
+  void run() {
+    for (auto& solid : model_.solids) load_shape(solid.shape, solid.place);
+    for (auto& excavation : model_.excavations) load_shape(excavation.shape, excavation.place);
+    for (auto& mesh : model_.joint_meshes)
+      if (!mesh.surface)
+        attempt(mesh.file, mesh.place,
+                [&](const Place& place) { mesh.surface = load_mesh(MeshUse::joints, place); });
+    for (auto& table : model_.joint_tables)
+      if (table.rows.empty())
+        attempt(table.file, table.place, [&](const Place& place) {
+          table.rows = read_joint_table(read_data_file(place), table.material,
+                                        model_.joint_materials, place);
+        });
+    if (!found_.empty())
+      throw Error(any_in_content_ ? ErrorKind::model : ErrorKind::io, std::move(found_));
+  }
+
+ private:
+  void load_shape(Shape& shape, const Place& entry) {
+    if (auto* mesh = std::get_if<MeshShape>(&shape); mesh && !mesh->surface)
+      attempt(mesh->file, entry,
+              [&](const Place& place) { mesh->surface = load_mesh(MeshUse::solid, place); });
+    if (auto* terrain = std::get_if<TerrainShape>(&shape); terrain && !terrain->ground)
+      attempt(terrain->file, entry, [&](const Place& place) {
+        auto ground = load_terrain(place);
+        check_above(*ground, terrain->base, place);
+        terrain->ground = std::move(ground);
+      });
+  }
+
+  /// Runs `load` with the file's place and keeps its errors.
+  template <typename Load>
+  void attempt(const std::string& file, const Place& entry, const Load& load) {
+    const Place place{file, 0, 0, entry.key + ".file"};
+    try {
+      load(place);
+    } catch (const Error& error) {
+      any_in_content_ = any_in_content_ || error.kind() != ErrorKind::io;
+      found_.insert(found_.end(), error.diagnostics().begin(), error.diagnostics().end());
+    } catch (const std::bad_alloc&) {
+      found_.push_back({place, "is too large for the memory"});
+    }
+  }
+
+  SharedSurface load_mesh(MeshUse use, const Place& place) {
+    const auto format = mesh_format(place.file);
+    if (!format)
+      Faults(place).fail(
+          "triangles are read from files whose names end in .obj, .off, .stl or .ply");
+    auto& surface = meshes_[{place.file, use}];
+    if (!surface)
+      surface = std::make_shared<const TriangleSurface>(
+          read_mesh(read_data_file(place), *format, use, place));
+    return surface;
+  }
+
+  SharedSurface load_terrain(const Place& place) {
+    auto& ground = terrains_[place.file];
+    if (!ground)
+      ground = std::make_shared<const TriangleSurface>(read_terrain(read_data_file(place), place));
+    return ground;
+  }
+
+  Model& model_;
+  std::map<std::pair<std::string, MeshUse>, SharedSurface> meshes_;  ///< each file is read once
+  std::map<std::string, SharedSurface> terrains_;
+  std::vector<Diagnostic> found_;
+  bool any_in_content_ = false;
+};
+
+}  // namespace
+
+void load_files(Model& model) {
+  Loader(model).run();
+}
 
 }  // namespace rockfold

@@ -58,19 +58,20 @@ PlaneFrame plane_frame(const Orientation& orientation) {
   return std::visit([](const auto& given) { return frame_of(given); }, orientation);
 }
 
-std::vector<Vec3> disc_corners(const PlaneFrame& frame, const Vec3& centre, const Vec3& shift,
-                               Real radius, Index sides) {
-  std::vector<Vec3> corners;
-  corners.reserve(sides);
-  for (Index k = 0; k < sides; ++k) {
-    const auto [s, c] = sine_cosine_of_turn(k, sides);
-    corners.push_back(centre + (shift + radius * (c * frame.down + s * frame.strike)));
-  }
-  return corners;
+DiscOutline disc_outline(Index sides) {
+  DiscOutline outline;
+  outline.reserve(sides);
+  for (Index k = 0; k < sides; ++k) outline.push_back(sine_cosine_of_turn(k, sides));
+  return outline;
 }
 
-Real disc_area_factor(Index sides) {
-  return 0.5 * sides * sine_cosine_of_turn(1, sides).sine;
+std::vector<Vec3> disc_corners(const PlaneFrame& frame, const Vec3& centre, const Vec3& shift,
+                               Real radius, const DiscOutline& outline) {
+  std::vector<Vec3> corners;
+  corners.reserve(outline.size());
+  for (const auto& [s, c] : outline)
+    corners.push_back(centre + (shift + radius * (c * frame.down + s * frame.strike)));
+  return corners;
 }
 
 Extent bounding_box(const std::vector<Vec3>& points) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "host/exact/orientation.hpp"
 #include "src/model/model.hpp"
 
 namespace rockfold {
@@ -16,14 +17,16 @@ struct PlaneFrame {
 };
 PlaneFrame plane_frame(const Orientation& orientation);
 
-/// Corners of the regular polygon of `sides` ≥ 3 corners on the circle about `centre` + `shift`, the first one down the
+/// The regular polygon of `sides` ≥ 3 corners in the unit circle: the angles of its corners from the first, which is at 0.
+/// Mirror-image corners have mirror-image values.
+using DiscOutline = std::vector<SineCosine>;
+DiscOutline disc_outline(Index sides);
+
+/// Corners of the regular polygon on the circle about `centre` + `shift`, the first one down the
 /// dip, counter-clockwise about the frame's normal. Mirror-image corners are mirror images to the last digit where
 /// centre and shift are zero. `shift` apart, so that large coordinates are rounded once only.
 std::vector<Vec3> disc_corners(const PlaneFrame& frame, const Vec3& centre, const Vec3& shift,
-                               Real radius, Index sides);
-
-/// Area of that polygon over the radius squared: (sides/2)·sin(2π/sides).
-Real disc_area_factor(Index sides);
+                               Real radius, const DiscOutline& outline);
 
 struct Extent {
   Vec3 min, max;

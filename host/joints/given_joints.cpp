@@ -90,8 +90,8 @@ void place_joint(const Joint& joint, const RockBounds& rock, const std::string& 
   } else if (joint.radius) {
     refuse_tiny_disc(*joint.radius, region, joint.place, key + ".radius");
     const ExactPlane plane = one.plane;
-    place_disc(plane, plane_frame(given.orientation), given.point, {}, *joint.radius, joint.sides,
-               region, std::move(one), placed.joints);
+    place_disc(plane, plane_frame(given.orientation), given.point, {}, *joint.radius,
+               disc_outline(joint.sides), region, std::move(one), placed.joints);
   } else {
     placed.joints.push_back(std::move(one));
   }
@@ -125,6 +125,7 @@ void place_table(const JointTable& table, const std::vector<JointMaterial>& mate
                  const RockBounds& rock, const std::string& key, PlacedJoints& placed) {
   const PlacingRegion region = placing_region(rock, table.within);
   const std::size_t first_origin = placed.origins.size();
+  const DiscOutline outline = disc_outline(table.sides);
   std::vector<Index> origin_of_material;
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     const JointTable::Row& row = table.rows[r];
@@ -136,7 +137,7 @@ void place_table(const JointTable& table, const std::vector<JointMaterial>& mate
       continue;
     }
     refuse_tiny_disc(row.radius, region, table.place, fmt::format("{}.file row {}", key, r + 1));
-    place_disc(plane, plane_frame(row.orientation), row.center, {}, row.radius, table.sides, region,
+    place_disc(plane, plane_frame(row.orientation), row.center, {}, row.radius, outline, region,
                one, placed.joints);
   }
   if (placed.origins.size() == first_origin) placed.origins.push_back({table.name, table.material});

@@ -69,26 +69,55 @@ Real checked_count(const JointSet& set, const PlacingRegion& region, const std::
   return count;
 }
 
+// Planes of a random set count with the spacing that they came out with, as if they were parallel.
+PlaneSet drawn_planes(const JointSet& set, const std::vector<DrawnJoint>& drawn,
+                      const PlacingRegion& region) {
+  const Vec3 normal = normalized(normal_of(set.orientation));
+  Real low = std::numeric_limits<Real>::infinity(), high = -low;
+  for (const Vec3& p : region.corners) {
+    low = std::min(low, dot(normal, p));
+    high = std::max(high, dot(normal, p));
+  }
+  const auto count = static_cast<Real>(drawn.size());
+  return {normal, count, (high - low) / std::max(1.0, count), box_volume(region.box)};
+}
+
+void place_sets(const Model& model, const RockBounds& rock, PlacedJoints& placed) {
+  const std::size_t count = model.joint_sets.size();
+  std::vector<PlacingRegion> regions;
+  std::vector<PlaneSet> plane_sets;
+  std::vector<std::vector<DrawnJoint>> drawn(count);
+  for (std::size_t s = 0; s < count; ++s) {
+    const JointSet& set = model.joint_sets[s];
+    regions.push_back(placing_region(rock, set.within));
+    if (set.random) {
+      drawn[s] = draw_joints(set, regions[s].corners, set_key(s));
+      if (!set.radius && !set.random->radius)
+        plane_sets.push_back(drawn_planes(set, drawn[s], regions[s]));
+      continue;
+    }
+    const Real planes = checked_count(set, regions[s], set_key(s));
+    if (!set.radius)
+      plane_sets.push_back({normalized(normal_of(set.orientation)), planes, set.spacing,
+                            box_volume(regions[s].box)});
+  }
+  check_cell_count(model, plane_sets);
+  for (std::size_t s = 0; s < count; ++s) {
+    const JointSet& set = model.joint_sets[s];
+    const auto origin = static_cast<Index>(s);
+    placed.origins.push_back({set.name, set.material});
+    if (set.random)
+      place_random_set(set, drawn[s], regions[s], origin, placed.joints);
+    else
+      place_regular_set(set, regions[s], origin, placed.joints);
+  }
+}
+
 }  // namespace
 
 PlacedJoints place_joints(const Model& model, const RockBounds& rock) {
   PlacedJoints placed;
-  std::vector<PlacingRegion> regions;
-  std::vector<PlaneSet> plane_sets;
-  for (std::size_t s = 0; s < model.joint_sets.size(); ++s) {
-    const JointSet& set = model.joint_sets[s];
-    regions.push_back(placing_region(rock, set.within));
-    const Real count = checked_count(set, regions[s], set_key(s));
-    if (!set.radius)
-      plane_sets.push_back(
-          {normalized(normal_of(set.orientation)), count, set.spacing, box_volume(regions[s].box)});
-  }
-  check_cell_count(model, plane_sets);
-  for (std::size_t s = 0; s < model.joint_sets.size(); ++s) {
-    const JointSet& set = model.joint_sets[s];
-    placed.origins.push_back({set.name, set.material});
-    place_regular_set(set, regions[s], static_cast<Index>(s), placed.joints);
-  }
+  place_sets(model, rock, placed);
   for (std::size_t j = 0; j < model.joints.size(); ++j)
     place_joint(model.joints[j], rock, fmt::format("joint[{}]", j + 1), placed);
   for (std::size_t m = 0; m < model.joint_meshes.size(); ++m)
@@ -97,6 +126,22 @@ PlacedJoints place_joints(const Model& model, const RockBounds& rock) {
     place_table(model.joint_tables[t], model.joint_materials, rock,
                 fmt::format("joint_table[{}]", t + 1), placed);
   return placed;
+}
+
+std::vector<FlatJoint> flat_joints(const PlacedJoints& placed) {
+  std::vector<FlatJoint> flat;
+  flat.reserve(placed.joints.size());
+  for (const PlacedJoint& joint : placed.joints) {
+    const ExactVec3& n = joint.plane.n;
+    // Scaled by the largest component first, so that normals of any length neither overflow nor vanish.
+    const Exact largest = std::max({Exact(abs(n[0])), Exact(abs(n[1])), Exact(abs(n[2]))});
+    Vec3 m;
+    for (int d = 0; d < 3; ++d) m[d] = CGAL::to_double(Exact(n[d] / largest));
+    const Real length = norm(m);
+    flat.push_back({(1 / length) * m, CGAL::to_double(Exact(joint.plane.d / largest)) / length,
+                    joint.polygon});
+  }
+  return flat;
 }
 
 }  // namespace rockfold

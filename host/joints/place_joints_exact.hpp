@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/exact/plane_exact.hpp"
+#include "host/joints/intensity.hpp"
 #include "src/model/model.hpp"
 
 namespace rockfold {
@@ -40,5 +41,8 @@ struct RockBounds {
 
 /// Throws Error(model) for sets that would make absurdly many joints or more than model.cut.max_cells cells.
 PlacedJoints place_joints(const Model& model, const RockBounds& rock);
+
+/// The same in double precision, in the same order, for measure_intensities().
+std::vector<FlatJoint> flat_joints(const PlacedJoints& placed);
 
 }  // namespace rockfold

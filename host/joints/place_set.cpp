@@ -32,9 +32,9 @@ std::pair<Real, Real> set_range(const JointSet& set, const PlacingRegion& region
 }
 
 void place_disc(const ExactPlane& plane, const PlaneFrame& frame, const Vec3& centre,
-                const Vec3& shift, Real radius, Index sides, const PlacingRegion& region,
-                PlacedJoint joint, std::vector<PlacedJoint>& joints) {
-  joint.polygon = disc_corners(frame, centre, shift, radius, sides);
+                const Vec3& shift, Real radius, const DiscOutline& outline,
+                const PlacingRegion& region, PlacedJoint joint, std::vector<PlacedJoint>& joints) {
+  joint.polygon = disc_corners(frame, centre, shift, radius, outline);
   if (!boxes_meet(bounding_box(joint.polygon), region.box, region.margin)) return;
   joint.plane = plane;
   joints.push_back(std::move(joint));
@@ -49,13 +49,30 @@ void place_regular_set(const JointSet& set, const PlacingRegion& region, Index o
   const Real length = std::holds_alternative<Vec3>(set.orientation) ? norm(normal) : 1;
   const auto [first, last] = set_range(set, region);
   const PlacedJoint joint{{}, {}, origin, set.within};
+  const DiscOutline outline = disc_outline(set.sides);
   for (Real k = first; k <= last; ++k) {
     const ExactPlane plane = plane_through(normal, set.origin, k * set.spacing * length);
     if (set.radius)
-      place_disc(plane, frame, set.origin, (k * set.spacing) * along, *set.radius, set.sides,
-                 region, joint, joints);
+      place_disc(plane, frame, set.origin, (k * set.spacing) * along, *set.radius, outline, region,
+                 joint, joints);
     else
       joints.push_back({plane, {}, origin, set.within});
+  }
+}
+
+void place_random_set(const JointSet& set, const std::vector<DrawnJoint>& drawn,
+                      const PlacingRegion& region, Index origin, std::vector<PlacedJoint>& joints) {
+  const Real least_radius = least_radius_share * diagonal(region.box);
+  const DiscOutline outline = disc_outline(set.sides);
+  joints.reserve(joints.size() + drawn.size());
+  for (const DrawnJoint& one : drawn) {
+    if (one.radius < least_radius) continue;
+    const ExactPlane plane = plane_through(normal_of(one.orientation), one.point);
+    if (std::isinf(one.radius))
+      joints.push_back({plane, {}, origin, set.within});
+    else
+      place_disc(plane, plane_frame(one.orientation), one.point, {}, one.radius, outline, region,
+                 {{}, {}, origin, set.within}, joints);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "host/joints/disc.hpp"
 #include "host/joints/place_joints_exact.hpp"
+#include "host/joints/random_set.hpp"
 
 namespace rockfold {
 
@@ -27,9 +28,13 @@ std::pair<Real, Real> set_range(const JointSet& set, const PlacingRegion& region
 void place_regular_set(const JointSet& set, const PlacingRegion& region, Index origin,
                        std::vector<PlacedJoint>& joints);
 
+/// Appends what draw_joints() drew for a set with `random`; specks below least_radius_share are left out.
+void place_random_set(const JointSet& set, const std::vector<DrawnJoint>& drawn,
+                      const PlacingRegion& region, Index origin, std::vector<PlacedJoint>& joints);
+
 /// Appends a disc on `plane` about centre + shift, unless it lies off the region.
 void place_disc(const ExactPlane& plane, const PlaneFrame& frame, const Vec3& centre,
-                const Vec3& shift, Real radius, Index sides, const PlacingRegion& region,
-                PlacedJoint joint, std::vector<PlacedJoint>& joints);
+                const Vec3& shift, Real radius, const DiscOutline& outline,
+                const PlacingRegion& region, PlacedJoint joint, std::vector<PlacedJoint>& joints);
 
 }  // namespace rockfold

@@ -13,7 +13,7 @@ namespace rockfold {
 struct FacePlane {
   ExactPlane plane;
   bool inside_above = true;  ///< the part lies above the plane
-  Index face = none;         ///< into face_names(shape); none = between two parts of one shape
+  Index face = none;         ///< into face_names(shape); none = between two parts of one shape, never on its boundary
 };
 
 struct ConvexPart {

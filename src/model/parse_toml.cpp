@@ -107,16 +107,22 @@ std::size_t skip_string(std::string_view text, std::size_t i) {
   const auto before = text.substr(0, at);
   Place place{name, 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')), 0, ""};
   const auto line_begin = before.rfind('\n');
-  place.column =
-      static_cast<int>(at - (line_begin == std::string_view::npos ? 0 : line_begin + 1)) + 1;
+  const auto line = before.substr(line_begin == std::string_view::npos ? 0 : line_begin + 1);
+  place.column = 1 + static_cast<int>(std::count_if(line.begin(), line.end(), [](unsigned char c) {
+                   return (c & 0xC0) != 0x80;  // letters, not their bytes
+                 }));
   throw Error(ErrorKind::model, why, place);
 }
 
-/// Refuses keys of very many parts before the library sees them.
-void check_key_depth(std::string_view text, const std::string& name) {
+/// Refuses before the library sees them: keys of very many parts, and letters beyond ASCII outside
+/// quotes, which TOML has not and the library (to 3.3) looks up in a table that ends before them.
+void check_tokens(std::string_view text, const std::string& name) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   int dots = 0;
-  for (std::size_t i = 0; i < text.size();) {
+  for (std::size_t i = text.substr(0, 3) == byte_order_mark ? 3 : 0; i < text.size();) {
     const char c = text[i];
+    if (static_cast<unsigned char>(c) >= 0x80)
+      reject(text, i, name, "TOML syntax: only ASCII may stand outside of quotes and comments");
     if (c == '"' || c == '\'') {
       i = skip_string(text, i);
       continue;
@@ -136,7 +142,7 @@ void check_key_depth(std::string_view text, const std::string& name) {
 }  // namespace
 
 Value parse_toml(std::string_view text, int source, const std::string& name) {
-  check_key_depth(text, name);
+  check_tokens(text, name);
   try {
     const toml::table table = toml::parse(text, std::string_view(name));
     return Converter(source)(table);

@@ -33,6 +33,15 @@ std::string side_name(std::size_t i, std::size_t n) {
          std::to_string((i + 1) % n + 1) + " of base and top)";
 }
 
+/// Whether the points lie on one side of the polygon's plane, off it.
+bool all_apart(const std::vector<Vec3>& polygon, const std::vector<Vec3>& points, Real off) {
+  const Vec3 normal = normalized(doubled_area(polygon));
+  const auto height = [&](const Vec3& p) { return dot(normal, p - polygon[0]); };
+  return std::all_of(points.begin(), points.end(),
+                     [&](const auto& p) { return height(p) > off; }) ||
+         std::all_of(points.begin(), points.end(), [&](const auto& p) { return height(p) < -off; });
+}
+
 /// Its sides must be planar and hold all other corners on one side: then it is the convex hull of
 /// base and top, and the sides join neighbouring edges.
 std::string frustum_problem(const std::vector<Vec3>& base, const std::vector<Vec3>& top) {
@@ -49,9 +58,9 @@ std::string frustum_problem(const std::vector<Vec3>& base, const std::vector<Vec
     }
     return low < -tolerance * size && high > tolerance * size;
   };
-  if (straddled(normalized(doubled_area(base)), base[0]) ||
-      straddled(normalized(doubled_area(top)), top[0]))
-    return "crosses the plane of the base, or the base crosses the top's; they must lie apart";
+  if (!all_apart(base, top, tolerance * size) || !all_apart(top, base, tolerance * size))
+    return "meets the plane of the base, or the base that of the top; each must lie apart from the "
+           "other's plane";
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t j = (i + 1) % n;
     const Vec3 area =

@@ -138,6 +138,8 @@ void read_amount(TableReader& in, bool discs, RandomSet& random) {
   in.read("p10", random.p10, positive("1/m"));
   Index count = 0;
   if (in.read("count", count, IntegerRange{.low = 1}, Need::optional)) random.count = count;
+  if (in.choose("location", {{"uniform"}, {}}, Need::optional) && in.has("spacing"))
+    in.wrong("location", "belongs to p32, p10 and count: spacing itself says where joints lie");
   if (!discs && given.size() == 1 && given[0] != "spacing")
     in.wrong(given[0], "needs a radius: planes without one are given by spacing");
 }

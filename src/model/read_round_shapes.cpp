@@ -36,6 +36,10 @@ std::optional<Opening> read_opening(TableReader& in, bool by_radius) {
                ? std::optional(opening)
                : std::nullopt;
   }
+  if (by_radius && !in.has("width") && !in.has("height")) {
+    in.missing({"width", "height", "radius"}, "is missing: give width and height, or radius (m)");
+    return {};
+  }
   const bool width = in.read("width", opening.width, length());
   const bool height = in.read("height", opening.height, length());
   return width && height ? std::optional(opening) : std::nullopt;

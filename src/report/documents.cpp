@@ -41,11 +41,19 @@ Real total_volume(const BlockArrays& blocks) {
 Json check_document(const DocumentHead& head, const Model& model) {
   Json document = head_json(head);
   document["ok"] = true;
-  document["totals"] = {
-      {"materials", model.materials.size()},     {"joint_materials", model.joint_materials.size()},
-      {"solids", model.solids.size()},           {"joint_sets", model.joint_sets.size()},
-      {"joints", model.joints.size()},           {"fixed", model.fixed.size()},
-      {"point_loads", model.point_loads.size()}, {"monitors", model.monitors.size()}};
+  document["totals"] = {{"materials", model.materials.size()},
+                        {"joint_materials", model.joint_materials.size()},
+                        {"solids", model.solids.size()},
+                        {"joint_sets", model.joint_sets.size()},
+                        {"joints", model.joints.size()},
+                        {"joint_meshes", model.joint_meshes.size()},
+                        {"joint_tables", model.joint_tables.size()},
+                        {"merges", model.merges.size()},
+                        {"excavations", model.excavations.size()},
+                        {"scanlines", model.scanlines.size()},
+                        {"fixed", model.fixed.size()},
+                        {"point_loads", model.point_loads.size()},
+                        {"monitors", model.monitors.size()}};
   document["commands"] = {{"cut", missing_for(model, Purpose::cut).empty()},
                           {"support", missing_for(model, Purpose::support).empty()},
                           {"run", missing_for(model, Purpose::run).empty()}};

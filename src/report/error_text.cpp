@@ -12,7 +12,8 @@ namespace {
 std::string diagnostic_line(const Diagnostic& diagnostic) {
   const auto& place = diagnostic.place;
   std::string line = place.file.empty() ? "rockfold" : place.file;
-  if (place.line > 0) line += fmt::format(":{}:{}", place.line, place.column);
+  if (place.line > 0) line += fmt::format(":{}", place.line);
+  if (place.column > 0) line += fmt::format(":{}", place.column);
   if (!place.key.empty()) line += ": " + place.key;
   return line + ": " + diagnostic.message;
 }

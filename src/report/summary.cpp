@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -26,6 +27,18 @@ Index count_true(const std::vector<std::uint8_t>& flags) {
 
 std::string counted(std::size_t n, const std::string& one, const std::string& many) {
   return grouped(static_cast<std::int64_t>(n)) + " " + (n == 1 ? one : many);
+}
+
+/// With a comma behind, for the middle of a list.
+std::string counted_if_any(std::size_t n, const std::string& one, const std::string& many) {
+  return n == 0 ? "" : counted(n, one, many) + ", ";
+}
+
+std::string excavations_text(const Model& model) {
+  std::set<Index> stages;
+  for (const auto& excavation : model.excavations) stages.insert(excavation.stage);
+  return grouped(static_cast<std::int64_t>(model.excavations.size())) + " in " +
+         counted(stages.size(), "stage", "stages");
 }
 
 const char* mode_words(SlidingMode mode) {
@@ -97,7 +110,12 @@ std::string check_summary(const Model& model) {
   text += fact("joints",
                counted(model.joint_sets.size(), "set", "sets") + ", " +
                    counted(model.joints.size(), "single joint", "single joints") + ", " +
+                   counted_if_any(model.joint_meshes.size(), "mesh", "meshes") +
+                   counted_if_any(model.joint_tables.size(), "table", "tables") +
                    counted(model.joint_materials.size(), "joint material", "joint materials"));
+  if (!model.merges.empty())
+    text += fact("merges", counted(model.merges.size(), "region", "regions"));
+  if (!model.excavations.empty()) text += fact("excavations", excavations_text(model));
   if (model.cover) text += fact("covers", fmt::format("spacing {:g} m", model.cover->spacing));
   if (model.analysis)
     text += fact("analysis", fmt::format("{}, {}", analysis_name(model.analysis->type),

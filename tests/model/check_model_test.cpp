@@ -42,6 +42,12 @@ TEST(CheckModel, NamesAllThatACommandLacks) {
       {ROCK ELASTIC SET "[support]\n[cover]\nspacing = 1\n[analysis]\n",
        Purpose::run,
        {"joint_material"}},
+      {ROCK MATERIAL "density = 1\n[[joint_mesh]]\nfile = '" ROCKFOLD_SOURCE_DIR "/LICENSE'\n",
+       Purpose::support,
+       {"joint_material"}},
+      {ROCK MATERIAL "density = 1\n[[joint_table]]\nfile = '" ROCKFOLD_SOURCE_DIR "/LICENSE'\n",
+       Purpose::support,
+       {"joint_material"}},
       {ROCK ELASTIC "[analysis]\n", Purpose::check, {"cover"}},
       {ROCK ELASTIC MATERIAL "name = 'b'\n", Purpose::cut, {""}},  // TOML: name is given twice
       {ROCK ELASTIC "[[material]]\nname = 'unused'\n[cover]\nspacing = 1\n[analysis]\n",

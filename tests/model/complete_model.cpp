@@ -56,6 +56,69 @@ extrude = [1, 0, 5]
 material = "concrete"
 continues = ["side", "cap1"]
 
+[[solid]]
+name = "roof"
+shape = "pyramid"
+base = [[4, 4, 31], [8, 4, 31], [5, 5, 31], [4, 8, 31]]
+apex = [5, 5, 33]
+interface = "filled"
+continues = ["cap0", "2"]
+
+[[solid]]
+name = "footing"
+shape = "frustum"
+base = [[0, 0, -2], [4, 0, -2], [4, 4, -2], [0, 4, -2]]
+top = [[1, 1, 0], [3, 1, 0], [3, 3, 0], [1, 3, 0]]
+continues = ["cap1"]
+
+[[solid]]
+name = "shaft"
+operation = "-"
+shape = "cylinder"
+axis = [[5, 5, 0], [5, 5, 20]]
+radius = 1.5
+sides = 12
+continues = ["cap0"]
+
+[[solid]]
+name = "cavern"
+operation = "-"
+shape = "sphere"
+center = [5, 15, 10]
+radius = 2
+subdivisions = 3
+continues = ["side"]
+
+[[solid]]
+name = "gallery"
+operation = "-"
+shape = "tunnel"
+path = [[0, 10, 5], [5, 10, 5], [10, 12, 6]]
+section = "d_shape"
+width = 3
+height = 2.5
+sides = 8
+
+[[solid]]
+name = "drift"
+operation = "-"
+shape = "tunnel"
+path = [[0, 5, 5], [10, 5, 5]]
+section = [[0, 0], [0, 2], [2, 2], [2, 0]]
+
+[[solid]]
+name = "ore"
+shape = "mesh"
+file = ")" ROCKFOLD_SOURCE_DIR R"(/LICENSE"
+continues = ["0"]
+
+[[solid]]
+name = "ground"
+shape = "terrain"
+file = ")" ROCKFOLD_SOURCE_DIR R"(/tests/../LICENSE"
+base = -50
+continues = ["top"]
+
 [[joint_set]]
 name = "J1"
 dip = 60
@@ -64,6 +127,44 @@ spacing = 2.5
 origin = [1, 2, 3]
 count = 5
 material = "filled"
+radius = 3.5
+sides = 20
+within = "beam"
+
+[[joint_set]]
+name = "Baecher"
+dip = 70
+dip_direction = 15
+radius = 1
+[joint_set.random]
+seed = 9223372036854775807
+fisher_kappa = 40
+radius = {distribution = "power_law", exponent = 2.5, min = 0.5, max = 8}
+p32 = 0.75
+location = "uniform"
+
+[[joint_set]]
+name = "bedding"
+normal = [0, 0.1, 1]
+[joint_set.random]
+spacing = {distribution = "log_normal", mean = 2, standard_deviation = 0.5, min = 0.25, max = 9}
+
+[[joint_set]]
+name = "along"
+dip = 80
+dip_direction = 270
+[joint_set.random]
+radius = 2.5
+p10 = 0.2
+scanline = [[0, 10, 10], [10, 10, 10]]
+
+[[joint_set]]
+name = "few"
+dip = 10
+dip_direction = 270
+[joint_set.random]
+radius = {distribution = "exponential", mean = 2.5, max = 20}
+count = 12
 
 [[joint]]
 name = "F1"
@@ -75,6 +176,71 @@ material = "filled"
 [[joint]]
 normal = [1, -2, 0.5]
 point = [6, 5, 5]
+
+[[joint]]
+name = "disc"
+dip = 50
+dip_direction = 10
+point = [6, 5, 5]
+radius = 2.5
+sides = 24
+within = "rock"
+
+[[joint]]
+name = "patch"
+dip = 0
+dip_direction = 0
+point = [0, 0, 7]
+polygon = [[1, 1, 7], [5, 1, 8], [2, 2, 7], [1, 5, 6]]
+
+[[joint]]
+name = "wall"
+polygon = [[1, 1, 1], [1, 5, 1], [1, 5, 4]]
+
+[[joint_mesh]]
+name = "faults"
+file = ")" ROCKFOLD_SOURCE_DIR R"(/LICENSE"
+material = "filled"
+within = "rock"
+
+[[joint_table]]
+name = "mapped"
+file = ")" ROCKFOLD_SOURCE_DIR R"(/LICENSE"
+material = "filled"
+sides = 6
+within = "beam"
+
+[[merge]]
+box = [[0, 0, 0], [5, 5, 5]]
+
+[[merge]]
+solid = "beam"
+
+[[merge]]
+points = [[1, 1, 1], [9, 9, 9]]
+
+[[excavation]]
+name = "pit"
+stage = 2
+shape = "halfspaces"
+planes = [{dip = 0, dip_direction = 0, point = [0, 0, 29], keep = "above"}]
+
+[[excavation]]
+shape = "tunnel"
+path = [[0, 3, 3], [10, 3, 3]]
+section = "circle"
+radius = 1.25
+sides = 16
+
+[cut]
+max_cells = 1000000
+min_volume = 1e-3
+max_aspect_ratio = 12.5
+
+[[scanline]]
+name = "bore"
+from = [5, 5, 0]
+to = [5, 6, 30]
 
 [cover]
 lattice = "tet6"

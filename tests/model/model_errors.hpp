@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "src/base/error.hpp"
 #include "src/model/read_model.hpp"
 
@@ -29,6 +31,29 @@ inline std::string listed(const std::vector<Diagnostic>& errors) {
     text += place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) +
             ": " + place.key + ": " + message + "\n";
   return text;
+}
+
+/// A wrong model, where its only error is found, what the key is called and what the message says.
+struct Wrong {
+  const char* text;
+  int line, column;  ///< column 0: not compared
+  const char* key;
+  const char* part;  ///< of the message
+};
+
+/// Exactly one error, so that none has a follow-up.
+inline void expect_error(const Wrong& wrong, Purpose purpose = Purpose::cut) {
+  const auto errors = errors_of(wrong.text, {}, purpose);
+  SCOPED_TRACE(std::string(wrong.text) + "\nsays:\n" + listed(errors) +
+               "should say: " + wrong.part);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_EQ(errors[0].place.file, "m.toml");
+  EXPECT_EQ(errors[0].place.line, wrong.line);
+  if (wrong.column > 0) {
+    EXPECT_EQ(errors[0].place.column, wrong.column);
+  }
+  EXPECT_EQ(errors[0].place.key, wrong.key);
+  EXPECT_NE(errors[0].message.find(wrong.part), std::string::npos);
 }
 
 /// A rock of 5 lines that a case can go on from.

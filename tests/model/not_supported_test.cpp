@@ -15,37 +15,18 @@ struct NotYet {
   const char* key;
 };
 
-#define SET "[[joint_set]]\ndip = 0\ndip_direction = 0\nspacing = 1\n"
-#define JOINT "[[joint]]\nnormal = [0, 0, 1]\npoint = [1, 1, 1]\n"
 #define COVER "[cover]\nspacing = 1\n"
 #define FIXED "[[fixed]]\nwhere = {point = [0, 0, 0]}\n"
 #define LOAD "[[point_load]]\npoint = [0, 0, 0]\n"
 
 TEST(NotSupportedYet, IsSaidOfEachKeyAndValue) {
   const NotYet cases[] = {
-      {"[[joint_mesh]]\nfile = 'faults.stl'", 6, 3, "joint_mesh"},
-      {"[[merge]]\nbox = [[0, 0, 0], [5, 5, 5]]", 6, 3, "merge"},
-      {"[[excavation]]\nname = 'tunnel'\nstage = 1\nshape = 'tunnel'", 6, 3, "excavation"},
       {"[[traction]]\nwhere = {face = 'rock.zmax'}\nvalue = [0, 0, -1]", 6, 3, "traction"},
       {"[[initial_velocity]]\nwhere = {all = true}", 6, 3, "initial_velocity"},
       {"[initial_stress]\nvalue = [[-1, 0, 0], [0, -1, 0], [0, 0, -2]]", 6, 2, "initial_stress"},
       {"[contact]\npenalty = 0", 6, 2, "contact"},
       {"[[bolt]]\nname = 'b'", 6, 3, "bolt"},
       {"[[bolt_pattern]]\nname = 'b'", 6, 3, "bolt_pattern"},
-      {"[[solid]]\nshape = 'pyramid'\nbase = []\napex = [0, 0, 0]", 7, 9, "solid[2].shape"},
-      {"[[solid]]\nshape = 'frustum'\nbase = []\ntop = []", 7, 9, "solid[2].shape"},
-      {"[[solid]]\nshape = 'cylinder'\naxis = []\nradius = 1\nsides = 8", 7, 9, "solid[2].shape"},
-      {"[[solid]]\nshape = 'sphere'\ncenter = [0, 0, 0]", 7, 9, "solid[2].shape"},
-      {"[[solid]]\nshape = 'tunnel'\npath = []", 7, 9, "solid[2].shape"},
-      {"[[solid]]\nshape = 'mesh'\nfile = 'a.stl'", 7, 9, "solid[2].shape"},
-      {"[[solid]]\nshape = 'terrain'\nfile = 'a.asc'", 7, 9, "solid[2].shape"},
-      {"[[solid]]\nshape = 'prism'\nbase = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [3, 1, 0]]\nextrude = [0, 0, 1]", 8, 8, "solid[2].base"},
-      {SET "radius = 3.0", 10, 1, "joint_set[1].radius"},
-      {SET "sides = 16", 10, 1, "joint_set[1].sides"},
-      {SET "within = 'rock'", 10, 1, "joint_set[1].within"},
-      {SET "[joint_set.random]\nseed = 1", 10, 12, "joint_set[1].random"},
-      {JOINT "radius = 2.0", 9, 1, "joint[1].radius"},
-      {JOINT "polygon = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]", 9, 1, "joint[1].polygon"},
       {COVER "lattice = 'tet5'", 8, 11, "cover.lattice"},
       {COVER "lattice = 'tet6_kuhn'", 8, 11, "cover.lattice"},
       {COVER "lattice = 'tet24'", 8, 11, "cover.lattice"},

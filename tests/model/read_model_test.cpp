@@ -37,7 +37,7 @@ TEST_F(CompleteModel, HasItsMaterials) {
 }
 
 TEST_F(CompleteModel, HasItsBox) {
-  ASSERT_EQ(model.solids.size(), 3u);
+  ASSERT_EQ(model.solids.size(), 11u);
   const auto& rock = model.solids[0];
   EXPECT_TRUE(rock.add);
   EXPECT_EQ(rock.material, 0);
@@ -70,7 +70,7 @@ TEST_F(CompleteModel, HasItsPrism) {
 }
 
 TEST_F(CompleteModel, HasItsJoints) {
-  ASSERT_EQ(model.joint_sets.size(), 1u);
+  ASSERT_EQ(model.joint_sets.size(), 5u);
   const auto& set = model.joint_sets[0];
   EXPECT_EQ(set.name, "J1");
   EXPECT_EQ(std::get<DipOrientation>(set.orientation).dip, 60);
@@ -79,7 +79,7 @@ TEST_F(CompleteModel, HasItsJoints) {
   EXPECT_EQ(set.origin, (Vec3{1, 2, 3}));
   EXPECT_EQ(set.count, 5);
   EXPECT_EQ(set.material, 1);
-  ASSERT_EQ(model.joints.size(), 2u);
+  ASSERT_EQ(model.joints.size(), 5u);
   EXPECT_EQ(model.joints[0].material, 1);
   EXPECT_EQ(std::get<DipOrientation>(model.joints[0].plane.orientation).dip_direction, 120);
   EXPECT_EQ(model.joints[1].name, "joint2");
@@ -195,6 +195,25 @@ TEST(FaceNames, FollowTheShapes) {
   EXPECT_EQ(faces_named(prism, "2"), std::vector<Index>{2});
   EXPECT_TRUE(faces_named(prism, "6").empty());
   EXPECT_TRUE(faces_named(BoxShape{}, "side").empty());
+  EXPECT_TRUE(faces_named(HalfspacesShape{{{}, {}}}, "cap0").empty());
+
+  const Shape pyramid = PyramidShape{{{}, {}, {}}, {}};
+  EXPECT_EQ(face_names(pyramid).size(), 4u);
+  EXPECT_EQ(faces_named(pyramid, "cap0"), std::vector<Index>{3});
+  EXPECT_TRUE(faces_named(pyramid, "cap1").empty());
+  const Shape cylinder = CylinderShape{.sides = 6};
+  EXPECT_EQ(face_names(cylinder).size(), 8u);
+  EXPECT_EQ(faces_named(cylinder, "cap1"), std::vector<Index>{7});
+  EXPECT_EQ(faces_named(FrustumShape{{{}, {}, {}}, {{}, {}, {}}}, "cap1"), std::vector<Index>{4});
+  EXPECT_EQ(faces_named(TunnelShape{{}, {{}, {}, {}, {}}}, "side"),
+            (std::vector<Index>{0, 1, 2, 3}));
+  for (const Shape& closed : {Shape(SphereShape{}), Shape(MeshShape{})}) {
+    EXPECT_EQ(face_names(closed), std::vector<std::string>{"0"});
+    EXPECT_EQ(faces_named(closed, "side"), std::vector<Index>{0});
+    EXPECT_TRUE(faces_named(closed, "cap0").empty());
+  }
+  EXPECT_EQ(faces_named(TerrainShape{}, "top"), std::vector<Index>{5});
+  EXPECT_TRUE(faces_named(TerrainShape{}, "side").empty());
 }
 
 TEST(ModelText, MayHaveAMarkAndAnyLineEnds) {

@@ -1,0 +1,91 @@
+#include <cmath>
+
+#include "host/files/read_joint_table.hpp"
+#include "tests/files/sample_files.hpp"
+
+namespace rockfold {
+
+namespace {
+
+const std::vector<JointMaterial> materials = named_materials({"clean", "clay; \"soft\"", "rough"});
+
+std::vector<JointTable::Row> rows_of(std::string_view text) {
+  return read_joint_table(text, 2, materials, sample_place);
+}
+
+}  // namespace
+
+TEST(JointTables, AreReadByTheNamesOfTheirColumns) {
+  const auto rows = rows_of(
+      "# mapped in 2019\n\nx,y,z,Dip,dip_direction,radius\n1.5, -2,3e1 ,45,120,2.5\n\n# a "
+      "fault\n0,0,0,90,360,\n");
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].orientation.dip, 45);
+  EXPECT_EQ(rows[0].orientation.dip_direction, 120);
+  EXPECT_EQ(rows[0].center, (Vec3{1.5, -2, 30}));
+  EXPECT_EQ(rows[0].radius, 2.5);
+  EXPECT_EQ(rows[0].material, 2);
+  EXPECT_TRUE(std::isinf(rows[1].radius));
+}
+
+TEST(JointTables, MayUseSemicolonsQuotesAndOtherLineEnds) {
+  const auto rows = rows_of(
+      "\xEF\xBB\xBF\"dip\";\"dip_direction\";x;y;z;radius;material\r\n"
+      "10;20;1;2;3;4;\"clay; \"\"soft\"\"\"\r\n10;20;1;2;3;\"4\"; \"clean\" "
+      "\r\n10;20;1;2;3;4;\r\n");
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].material, 1);
+  EXPECT_EQ(rows[1].material, 0);
+  EXPECT_EQ(rows[2].material, 2);
+}
+
+TEST(JointTables, ThatAreWrongSayWhereAndWhy) {
+  struct Wrong {
+    std::string text;
+    int line, column;
+    const char* says;
+  };
+  const std::string head = "dip,dip_direction,x,y,z,radius,material\n";
+  const Wrong cases[] = {
+      {"# nothing\n\n", 0, 0, "must begin with a heading"},
+      {"dip,dip_direction,x,y,z,radius\n", 0, 0, "no joints"},
+      {"dip,azimuth,x,y,z,radius\n", 1, 5, "unknown column 'azimuth'"},
+      {"dip,dip_drection,x,y,z,radius\n", 1, 5, "did you mean \"dip_direction\"?"},
+      {"dip,dip,dip_direction,x,y,z,radius\n", 1, 5, "two columns dip"},
+      {"dip,x,y\n", 1, 0, "no column dip_direction, z, radius"},
+      {"45,120,0,0,0,1\n", 1, 1, "unknown column '45'"},
+      {head + "45,120,0,0,0\n", 2, 0, "has 5 fields, the heading 7"},
+      {head + "45,120,0,0,0,1,clean,7\n", 2, 0, "has 8 fields, the heading 7"},
+      {head + "91,120,0,0,0,1,\n", 2, 1, "dip must be 0 to 90 (deg), is 91"},
+      {head + "45,-1,0,0,0,1,\n", 2, 4, "dip_direction must be 0 to 360 (deg), is -1"},
+      {head + "45,120,0,0,0,0,\n", 2, 14, "radius must be > 0 (m), is 0"},
+      {head + "45,120,0,0,0,inf,\n", 2, 14, "radius must be a finite number, > 0 (m), is inf"},
+      {head + "45,120,0,0,0,-2,\n", 2, 14, "radius must be > 0 (m), is -2"},
+      {head + "nan,120,0,0,0,1,\n", 2, 1, "dip must be a finite number"},
+      {head + "45,120,,0,0,1,\n", 2, 8, "x must be a number (m), is ''"},
+      {head + "45,120,0,1e10,0,1,\n", 2, 10, "y must be at most 1e9 in size (m), is 1e+10"},
+      {head + "4 5,120,0,0,0,1,\n", 2, 1, "is '4 5'"},
+      {head + "45,120,0,0,0,1,claen\n", 2, 16,
+       "no joint material is called 'claen', did you mean \"clean\"?"},
+      {head + "45,120,0,0,0,1,\"clean\n", 2, 16, "must end with its quote"},
+      {head + "45,120,0,0,0,1,\"cl\"ean\n", 2, 16, "must end with its quote"},
+  };
+  for (const auto& wrong : cases) {
+    const auto errors = errors_of_reading([&] { rows_of(wrong.text); });
+    ASSERT_FALSE(errors.empty()) << wrong.text;
+    EXPECT_EQ(errors[0].place.line, wrong.line) << listed(errors);
+    EXPECT_EQ(errors[0].place.column, wrong.column) << listed(errors);
+    EXPECT_NE(errors[0].message.find(wrong.says), std::string::npos) << listed(errors);
+  }
+}
+
+TEST(JointTables, TellAllWrongLinesAtOnce) {
+  std::string text = "dip,dip_direction,x,y,z,radius\n";
+  for (int i = 0; i < 30; ++i) text += "95,0,0,0,0,1\n";
+  const auto errors = errors_of_reading([&] { rows_of(text); });
+  ASSERT_EQ(errors.size(), 21u);
+  EXPECT_EQ(errors[19].place.line, 21);
+  EXPECT_EQ(errors[20].message, "10 more errors");
+}
+
+}  // namespace rockfold

@@ -1,0 +1,310 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+
+#include "src/base/vector.hpp"
+#include "tests/files/sample_files.hpp"
+
+namespace rockfold {
+
+namespace {
+
+using Edge = std::pair<Index, Index>;
+
+TriangleSurface ground_of(const std::string& text) {
+  return read_terrain(text, sample_place);
+}
+
+/// Directed edges without a partner, by where they start; an outline of simple polygons has one at a vertex.
+std::multimap<Index, Index> outline(const TriangleSurface& ground) {
+  std::set<Edge> edges;
+  for (const auto& t : ground.triangles)
+    for (std::size_t i = 0; i < 3; ++i) edges.insert({t[i], t[(i + 1) % 3]});
+  EXPECT_EQ(edges.size(), 3 * ground.triangles.size()) << "an edge is used twice in one sense";
+  std::multimap<Index, Index> open;
+  for (const auto& [a, b] : edges)
+    if (edges.count({b, a}) == 0) open.insert({a, b});
+  return open;
+}
+
+void expect_sound(const TriangleSurface& ground) {
+  const auto open = outline(ground);
+  for (const auto& [from, to] : open)
+    EXPECT_EQ(open.count(from), 1u) << "a pinch at vertex " << from;
+  for (const auto& [a, b, c] : ground.triangles) {
+    const Vec3& origin = ground.vertices[static_cast<std::size_t>(a)];
+    EXPECT_GT(cross(ground.vertices[static_cast<std::size_t>(b)] - origin,
+                    ground.vertices[static_cast<std::size_t>(c)] - origin)[2],
+              0);
+  }
+}
+
+const std::string header23 = "ncols 3\nnrows 2\nxllcorner 10\nyllcorner 20\ncellsize 2\n";
+
+}  // namespace
+
+TEST(AsciiGrid, HasItsPostsAtTheCellsCentresFromNorthToSouth) {
+  const auto ground = ground_of(header23 + "1 2 3\n4 5 6\n");
+  EXPECT_EQ(ground.vertices,
+            (std::vector<Vec3>{
+                {11, 21, 4}, {13, 21, 5}, {15, 21, 6}, {11, 23, 1}, {13, 23, 2}, {15, 23, 3}}));
+  EXPECT_EQ(ground.triangles.size(), 4u);
+  EXPECT_EQ(double_plan_area(ground), 2 * 4 * 2);
+  expect_sound(ground);
+}
+
+TEST(AsciiGrid, MayBeRegisteredAtCentresInAnyCaseOrderAndLines) {
+  const auto ground = ground_of(
+      "\xEF\xBB\xBFNROWS 2\r\nXLLCENTER 10\r\nNcols   3\r\nyllcenter\t20\r\nDX 2\r\nDY 5\r\n"
+      "nodata_VALUE -1\r\n1 2\r\n3 4 5\r\n+6.5e0\r\n\r\n");
+  EXPECT_EQ(ground.vertices.front(), (Vec3{10, 20, 4}));
+  EXPECT_EQ(ground.vertices.back(), (Vec3{14, 25, 3}));
+  EXPECT_EQ(ground.vertices[2][2], 6.5);
+}
+
+TEST(AsciiGrid, SplitsSquaresAlongTheShorterDiagonal) {
+  const std::string header = "ncols 2\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 1\n";
+  // A ridge from north-west to south-east; one from south-west to north-east; a plane.
+  EXPECT_EQ(ground_of(header + "9 0\n1 9").triangles[0], (std::array<Index, 3>{0, 1, 2}));
+  EXPECT_EQ(ground_of(header + "0 9\n9 1").triangles[0], (std::array<Index, 3>{0, 1, 3}));
+  EXPECT_EQ(ground_of(header + "1 1\n1 1").triangles[0], (std::array<Index, 3>{0, 1, 3}));
+}
+
+TEST(AsciiGrid, LeavesOutSquaresOfLessThanThreePosts) {
+  const auto ground = ground_of(header23 + "-9999 2 3\n4 5 6\n");
+  EXPECT_EQ(ground.vertices.size(), 5u);
+  EXPECT_EQ(ground.triangles.size(), 3u);
+  expect_sound(ground);
+  EXPECT_EQ(ground_of(header23 + "NODATA_value nan\nnan 2 3\n4 5 6\n").triangles.size(), 3u);
+}
+
+TEST(AsciiGrid, HasNoPartsThatTouchAtOnePost) {
+  // Two squares that share the post in the middle, the lower one with a neighbour.
+  const auto ground = ground_of(
+      "ncols 4\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value 0\n"
+      "1 1 0 0\n1 1 1 1\n0 1 1 1\n");
+  expect_sound(ground);
+  EXPECT_GE(ground.triangles.size(), 4u);
+}
+
+TEST(AsciiGrid, OfRandomGapsHasSimpleOutlines) {
+  std::mt19937_64 random(7);
+  for (int n = 0; n < 200; ++n) {
+    const int columns = 2 + static_cast<int>(random() % 12),
+              rows = 2 + static_cast<int>(random() % 12);
+    const auto gaps = random() % 60;
+    std::string text = "ncols " + std::to_string(columns) + "\nnrows " + std::to_string(rows) +
+                       "\nxllcorner 500000.5\nyllcorner 4000000\ncellsize 0.1\n";
+    for (int i = 0; i < columns * rows; ++i)
+      text += random() % 100 < gaps ? "-9999 " : std::to_string(random() % 1000) + " ";
+    try {
+      expect_sound(ground_of(text));
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("no three neighbouring posts"), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
+TEST(AsciiGrid, OfRandomPostsComesBackAsItWasWritten) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<Real> height(-1e5, 1e5);
+  for (int n = 0; n < 20; ++n) {
+    const std::size_t columns = 2 + random() % 30, rows = 2 + random() % 30;
+    std::vector<Vec3> posts;
+    std::string xyz = "x;y;z\n";
+    for (std::size_t j = 0; j < rows; ++j)
+      for (std::size_t i = 0; i < columns; ++i)
+        posts.push_back(
+            {static_cast<Real>(i) * 0.3 + 7, static_cast<Real>(j) * 0.7 - 5, height(random)});
+    std::string grid = "ncols " + std::to_string(columns) + "\nnrows " + std::to_string(rows) +
+                       "\nxllcenter 7\nyllcenter -5\ndx 0.3\ndy 0.7\n";
+    const auto exact = [](Real x) {
+      char text[40];
+      std::snprintf(text, sizeof text, "%.17g", x);
+      return std::string(text);
+    };
+    for (std::size_t j = rows; j-- > 0;)
+      for (std::size_t i = 0; i < columns; ++i) grid += exact(posts[j * columns + i][2]) + " ";
+    const auto ground = ground_of(grid);
+    ASSERT_EQ(ground.vertices.size(), posts.size());
+    for (std::size_t i = 0; i < posts.size(); ++i) EXPECT_EQ(ground.vertices[i][2], posts[i][2]);
+    expect_sound(ground);
+
+    auto shuffled = ground.vertices;
+    std::shuffle(shuffled.begin(), shuffled.end(), random);
+    for (const auto& p : shuffled)
+      xyz += exact(p[0]) + ";" + exact(p[1]) + ";" + exact(p[2]) + "\n";
+    const auto same = ground_of(xyz);
+    EXPECT_EQ(same.vertices, ground.vertices);
+    EXPECT_EQ(same.triangles, ground.triangles);
+  }
+}
+
+TEST(AsciiGrid, OfAPlaneIsThatPlaneExactly) {
+  std::string text = "ncols 40\nnrows 30\nxllcenter 0\nyllcenter 0\ncellsize 4\n";
+  for (int j = 29; j >= 0; --j)
+    for (int i = 0; i < 40; ++i) text += std::to_string(100 + 2 * i - 3 * j) + " ";
+  const auto ground = ground_of(text);
+  for (const auto& [a, b, c] : ground.triangles) {
+    const Vec3& origin = ground.vertices[static_cast<std::size_t>(a)];
+    const Vec3 normal = cross(ground.vertices[static_cast<std::size_t>(b)] - origin,
+                              ground.vertices[static_cast<std::size_t>(c)] - origin);
+    EXPECT_EQ(normal, (Vec3{-8, 12, 16}));  // z = 100 + x/2 − 3y/4: (−1/2, 3/4, 1) times 16
+  }
+  EXPECT_EQ(double_plan_area(ground), 2.0 * 39 * 29 * 16);
+}
+
+TEST(XyzPosts, MayBeSeparatedInManyWays) {
+  const std::string expected = "0 0 1\n2 0 2\n0 2 3\n2 2 4\n";
+  const auto ground = ground_of(expected);
+  for (const char* text :
+       {"X, Y, Z\n0, 0, 1\n2,0,2\n0,2,3\n2,2,4",
+        "# posts\r\n\r\n0;0;1\r\n2;0;2 # east\r\n0;2;3\r\n2;2;4\r\n",
+        "easting\tnorthing\televation\n\t0\t0\t1\n2 0 2\n0 2 3\n+2 2e0 .4e1\n0 0 1\n"})
+    EXPECT_EQ(ground_of(text).vertices, ground.vertices) << text;
+  EXPECT_EQ(ground.triangles.size(), 2u);
+}
+
+TEST(XyzPosts, ScatteredAreJoinedByDelaunaysTriangulation) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<Real> coordinate(0, 100);
+  std::vector<std::string> lines = {"0 0 5", "100 0 5", "100 100 5", "0 100 5"};
+  for (int i = 0; i < 500; ++i)
+    lines.push_back(std::to_string(coordinate(random)) + " " + std::to_string(coordinate(random)) +
+                    " 5");
+  const auto text_of = [&] {
+    std::string text;
+    for (const auto& line : lines) text += line + "\n";
+    return text;
+  };
+  const auto ground = ground_of(text_of());
+  expect_sound(ground);
+  EXPECT_EQ(ground.vertices.size(), 504u);
+  EXPECT_EQ(ground.triangles.size(), 2 * 504 - 2 - 4u);  // Euler, four of them on the border
+  EXPECT_NEAR(double_plan_area(ground), 2e4, 1e-8);
+  std::shuffle(lines.begin(), lines.end(), random);
+  EXPECT_EQ(ground_of(text_of()).triangles, ground.triangles) << "depends on the lines' order";
+}
+
+TEST(XyzPosts, OnCrookedBordersMakeNoSlivers) {
+  // Rows whose ends are off their line by a millionth of a millimetre, at random.
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<Real> noise(-1e-9, 1e-9);
+  std::string text;
+  for (int i = 0; i < 20; ++i)
+    for (int j = 0; j < 20; ++j) {
+      char line[90];
+      std::snprintf(line, sizeof line, "%.15g %.15g %d\n", i + noise(random), j + noise(random), 3);
+      text += line;
+    }
+  const auto ground = ground_of(text);
+  expect_sound(ground);
+  for (const auto& [a, b, c] : ground.triangles) {
+    const Vec3& p = ground.vertices[static_cast<std::size_t>(a)];
+    EXPECT_GT(cross(ground.vertices[static_cast<std::size_t>(b)] - p,
+                    ground.vertices[static_cast<std::size_t>(c)] - p)[2],
+              0.9);
+  }
+  EXPECT_EQ(ground.triangles.size(), 2 * 19 * 19u);
+}
+
+TEST(WrongTerrains, SayWhatAndWhere) {
+  struct Wrong {
+    std::string text;
+    int line, column;
+    const char* says[2];
+  };
+  const Wrong cases[] = {
+      {" \n\n", 0, 0, {"nothing but blanks"}},
+      {"ncols 3\nnrows 2\n1 2 3\n4 5 6\n", 0, 0, {"header: xllcorner, yllcorner, cellsize"}},
+      {"ncols 3\nnrow 2\n", 2, 1, {"'nrow' is no key", "did you mean \"nrows\"?"}},
+      {"ncols 0\n", 1, 7, {"integer >= 1, is '0'"}},
+      {"ncols 2.5\n", 1, 7, {"'2.5'"}},
+      {"ncols", 1, 0, {"ends where the value of ncols must follow"}},
+      {"ncols 3\nnrows 2\nxllcorner inf\nyllcorner 0\ncellsize 1\n1 2 3\n4 5 6\n",
+       3,
+       11,
+       {"xllcorner is inf"}},
+      {"ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize -1\n1 2 3\n4 5 6\n",
+       5,
+       10,
+       {"cellsize must be > 0"}},
+      {"ncols 3\nnrows 2\nxllcorner 0\nyllcorner 9e8\ncellsize 1e8\n1 2 3\n4 5 6\n",
+       0,
+       0,
+       {"last post: y is 1.05e+09"}},
+      {"ncols 3\nnrows 2\nxllcorner 1e8\nyllcorner 0\ncellsize 1e-9\n1 2 3\n4 5 6\n",
+       0,
+       0,
+       {"cell size 1e-09 is too small"}},
+      {header23 + "1 2 3\n4 5\n", 7, 0, {"ends after 5 of 6 values", "ncols = 3"}},
+      {header23 + "1 2 3\n4 5 6\n7\n", 8, 1, {"goes on after 6 values"}},
+      {header23 + "1 2 3\n4 x 6\n", 7, 3, {"elevation must be a number, is 'x'"}},
+      {header23 + "1 2 3\n4 nan 6\n", 7, 3, {"elevation is nan", "NODATA_value is -9999"}},
+      {header23 + "1 2 3\n4 -3.4e38 6\n", 7, 3, {"-3.4e+38", "NODATA_value is -9999"}},
+      {header23 + "1 -9999 3\n-9999 5 -9999\n", 0, 0, {"no three neighbouring posts"}},
+      {"ncols 6\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3 4 5 6\n",
+       0,
+       0,
+       {"two rows and columns"}},
+      {"ncols 2000000000\nnrows 2000000000\nxllcorner 0\nyllcorner 0\ncellsize 1\n1\n",
+       6,
+       0,
+       {"1 of 4000000000000000000 values"}},
+      {"0 0 1\n1 0\n", 2, 4, {"z is missing"}},
+      {"0 0 1\n1 0 x\n", 2, 5, {"z must be a number, is 'x'"}},
+      {"0 0 1\n1 0 nan\n", 2, 5, {"z is nan"}},
+      {"0 0 1\n1 2e9 1\n", 2, 3, {"y is 2e+09"}},
+      {"0 0 1\n1 0 1 7\n", 2, 7, {"goes on with '7'"}},
+      {"1,5;2,5;3,5\n", 1, 7, {"decimals behind a point"}},
+      {"x y z\nmore words here\n", 2, 1, {"x must be a number, is 'more'"}},
+      {"0 0 1\n1 0 1\n", 0, 0, {"three posts at least, has 2"}},
+      {"0 0 1\n1 1 1\n3 3 1\n", 0, 0, {"one line"}},
+      {"0 0 1\n1 1 1\n0 1 7\n\n0 1 8\n",
+       5,
+       0,
+       {"(0, 1, 8) lies over the post of line 3", "z is 7"}},
+      {std::string("\0\x01\xff\xfe 1 2\n1 2 3", 14), 2, 1, {"three posts"}},
+  };
+  for (const auto& wrong : cases) {
+    const auto errors = errors_of_reading([&] { ground_of(wrong.text); });
+    const auto text = listed(errors);
+    ASSERT_FALSE(errors.empty()) << wrong.text;
+    if (wrong.text[0] != '\0') {
+      EXPECT_EQ(errors[0].place.line, wrong.line) << text;
+      EXPECT_EQ(errors[0].place.column, wrong.column) << text;
+    }
+    for (const char* part : wrong.says)
+      EXPECT_TRUE(!part || text.find(part) != std::string::npos) << part << " is not in\n" << text;
+  }
+}
+
+TEST(WrongTerrains, MayLieBelowTheirBase) {
+  const auto ground = ground_of(header23 + "1 2 3\n4 5 1\n");
+  EXPECT_TRUE(errors_of_reading([&] { check_above(ground, 0.999, sample_place); }).empty());
+  const auto errors = errors_of_reading([&] { check_above(ground, 1, sample_place); });
+  EXPECT_NE(listed(errors).find("base = 1 m everywhere: 2 posts do not, the lowest at (15, 21, 1)"),
+            std::string::npos)
+      << listed(errors);
+}
+
+/// 2000 × 2000 posts, 4 million, 28 MB of text: seconds on any machine, minutes if numbers were read by streams or
+/// anything grew faster than the posts.
+TEST(SlowTerrain, OfFourMillionPostsLoadsInSeconds) {
+  std::string text = "ncols 2000\nnrows 2000\nxllcorner 500000\nyllcorner 4000000\ncellsize 5\n";
+  for (int i = 0; i < 4000000; ++i)
+    text +=
+        i % 2000 < 500 && i % 97 == 0 ? "-9999 " : std::to_string(1000 + (i * 37) % 199) + ".25 ";
+  const auto start = std::chrono::steady_clock::now();
+  const auto ground = ground_of(text);
+  const std::chrono::duration<Real> seconds = std::chrono::steady_clock::now() - start;
+  RecordProperty("seconds", std::to_string(seconds.count()));
+  EXPECT_GT(ground.triangles.size(), 7500000u);
+  EXPECT_LT(seconds.count(), 60);
+}
+
+}  // namespace rockfold
