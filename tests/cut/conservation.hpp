@@ -22,8 +22,12 @@ struct HalfSpaceOutside {
 };
 Real clipped_area(const std::vector<Vec3>& polygon, const std::vector<HalfSpaceOutside>& solid);
 
+/// Whether two cuttings made the same blocks: equal counts, and numbers but for rounding, of blocks, of their faces (by origin)
+/// and of their dead ends. The first difference, or "".
+std::string block_difference(const BlockArrays& a, const BlockArrays& b, Real size);
+
 /// Whether 1, 2 and 4 threads give the same arrays and totals, bit for bit, and three shufflings of the joints the same
-/// arrays up to the numbers of origins; one line for each difference.
-std::vector<std::string> dependences(const Model& model, bool shuffle_joints = true);
+/// blocks; one line for each difference.
+std::vector<std::string> dependences(const Model& model, Real size, bool shuffle_joints = true);
 
 }  // namespace rockfold::test

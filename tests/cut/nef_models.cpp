@@ -1,5 +1,6 @@
 #include "tests/cut/nef_models.hpp"
 
+#include <cmath>
 #include <random>
 
 #include "src/base/vector.hpp"
@@ -39,7 +40,10 @@ class RandomModel {
     model_ = box_model({0, 0, 0}, {16, 16, 16});
     if (small(0, 3) == 0) add_solid();
     const int joints = small(2, 8);
-    while (static_cast<int>(model_.joints.size()) < joints) add_one();
+    while (static_cast<int>(model_.joints.size()) < joints) {
+      add_one();
+      leave_out_coplanar_joints();
+    }
     return std::move(model_);
   }
 
@@ -80,6 +84,20 @@ class RandomModel {
     }
     solid.continues.assign(face_names(solid.shape).size(), false);
     model_.solids.push_back(solid);
+  }
+
+  // The oracle takes coplanar joints for one origin. Integers: exact.
+  void leave_out_coplanar_joints() {
+    std::vector<Joint>& joints = model_.joints;
+    for (std::size_t i = 1; i < joints.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const Vec3 &m = std::get<Vec3>(joints[i].plane.orientation),
+                   &n = std::get<Vec3>(joints[j].plane.orientation);
+        if (cross(m, n) != Vec3{} || dot(n, joints[i].plane.point - joints[j].plane.point) != 0)
+          continue;
+        joints.erase(joints.begin() + static_cast<std::ptrdiff_t>(i--));
+        break;
+      }
   }
 
   void add_one() {
@@ -375,6 +393,28 @@ Model concave_solid() {
 
 Model random_finite_joints(unsigned seed) {
   return RandomModel(seed).draw();
+}
+
+Model random_discs(unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<Real> gauss;
+  std::uniform_real_distribution<Real> unit;
+  const auto any = [&] { return Vec3{gauss(random), gauss(random), gauss(random)}; };
+  Model model = box_model({0, 0, 0}, {16, 16, 16});
+  const auto joints = 2 + random() % 7;
+  for (unsigned j = 0; j < joints; ++j) {
+    const Vec3 normal = normalized(any()), u = normalized(cross(any(), normal));
+    const Frame frame{
+        {16 * unit(random), 16 * unit(random), 16 * unit(random)}, u, cross(normal, u)};
+    const Real radius = 4 + 12 * unit(random);
+    const auto sides = 5 + random() % 12;
+    add_joint(model, normal, frame.origin);
+    for (unsigned i = 0; i < sides; ++i) {
+      const Real t = 2 * 3.14159265358979323846 * i / static_cast<Real>(sides);
+      model.joints.back().polygon.push_back(frame(radius * std::cos(t), radius * std::sin(t)));
+    }
+  }
+  return model;
 }
 
 std::ostream& operator<<(std::ostream& out, const NamedModel& m) {

@@ -1,4 +1,4 @@
-// Models for the Nef oracle: all coordinates are integers or halves, so that polygons lie exactly on their planes and both
+// Models for the Nef oracle. But for random_discs all coordinates are integers or halves, so that polygons lie exactly on their planes and both
 // sides cut the same geometry.
 #pragma once
 
@@ -26,6 +26,10 @@ void add_corners(Model& model, const std::vector<Vec3>& corners);
 /// 2 to 8 joints in a box of edge 16, now and then with other solids: oblique triangles, octagons, concave polygons,
 /// planes, joints that end on others, closed tetrahedra, fans about a line.
 Model random_finite_joints(unsigned seed);
+
+/// 2 to 8 discs of 5 to 16 corners in a box, of any direction and place: nothing meets but in general position, so that it does
+/// not matter that corners are off their planes by rounding.
+Model random_discs(unsigned seed);
 
 struct NamedModel {
   std::string name;
