@@ -68,7 +68,18 @@ std::string examples_text() {
   for (const auto& example : examples())
     rows.push_back({std::string(example.name), std::string(example.summary)});
   return table_text({{"name", "", true}, {"shows", "", true}}, rows) +
-         "\n  rockfold examples NAME  writes NAME.toml\n";
+         "\n  rockfold examples NAME  writes NAME.toml and the files that it names\n";
+}
+
+/// Writes the model and the files that it names; returns their names, the model's first.
+std::vector<std::string> write_example(const Example& example) {
+  std::vector<std::pair<std::string, std::string>> files{
+      {fmt::format("{}.toml", example.name), std::string(example.text)}};
+  for (const auto& file : example.files) files.emplace_back(file.name, file.text);
+  write_new_files(files);
+  std::vector<std::string> names;
+  for (auto& [name, text] : files) names.push_back(std::move(name));
+  return names;
 }
 
 }  // namespace
@@ -102,10 +113,15 @@ int hand_out_examples(const Options& options) {
     text = examples_text();
   } else {
     const auto& example = find_example(options.input);
-    const std::string file = std::string(example.name) + ".toml";
-    write_new_file(file, std::string(example.text));
-    document["written"] = file;
-    if (!options.quiet) text = fmt::format("{}: {}\n", file, example.summary);
+    const auto files = write_example(example);
+    document["written"] = files.front();
+    document["files"] = files;
+    if (!options.quiet) {
+      text = fmt::format("{}: {}\n", files.front(), example.summary);
+      if (files.size() > 1)
+        text += fmt::format("and what it names: {}\n",
+                            fmt::join(files.begin() + 1, files.end(), ", "));
+    }
   }
   if (options.json)
     print_document(document, {}, {});

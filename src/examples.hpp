@@ -1,5 +1,5 @@
-// The example models, compiled into the program from tests/cases/NAME/model.toml
-// (embed_examples.cmake).
+// The example models, compiled into the program from tests/cases/NAME/model.toml and the files that
+// it names (embed_examples.cmake).
 #pragma once
 
 #include <span>
@@ -7,10 +7,17 @@
 
 namespace rockfold {
 
+/// A file with geometry that an example's model names.
+struct ExampleFile {
+  std::string_view name;  ///< as in the model, without a folder
+  std::string_view text;
+};
+
 struct Example {
   std::string_view name;     ///< the folder's name
   std::string_view summary;  ///< the model's first line, a comment
   std::string_view text;     ///< the model
+  std::span<const ExampleFile> files;
 };
 
 /// All of them, by name.

@@ -60,7 +60,9 @@ constexpr std::array<CommandHelp, 7> helps{{
      "list the example models; with a name, write it as NAME.toml",
      "Lists the example models that are part of the program. With a name, writes that model as "
      "NAME.toml\n"
-     "to the current folder; a file that is there already is left alone (exit status 3).\n",
+     "and the files that it names to the current folder. A file that is there already is left "
+     "alone, and\n"
+     "nothing is written (exit status 3).\n",
      "  rockfold examples slope && rockfold run slope.toml\n"},
 }};
 

@@ -25,6 +25,22 @@ std::string reason() {
   return std::strerror(errno);
 }
 
+void write_new_file(const std::string& path, const std::string& text) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
+  if (file < 0) {
+    if (errno == EEXIST)
+      fail(ErrorKind::io, path,
+           "is there already and is left as it is; move it or work in another folder");
+    fail(ErrorKind::io, path, "cannot be written: " + reason());
+  }
+  const bool written = write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  const std::string why = written ? "" : reason();
+  if (close(file) != 0 || !written) {
+    unlink(path.c_str());
+    fail(ErrorKind::io, path, "cannot be written: " + why);
+  }
+}
+
 }  // namespace
 
 std::string result_path(const Options& options) {
@@ -63,19 +79,14 @@ void check_export_paths(const Options& options, const std::string& result,
   }
 }
 
-void write_new_file(const std::string& path, const std::string& text) {
-  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
-  if (file < 0) {
-    if (errno == EEXIST)
-      fail(ErrorKind::io, path,
-           "is there already and is left as it is; move it or work in another folder");
-    fail(ErrorKind::io, path, "cannot be written: " + reason());
-  }
-  const bool written = write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  const std::string why = written ? "" : reason();
-  if (close(file) != 0 || !written) {
-    unlink(path.c_str());
-    fail(ErrorKind::io, path, "cannot be written: " + why);
+void write_new_files(const std::vector<std::pair<std::string, std::string>>& files) {
+  std::size_t written = 0;
+  try {
+    for (; written < files.size(); ++written)
+      write_new_file(files[written].first, files[written].second);
+  } catch (const Error&) {
+    while (written > 0) unlink(files[--written].first.c_str());
+    throw;
   }
 }
 

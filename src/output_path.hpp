@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "src/command_line.hpp"
 
@@ -20,7 +22,8 @@ void check_result_path(const std::string& path, const std::string& model_path);
 void check_export_paths(const Options& options, const std::string& result,
                         const std::string& model_path);
 
-/// Writes a new text file. Throws Error(io), also where a file of that name is there already.
-void write_new_file(const std::string& path, const std::string& text);
+/// Writes new text files, given by path and text: all or none. Throws Error(io), also where a file
+/// of such a name is there already.
+void write_new_files(const std::vector<std::pair<std::string, std::string>>& files);
 
 }  // namespace rockfold

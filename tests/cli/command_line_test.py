@@ -5,7 +5,7 @@ import stat
 import subprocess
 import unittest
 
-from program import BINARY, CASES, ProgramTest
+from program import BINARY, CASES, ProgramTest, files_of_case
 
 COMMANDS = ["demo", "check", "cut", "support", "run", "info", "examples"]
 
@@ -180,7 +180,26 @@ class Examples(ProgramTest):
         for name in self.names():
             self.run_program("examples", name)
             self.assertEqual((self.folder / f"{name}.toml").read_bytes(), (CASES / name / "model.toml").read_bytes())
+            for file in files_of_case(name):
+                self.assertEqual((self.folder / file).read_bytes(), (CASES / name / file).read_bytes())
             self.run_program("check", f"{name}.toml")
+
+    def test_tell_all_files_that_they_write(self):
+        document = self.json_of("examples", "great_wall")
+        self.assertEqual(document["written"], "great_wall.toml")
+        self.assertEqual(document["files"], ["great_wall.toml", "great_wall_ridge.asc"])
+        self.assertEqual(self.files(), sorted(document["files"]))
+        for file in self.files():
+            (self.folder / file).unlink()
+        self.assertIn("and what it names: great_wall_ridge.asc", self.run_program("examples", "great_wall").stdout)
+
+    def test_are_written_whole_or_not_at_all(self):
+        self.write("great_wall_ridge.asc", "mine")
+        message = self.run_program("examples", "great_wall", status=3).stderr
+        self.assertIn("great_wall_ridge.asc", message)
+        self.assertIn("is there already", message)
+        self.assertEqual(self.files(), ["great_wall_ridge.asc"])
+        self.assertEqual((self.folder / "great_wall_ridge.asc").read_text(encoding="utf-8"), "mine")
 
     def test_leave_a_file_of_that_name_alone(self):
         self.write("cube.toml", "mine")

@@ -1,6 +1,7 @@
 """What the end-to-end tests share: running the program in a folder of its own."""
 import json
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -10,6 +11,11 @@ from pathlib import Path
 BINARY = os.environ["ROCKFOLD_BINARY"]
 SOURCE = Path(os.environ["ROCKFOLD_SOURCE_DIR"])
 CASES = SOURCE / "tests" / "cases"
+
+
+def files_of_case(name):
+    """The files that an example model names, in the order of the model."""
+    return re.findall(r'^ *file *= *"(.+?)"', (CASES / name / "model.toml").read_text(encoding="utf-8"), re.M)
 
 
 class ProgramTest(unittest.TestCase):
@@ -32,7 +38,9 @@ class ProgramTest(unittest.TestCase):
         return json.loads(self.run_program(*arguments, "--json", status=status).stdout)
 
     def copy_case(self, name):
-        """A copy of an example model."""
+        """A copy of an example model and of the files that it names."""
+        for file in files_of_case(name):
+            shutil.copy(CASES / name / file, self.folder)
         text = (CASES / name / "model.toml").read_text(encoding="utf-8")
         return self.write(f"{name}.toml", text)
 
