@@ -27,7 +27,7 @@ Json answer_document(const Answer& answer) {
                           answer.options.seed};
   if (answer.run) return run_document(head, run_report(answer));
   if (answer.keyblocks) return support_document(head, answer.blocks, *answer.keyblocks);
-  return cut_document(head, answer.model, answer.totals, answer.blocks);
+  return cut_document(head, answer.model, answer.totals, answer.blocks, *answer.measures);
 }
 
 std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
@@ -35,10 +35,13 @@ std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
   std::string text = (answer.model.title.empty() ? answer.model.path : answer.model.title) + "\n\n";
   text += cut_summary(answer.totals, answer.blocks);
   const auto most = demo ? demo_keyblocks : all_keyblocks;
+  if (answer.options.command == Command::cut)
+    text.append("\n").append(measure_summary(*answer.measures));
   if (answer.keyblocks)
     text.append("\n").append(support_summary(*answer.keyblocks, answer.blocks, most));
   if (answer.run) text.append("\n").append(run_summary(run_report(answer)));
   text.append("\n").append(fact("result", answer.path + "  (rockfold info, or ParaView)"));
+  for (const auto& path : answer.options.exports) text += fact("export", path);
   if (demo) text += fact("model", "rockfold examples slope  writes slope.toml");
   return text + fact("time", fmt::format("{:.2f} s", seconds.back().second));
 }

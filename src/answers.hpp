@@ -6,6 +6,7 @@
 
 #include "host/cut/cut.hpp"
 #include "host/keyblock/keyblock.hpp"
+#include "host/measure/measure.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/command_line.hpp"
 #include "src/io/result_file.hpp"
@@ -21,6 +22,7 @@ struct Answer {
   const Model& model;
   const CutTotals& totals;
   const BlockArrays& blocks;
+  const RockMeasures* measures;
   const KeyblockReport* keyblocks;
   const CoverArrays* covers;
   const RunResult* run;

@@ -10,6 +10,7 @@
 #include "generated/version.hpp"
 #include "src/base/error.hpp"
 #include "src/help_text.hpp"
+#include "src/io/exports/export.hpp"
 #include "src/model/nearest.hpp"
 
 namespace rockfold {
@@ -56,10 +57,18 @@ void add_commands(CLI::App& app, Options& options) {
     auto* sub = app.add_subcommand(help.name, help.brief);
     sub->allow_extras();
     if (*help.input) sub->add_option("input", options.input);
-    if (writes_results(help.command))
+    if (writes_results(help.command)) {
+      sub->add_option_function<std::vector<std::string>>(
+             "--export",
+             [&options](const std::vector<std::string>& more) {
+               options.exports.insert(options.exports.end(), more.begin(), more.end());
+             })
+          ->type_size(1)
+          ->allow_extra_args(false);
       sub->add_option("-o,--output", options.output)->check([](const std::string& name) {
         return name.empty() ? std::string("needs the name of a file") : std::string();
       });
+    }
     add_common_options(*sub, options);
     sub->callback([&options, &help] { options.command = help.command; });
   }
@@ -152,6 +161,7 @@ Options parse_command_line(int argc, const char* const* argv) {
   }
   reject_unknown(app);
   require_input(options);
+  for (const auto& path : options.exports) export_format(path);  // throws for one that is not known
   return options;
 }
 

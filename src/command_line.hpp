@@ -14,6 +14,7 @@ struct Options {
   Command command = Command::demo;
   std::string input;   ///< the model, the result file or the example's name; empty = none given
   std::string output;  ///< -o; empty = the default
+  std::vector<std::string> exports;  ///< --export FILE, each of a known format
   bool json = false;   ///< one JSON document on stdout, nothing else there
   bool quiet = false;  ///< no progress and no summary; warnings and errors stay
   int threads = 0;     ///< 0 = as many as the machine offers

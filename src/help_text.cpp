@@ -24,9 +24,17 @@ constexpr std::array<CommandHelp, 7> helps{{
      "  rockfold check slope.toml\n"
      "      exit status 0 if the model is right, 2 if not\n"},
     {Command::cut, "cut", "MODEL.toml", "cut the rock into blocks",
-     "Cuts the model's solids by its joints, exactly, and writes the blocks to a result file.\n",
+     "Cuts the model's solids by its joints, exactly, and writes the blocks to a result file. "
+     "Tells "
+     "how\n"
+     "large the blocks are and of which shape, how densely the rock is jointed, and what each "
+     "stage "
+     "of\n"
+     "an excavation removes.\n",
      "  rockfold cut slope.toml --json > blocks.json\n"
-     "      volume, centroid, faces, edges and vertices of each block; also writes slope.vtkhdf\n"},
+     "      volume, centroid, faces, edges and vertices of each block; also writes slope.vtkhdf\n"
+     "  rockfold cut slope.toml --export slope.vtp --export slope.3ddat\n"
+     "      the blocks for ParaView and for 3DEC\n"},
     {Command::support, "support", "MODEL.toml",
      "key blocks in batches, and the support that they need",
      "Cuts the rock into blocks, finds those that can move (key blocks) and how, in batches: those "
@@ -70,7 +78,9 @@ constexpr const char* output_option =
     "  -o, --output OUT       result file; default: the model's path with .vtkhdf instead of "
     ".toml.\n"
     "                         An older file of that name is replaced when the new one is whole;\n"
-    "                         OUT.xdmf beside it is for ParaView before 5.13.\n\n";
+    "                         OUT.xdmf beside it is for ParaView before 5.13.\n"
+    "  --export FILE          the blocks for other programs, by the file's end (repeatable):\n"
+    "                         .vtp (VTK), .obj, .stl, .3ddat (3DEC commands), .json\n\n";
 
 constexpr const char* program_end =
     "Exit status:\n"

@@ -60,6 +60,10 @@ bool wants_support(const Options& options, const Model& model) {
   return options.command == Command::support || (wants_run(options) && model.support);
 }
 
+bool wants_measures(const Options& options, const Model& model) {
+  return options.command == Command::cut || model.cut.min_volume || model.cut.max_aspect_ratio;
+}
+
 Model load_model(const Options& options, Terminal& terminal) {
   const Purpose purpose = purpose_of(options.command);
   Model model =
@@ -109,6 +113,16 @@ void warn_of_cutting(const IntentReport& intent, Terminal& terminal) {
       "{} distances between planes and corners are so small (about 1e-10 of the model's size) that "
       "another rounding of the input could give other blocks; planes: {}",
       intent.near_decisions, names));
+}
+
+void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& model,
+                            Terminal& terminal) {
+  if (statistics.small_blocks > 0)
+    terminal.warn(fmt::format("{} blocks are smaller than cut.min_volume = {} m3",
+                              statistics.small_blocks, *model.cut.min_volume));
+  if (statistics.elongated_blocks > 0)
+    terminal.warn(fmt::format("{} blocks are more elongated than cut.max_aspect_ratio = {}",
+                              statistics.elongated_blocks, *model.cut.max_aspect_ratio));
 }
 
 void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal) {

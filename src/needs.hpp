@@ -3,6 +3,7 @@
 #pragma once
 
 #include "host/cut/cut.hpp"
+#include "host/measure/block_statistics.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/arrays/cover_arrays.hpp"
 #include "src/command_line.hpp"
@@ -13,6 +14,8 @@
 namespace rockfold {
 
 bool wants_support(const Options& options, const Model& model);
+/// Statistics and intensities: for the report of `cut`, and wherever the model asks for flags.
+bool wants_measures(const Options& options, const Model& model);
 bool wants_run(const Options& options);
 
 /// Reads the model (the demo's from the program itself). Throws Error(model) naming what the
@@ -27,6 +30,9 @@ void require_in_rock(const Model& model, const MaterialPoints& monitors,
                      const MaterialPoints& loads);
 
 void warn_of_cutting(const IntentReport& intent, Terminal& terminal);
+/// Blocks below cut.min_volume or above cut.max_aspect_ratio: they stay, but the user should look.
+void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& model,
+                            Terminal& terminal);
 void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal);
 /// Strains are linear in the displacement yet, which is right for small rotations only.
 void warn_of_large_rotation(const RunResult& run, Terminal& terminal);

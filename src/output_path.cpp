@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <set>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -47,6 +48,19 @@ void check_result_path(const std::string& path, const std::string& model_path) {
     fail(ErrorKind::io, path, fmt::format("cannot be written: there is no folder '{}'", folder));
   if (access(folder.c_str(), W_OK | X_OK) != 0)
     fail(ErrorKind::io, path, fmt::format("cannot be written: folder '{}': {}", folder, reason()));
+}
+
+void check_export_paths(const Options& options, const std::string& result,
+                        const std::string& model_path) {
+  const auto whole_name = [](const std::string& name) {
+    return fs::weakly_canonical(fs::absolute(name));
+  };
+  std::set<fs::path> taken{whole_name(result)};
+  for (const auto& path : options.exports) {
+    check_result_path(path, model_path);
+    if (!taken.insert(whole_name(path)).second)
+      fail(ErrorKind::usage, path, "is named for two files; give each --export a name of its own");
+  }
 }
 
 void write_new_file(const std::string& path, const std::string& text) {

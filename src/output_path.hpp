@@ -16,6 +16,10 @@ std::string result_path(const Options& options);
 /// replaced, when the new one is whole.
 void check_result_path(const std::string& path, const std::string& model_path);
 
+/// check_result_path for each export; two files of one name, or an export named as the result, are a usage error.
+void check_export_paths(const Options& options, const std::string& result,
+                        const std::string& model_path);
+
 /// Writes a new text file. Throws Error(io), also where a file of that name is there already.
 void write_new_file(const std::string& path, const std::string& text);
 

@@ -1,5 +1,6 @@
 #include "src/pipeline.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "host/cover/cover.hpp"
@@ -7,8 +8,11 @@
 #include "host/files/load_files.hpp"
 #include "host/flatten/flatten.hpp"
 #include "host/keyblock/keyblock.hpp"
+#include "host/measure/measure.hpp"
+#include "host/measure/parts.hpp"
 #include "kernels/device/device.hpp"
 #include "src/answers.hpp"
+#include "src/io/exports/export.hpp"
 #include "src/model/read_model.hpp"
 #include "src/needs.hpp"
 #include "src/output_path.hpp"
@@ -58,17 +62,35 @@ RunResult analyse(const CoveredRock& rock, const Model& model, const BlockArrays
   }
 }
 
+void write_exports(const Options& options, const Model& model, const Cutting& cutting,
+                   const BlockArrays& blocks) {
+  const auto three_dec = [](const auto& path) {
+    return export_format(path) == ExportFormat::three_dec;
+  };
+  PartArrays parts;
+  if (std::any_of(options.exports.begin(), options.exports.end(), three_dec))
+    parts = convex_parts(cutting, blocks);
+  for (const auto& path : options.exports) export_blocks({blocks, parts, model.title}, path);
+}
+
 /// demo, cut, support, run: each is the same way, left earlier or later.
 int analyse_rock(const Options& options, Terminal& terminal) {
   PhaseClock clock(terminal);
   const Model model = load_model(options, terminal);
   const std::string path = result_path(options);
   check_result_path(path, model.path);
+  check_export_paths(options, path, model.path);
 
   const Cutting cutting = clock.measure("cut", [&] { return cut_blocks(model, terminal); });
   const BlockArrays blocks =
       clock.measure("cut", "joining blocks", [&] { return flatten_blocks(cutting, model); });
   warn_of_cutting(cutting.totals.intent, terminal);
+
+  std::optional<RockMeasures> measures;
+  if (wants_measures(options, model))
+    measures = clock.measure("measure", "measuring blocks and joints",
+                             [&] { return measure_rock(cutting, blocks, model); });
+  if (measures) warn_of_flagged_blocks(measures->blocks, model, terminal);
 
   std::optional<KeyblockReport> keyblocks;
   if (wants_support(options, model))
@@ -84,8 +106,13 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   remember_interrupts();
   ResultWriter writer(path, model, result_header(options));
   clock.measure("output", "writing blocks", [&] {
-    writer.write_blocks(blocks, keyblocks ? block_fields(*keyblocks) : BlockFields{});
+    writer.write_blocks(blocks, keyblocks ? block_fields(*keyblocks) : BlockFields{},
+                        measures ? measures->blocks.flags : std::vector<std::uint8_t>{});
   });
+
+  if (!options.exports.empty())
+    clock.measure("output", "writing exports",
+                  [&] { write_exports(options, model, cutting, blocks); });
 
   std::optional<RunResult> run;
   if (rock) {
@@ -98,7 +125,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   }
   clock.measure("output", [&] { writer.finish(); });
 
-  print_answer({options, model, cutting.totals, blocks, keyblocks ? &*keyblocks : nullptr,
+  print_answer({options, model, cutting.totals, blocks, measures ? &*measures : nullptr, keyblocks ? &*keyblocks : nullptr,
                 rock ? &rock->covering.arrays : nullptr, run ? &*run : nullptr, path},
                terminal, clock.seconds());
   return interrupted_status();

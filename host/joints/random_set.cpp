@@ -91,8 +91,8 @@ class SpacedJoints {
   std::vector<DrawnJoint> draw() {
     const auto& count = s_.set.count;
     add(0);
-    walk(1, count ? *count / 2 : infinite);
-    walk(-1, count ? (*count - 1) / 2 : infinite);
+    walk(1, count ? std::floor(*count / 2.0) : infinite);
+    walk(-1, count ? std::floor((*count - 1) / 2.0) : infinite);
     return std::move(joints_);
   }
 
@@ -118,7 +118,7 @@ class SpacedJoints {
     joint.orientation = s_.draw_orientation();
     joint.radius = s_.radius ? rockfold::draw(*s_.radius, s_.stream) : infinite;
     joint.point = s_.set.origin + t * s_.frame.normal;
-    if (t >= low_ - reach_ && t <= high_ + reach_) joints_.push_back(std::move(joint));
+    if (t >= low_ - reach_ && t <= high_ + reach_) joints_.push_back(joint);
   }
 
   Sampler& s_;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr Real cube_factor =
     7.7;  // 6 faces × the mean chord of the unit cube, 1.282 (Kalenchuk et al. 2006)
-constexpr Real greatest_aspect_ratio = 1e7;
+constexpr Real greatest_ratio = 1e7;
 
 /// What the vertices are taken about, and the unit of length: block coordinates may be large.
 struct Frame {
@@ -105,7 +105,7 @@ Real aspect_ratio_of(const BlockArrays& blocks, Index b, const Frame& frame) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance(blocks, b, frame),
                                                               Eigen::EigenvaluesOnly);
   const Real least = solver.eigenvalues()[0], most = solver.eigenvalues()[2];
-  if (!(least * greatest_aspect_ratio * greatest_aspect_ratio > most)) return greatest_aspect_ratio;
+  if (!(least * greatest_ratio * greatest_ratio > most)) return greatest_ratio;
   return std::sqrt(most / least);
 }
 
@@ -115,8 +115,8 @@ BlockShape shape_of(const BlockArrays& blocks, Index b) {
     shape.surface_area += blocks.face_area[f];
   const Frame frame = frame_of(blocks, b);
   const std::vector<Vec3> points = chord_vertices(blocks, b, frame);
-  std::vector<Chord> chords;
-  chords.reserve(points.size() * (points.size() - 1) / 2);
+  thread_local std::vector<Chord> chords;  // a workspace: most blocks have few vertices
+  chords.clear();
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = i + 1; j < points.size(); ++j) {
       const Vec3 along = points[j] - points[i];
@@ -124,7 +124,10 @@ BlockShape shape_of(const BlockArrays& blocks, Index b) {
     }
   shape.alpha =
       shape.surface_area * frame.unit * mean_length(chords) / (cube_factor * blocks.volume[b]);
-  shape.beta = beta_of(chords);
+  // A sliver whose corners coincide in doubles has no shape left: as thin as can be.
+  if (!(shape.alpha < greatest_ratio)) shape.alpha = greatest_ratio;
+  const Real beta = beta_of(chords);
+  shape.beta = beta >= 0 ? beta : 10;
   shape.aspect_ratio = aspect_ratio_of(blocks, b, frame);
   return shape;
 }

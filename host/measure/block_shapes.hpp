@@ -24,7 +24,7 @@ ShapeClass shape_class(Real alpha, Real beta);
 struct BlockShape {
   Real surface_area = 0;  ///< m², of the block's faces; joints that end inside it are none
   /// A_s·l/(7.7 V), l the mean length of all chords between two vertices (Kalenchuk et al. 2006, Eq. 1): 1 for a cube,
-  /// the greater the thinner.
+  /// the greater the thinner. At most 1e7, as aspect_ratio.
   Real alpha = 1;
   /// 10·[Σ(a·b)²/Σ|a|²|b|²]² over all ordered pairs of the chords that are no shorter than the median (their Eq. 2, each
   /// chord paired with itself too): 10/9 where chords have no common direction (a cube), 10 where all are parallel.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 #include "host/cut/complex.hpp"
 #include "host/parallel.hpp"

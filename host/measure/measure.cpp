@@ -24,14 +24,13 @@ Real length_in_rock(const std::vector<LineMeasure>& lines) {
 void add_volume_measures(const Complex& complex, std::vector<OriginIntensity>& of) {
   std::vector<Sum> area(of.size());
   std::vector<JointInstance> seen;
-  const auto instance = joint_instances(complex);
-  for (std::size_t i = 0; i < instance.size(); ++i) {
-    if (instance[i].origin == none) continue;
-    area[instance[i].origin] += complex.fragments[i].area;
-    if (seen.empty() || seen.back() != instance[i]) seen.push_back(instance[i]);
+  for (const Fragment& f : complex.fragments) {
+    const JointInstance joint = joint_instance(complex, f);
+    if (joint.origin == none) continue;
+    area[joint.origin] += f.area;
+    if (seen.empty() || seen.back() != joint) seen.push_back(joint);
   }
-  std::sort(seen.begin(), seen.end());
-  seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+  keep_distinct(seen);
   for (const JointInstance& joint : seen) ++of[joint.origin].joints;
   for (std::size_t o = 0; o < of.size(); ++o) of[o].area = area[o].value();
 }
@@ -65,9 +64,11 @@ void add_intensities(const Complex& complex, RockMeasures& out) {
     i.p20 = ratio(traces, section_area);
     i.p21 = ratio(trace_length, section_area);
     i.p10 = ratio(crossings, line_length);
-    add_to(out.all_joints, i);
     out.intensities.push_back(i);
   }
+  std::stable_sort(out.intensities.begin(), out.intensities.end(),
+                   [](const auto& a, const auto& b) { return a.name < b.name; });
+  for (const OriginIntensity& i : out.intensities) add_to(out.all_joints, i);
   out.all_joints.name = "all";
   out.volumetric_joint_count = out.all_joints.p32;
 }

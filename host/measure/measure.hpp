@@ -27,7 +27,7 @@ struct OriginIntensity {
 
 struct RockMeasures {
   BlockStatistics blocks;
-  std::vector<OriginIntensity> intensities;  ///< one for each joint origin, in the model's order
+  std::vector<OriginIntensity> intensities;  ///< one for each joint origin, ordered by name
   OriginIntensity all_joints;                ///< the sums of these
   /// Volumetric joint count, joints/m³: Σ 1/S over the origins, S the mean spacing (Palmström 2005), with 1/S = P32,
   /// which holds for parallel joints whatever their spacings and extent.

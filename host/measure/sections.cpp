@@ -35,15 +35,16 @@ bool crossing_points(std::size_t n, At at_corner, int axis, Real at, Vec3 point[
   return found;
 }
 
-bool crosses(const CellView& cell, int axis, Real at) {
-  const bool first = cell.vertices[0].x[axis] >= at;
-  return std::any_of(cell.vertices.begin(), cell.vertices.end(),
-                     [&](const Vertex& v) { return (v.x[axis] >= at) != first; });
+/// The axes whose section the cell crosses, as bits.
+std::uint8_t crossed_axes(const CellView& cell, const std::array<Real, 3>& at) {
+  std::uint8_t above = 0, below = 0;
+  for (const Vertex& v : cell.vertices)
+    for (unsigned d = 0; d < 3; ++d) (v.x[d] >= at[d] ? above : below) |= 1U << d;
+  return above & below;
 }
 
 /// Faces turn the same way seen from outside, so their crossings run around the section in one sense.
 Real section_area(const CellView& cell, int axis, Real at) {
-  if (!crosses(cell, axis, at)) return 0;
   Vec3 local{};
   bool first = true;
   Real twice = 0;
@@ -77,53 +78,65 @@ Real trace_length(const Complex& complex, const Fragment& f, int axis, Real at) 
              : 0;
 }
 
-void add_areas(const Complex& complex, const std::array<Real, 3>& at,
-               std::array<SectionMeasure, 3>& out) {
+/// Returns [cells] crossed_axes.
+std::vector<std::uint8_t> add_areas(const Complex& complex, const std::array<Real, 3>& at,
+                                    std::array<SectionMeasure, 3>& out) {
   const Index chunks = (complex.cells.size() + chunk - 1) / chunk;
-  std::vector<std::array<Real, 3>> part(chunks, std::array<Real, 3>{});
+  std::vector<std::uint8_t> crossed(complex.cells.size());
+  std::vector<std::array<Sum, 3>> part(chunks);
   parallel_for(chunks, 1, [&](std::int64_t k) {
     const auto begin = static_cast<Index>(k * chunk);
-    for (Index c = begin; c < std::min(begin + chunk, complex.cells.size()); ++c)
-      for (int d = 0; d < 3; ++d) part[k][d] += section_area(complex.cells[c], d, at[d]);
+    for (Index c = begin; c < std::min(begin + chunk, complex.cells.size()); ++c) {
+      const CellView cell = complex.cells[c];
+      crossed[c] = crossed_axes(cell, at);
+      for (int d = 0; d < 3; ++d)
+        if ((crossed[c] >> d & 1) != 0) part[k][d] += section_area(cell, d, at[d]);
+    }
   });
   for (int d = 0; d < 3; ++d) {
     Sum sum;
-    for (const auto& areas : part) sum += areas[d];
+    for (const auto& areas : part) sum += areas[d].value();
     out[d].area = sum.value();
   }
+  return crossed;
 }
 
+/// A fragment leaves a trace only where its cell is crossed.
 void add_traces(const Complex& complex, const std::array<Real, 3>& at,
-                std::array<SectionMeasure, 3>& out) {
-  const auto instance = joint_instances(complex);
+                const std::vector<std::uint8_t>& crossed, std::array<SectionMeasure, 3>& out) {
   std::array<std::vector<JointInstance>, 3> seen;
-  for (std::size_t i = 0; i < complex.fragments.size(); ++i) {
-    if (instance[i].origin == none) continue;
+  std::vector<std::array<Sum, 3>> sums(complex.origins.size());
+  for (const Fragment& f : complex.fragments) {
+    if (f.joint == none || crossed[f.cell[0]] == 0) continue;
+    const JointInstance joint = joint_instance(complex, f);
+    if (joint.origin == none) continue;
     for (int d = 0; d < 3; ++d) {
-      const Real length = trace_length(complex, complex.fragments[i], d, at[d]);
+      const Real length =
+          (crossed[f.cell[0]] >> d & 1) != 0 ? trace_length(complex, f, d, at[d]) : 0;
       if (length == 0) continue;
-      out[d].trace_length[instance[i].origin] += length;
-      if (seen[d].empty() || seen[d].back() != instance[i]) seen[d].push_back(instance[i]);
+      sums[joint.origin][d] += length;
+      seen[d].push_back(joint);
     }
   }
   for (int d = 0; d < 3; ++d) {
-    std::sort(seen[d].begin(), seen[d].end());
-    seen[d].erase(std::unique(seen[d].begin(), seen[d].end()), seen[d].end());
+    for (std::size_t o = 0; o < sums.size(); ++o) out[d].trace_length[o] = sums[o][d].value();
+    keep_distinct(seen[d]);
     for (const JointInstance& joint : seen[d]) ++out[d].trace_count[joint.origin];
   }
 }
 
 }  // namespace
 
-std::vector<JointInstance> joint_instances(const Complex& complex) {
-  std::vector<JointInstance> of(complex.fragments.size());
-  for (std::size_t i = 0; i < of.size(); ++i) {
-    const Fragment& f = complex.fragments[i];
-    if (f.joint == none || complex.origins[f.joint].kind != FaceOrigin::Kind::joint) continue;
-    const Index plane = plane_of(complex.cells[f.cell[0]].faces[f.face[0]].inside);
-    of[i] = {f.joint, f.instance != none ? std::int64_t{f.instance} : -1 - std::int64_t{plane}};
-  }
-  return of;
+JointInstance joint_instance(const Complex& complex, const Fragment& f) {
+  if (f.joint == none || complex.origins[f.joint].kind != FaceOrigin::Kind::joint) return {};
+  if (f.instance != none) return {f.joint, f.instance};
+  const Index plane = plane_of(complex.cells[f.cell[0]].faces[f.face[0]].inside);
+  return {f.joint, -1 - std::int64_t{plane}};
+}
+
+void keep_distinct(std::vector<JointInstance>& joints) {
+  std::sort(joints.begin(), joints.end());
+  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
 }
 
 std::array<SectionMeasure, 3> measure_sections(const Complex& complex, const Vec3& centre) {
@@ -136,8 +149,8 @@ std::array<SectionMeasure, 3> measure_sections(const Complex& complex, const Vec
     out[d].trace_length.assign(complex.origins.size(), 0);
     out[d].trace_count.assign(complex.origins.size(), 0);
   }
-  add_areas(complex, at, out);
-  add_traces(complex, at, out);
+  const auto crossed = add_areas(complex, at, out);
+  add_traces(complex, at, crossed, out);
   return out;
 }
 

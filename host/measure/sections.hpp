@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <tuple>
 #include <vector>
 
 #include "src/base/types.hpp"
@@ -9,6 +10,7 @@
 namespace rockfold {
 
 struct Complex;
+struct Fragment;
 
 /// A section perpendicular to an axis.
 struct SectionMeasure {
@@ -24,14 +26,20 @@ struct SectionMeasure {
 struct JointInstance {
   Index origin = none;
   std::int64_t number = 0;
-  auto operator<=>(const JointInstance&) const = default;
+  bool operator==(const JointInstance&) const = default;
+  bool operator<(const JointInstance& other) const {
+    return std::tie(origin, number) < std::tie(other.origin, other.number);
+  }
 };
 
 /// Sections x, y, z through a point (m, model coordinates), each moved by a millionth of the model's size so that it holds
 /// no joint. O(cells + fragments).
 std::array<SectionMeasure, 3> measure_sections(const Complex& complex, const Vec3& centre);
 
-/// [fragments] the joint of each real one of kind joint; origin none for the others.
-std::vector<JointInstance> joint_instances(const Complex& complex);
+/// The joint of a fragment of kind joint; origin none for any other.
+JointInstance joint_instance(const Complex& complex, const Fragment& fragment);
+
+/// Each joint once, in order.
+void keep_distinct(std::vector<JointInstance>& joints);
 
 }  // namespace rockfold

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -90,7 +89,9 @@ ShapeGeometry frustum_geometry(const FrustumShape& frustum, const Place& place) 
     const int side = side_of(faces[f].plane, middle);
     if (side == 0)
       refuse(place, place.key,
-             "face " + std::to_string(f) + " of the frustum has no area, or the solid no volume");
+             fmt::format("face {} of the frustum has no area or runs through the middle of its "
+                         "points; the top's points must stand over the base's, in the same order",
+                         f));
     faces[f].inside_above = side > 0;
     faces[f].face = static_cast<Index>(f);
   }

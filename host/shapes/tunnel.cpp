@@ -110,7 +110,7 @@ void check_length(const Segment& segment, const Station& start, const Station& e
     const Real at_end = -advance(segment, i, end.normal);
     if (at_start + at_end <= taken) continue;
     taken = at_start + at_end;
-    sharper = at_start > at_end ? &start : &end;
+    sharper = at_start >= (1 - matching) * at_end ? &start : &end;
   }
   if (taken < (1 - matching) * segment.length) return;
   refuse(place, place.key,

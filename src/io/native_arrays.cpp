@@ -101,12 +101,24 @@ void write_block_arrays(File& file, const BlockArrays& blocks) {
   file.write(group + "convex", blocks.convex);
   file.write(group + "finite", blocks.finite);
   file.write(group + "material", blocks.material);
+  const auto or_zeros = [&](auto values) {
+    values.resize(blocks.volume.size());
+    return values;
+  };
+  file.write(group + "stage", or_zeros(blocks.stage));
+  file.write(group + "dead_end_area", or_zeros(blocks.dead_end_area));
   file.write(group + "loop_begin", blocks.loop_begin);
   file.write(group + "face_normal", blocks.face_normal);
   file.write(group + "face_area", blocks.face_area);
   file.write(group + "face_origin", blocks.face_origin);
   file.write(group + "face_up", blocks.face_up);
   file.write(group + "face_plane", blocks.face_plane);
+  if (!blocks.dead_end_block.empty()) {
+    file.write(group + "dead_end_block", blocks.dead_end_block);
+    file.write(group + "dead_end_origin", blocks.dead_end_origin);
+    file.write(group + "dead_end_corner_begin", blocks.dead_end_corner_begin);
+    file.write(group + "dead_end_vertex", blocks.dead_end_vertex);
+  }
   write_interfaces(file, blocks.interfaces);
   write_origins(file, blocks.origins);
   write_block_totals(file, blocks);

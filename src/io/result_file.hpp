@@ -3,6 +3,7 @@
 //
 //   /VTKHDF                    what ParaView ≥ 5.13 reads: a VTKHDF 2.1 multi-block data set
 //     Blocks, Joints           polygons of the blocks' faces and of the joints (PolyData)
+//     DeadEnds                 polygons of the joints that end inside blocks (PolyData)
 //     Elements                 the manifold elements as tetrahedra (UnstructuredGrid)
 //     */PointData, */CellData  fields; those of the states are appended state by state, the mesh stands once
 //     */Steps                  time of each state and where its values begin; absent without states
@@ -81,7 +82,9 @@ class ResultWriter {
 
   /// The blocks and the joints between them; `fields` of block theory, if it was done (empty
   /// vectors = not).
-  void write_blocks(const BlockArrays& blocks, const BlockFields& fields = {});
+  /// `flags`: bits of each block, 1 small volume, 2 elongated; [B], or empty where none were asked for.
+  void write_blocks(const BlockArrays& blocks, const BlockFields& fields = {},
+                    const std::vector<std::uint8_t>& flags = {});
 
   /// Lattice, covers and elements. Keeps what evaluates displacements in pieces (48 bytes a point),
   /// no reference.

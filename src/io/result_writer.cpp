@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 #include <stdexcept>
 
 #include <fcntl.h>
@@ -91,7 +93,8 @@ struct ResultWriter::Implementation {
   std::int64_t bytes_of(const ResultState& state) const;
   void append_grids(File& file, const ResultState& state, std::int64_t number);
   void write_block_grid(File& file, const BlockArrays& blocks, const BlockFields& fields,
-                        const PolygonMesh& mesh);
+                        const std::vector<std::uint8_t>& flags, const PolygonMesh& mesh);
+  void write_dead_end_grid(File& file, const BlockArrays& blocks);
   void write_joint_grid(File& file, const BlockArrays& blocks, const PolygonMesh& mesh);
 };
 
@@ -119,6 +122,7 @@ ResultWriter::~ResultWriter() {
 
 void ResultWriter::Implementation::write_block_grid(File& file, const BlockArrays& blocks,
                                                     const BlockFields& fields,
+                                                    const std::vector<std::uint8_t>& flags,
                                                     const PolygonMesh& faces) {
   Grid grid = vtkhdf::write_polygons(file, "Blocks", static_cast<int>(grids.size()), blocks.vertex,
                                      faces.polygon_begin, faces.polygon_vertex);
@@ -130,6 +134,11 @@ void ResultWriter::Implementation::write_block_grid(File& file, const BlockArray
   vtkhdf::write_cell_field(file, grid, "material", gather<Index>(blocks.material, block, 1));
   vtkhdf::write_cell_field(file, grid, "finite", gather<std::uint8_t>(blocks.finite, block));
   vtkhdf::write_cell_field(file, grid, "volume", gather<float>(blocks.volume, block));
+  const auto goes = [](Index stage) { return stage != 0; };
+  if (std::any_of(blocks.stage.begin(), blocks.stage.end(), goes))
+    vtkhdf::write_cell_field(file, grid, "stage", gather<Index>(blocks.stage, block));
+  if (!flags.empty())
+    vtkhdf::write_cell_field(file, grid, "flags", gather<std::uint8_t>(flags, block));
   if (!fields.block_class.empty()) {
     vtkhdf::write_cell_field(file, grid, "class", gather<std::uint8_t>(fields.block_class, block));
     vtkhdf::write_cell_field(file, grid, "batch", gather<Index>(fields.batch, block));
@@ -167,19 +176,39 @@ void ResultWriter::Implementation::write_joint_grid(File& file, const BlockArray
   grids.push_back(std::move(grid));
 }
 
-void ResultWriter::write_blocks(const BlockArrays& blocks, const BlockFields& fields) {
+/// Each dead end once. Its points belong to no block's vertices, so it has no motion of its own.
+void ResultWriter::Implementation::write_dead_end_grid(File& file, const BlockArrays& blocks) {
+  std::vector<Index> connectivity(blocks.dead_end_vertex.size());
+  std::iota(connectivity.begin(), connectivity.end(), 0);
+  Grid grid =
+      vtkhdf::write_polygons(file, "DeadEnds", static_cast<int>(grids.size()),
+                             blocks.dead_end_vertex, blocks.dead_end_corner_begin, connectivity);
+  const auto from_one = [](std::vector<Index> ids) {
+    for (Index& id : ids) ++id;
+    return ids;
+  };
+  vtkhdf::write_cell_field(file, grid, "joint", from_one(blocks.dead_end_origin));
+  vtkhdf::write_cell_field(file, grid, "block", from_one(blocks.dead_end_block));
+  grids.push_back(std::move(grid));
+}
+
+void ResultWriter::write_blocks(const BlockArrays& blocks, const BlockFields& fields,
+                                const std::vector<std::uint8_t>& flags) {
   auto& my = *implementation_;
   expect(!my.finished && !my.with_blocks && my.times.empty(),
          "write_blocks comes once, before states");
   expect(fields.block_class.empty() || fields.block_class.size() == blocks.volume.size(),
          "BlockFields are not [B]");
+  expect(flags.empty() || flags.size() == blocks.volume.size(), "flags are not [B]");
   File file = my.extend();
   const PolygonMesh faces = face_polygons(blocks);
   write_block_arrays(file, blocks);
   if (!fields.block_class.empty()) write_block_theory(file, fields);
-  if (faces.size() > 0) my.write_block_grid(file, blocks, fields, faces);
+  if (!flags.empty()) file.write("/rockfold/blocks/flags", flags);
+  if (faces.size() > 0) my.write_block_grid(file, blocks, fields, flags, faces);
   const PolygonMesh joints = joint_polygons(blocks, faces);
   if (joints.size() > 0) my.write_joint_grid(file, blocks, joints);
+  if (!blocks.dead_end_block.empty()) my.write_dead_end_grid(file, blocks);
   const bool same =
       faces.size() > 0 && faces.polygon_vertex == blocks.corner_vertex;  // no face was triangulated
   const std::string native = "/rockfold/blocks/", drawn = "/VTKHDF/Blocks/";
@@ -253,6 +282,7 @@ void ResultWriter::Implementation::append_grids(File& file, const ResultState& s
       }
       continue;
     }
+    if (grid.name == "DeadEnds") continue;
     const bool joints = grid.name == "Joints";
     const auto of_joints = [&](const auto& values) {
       std::vector<std::array<float, 3>> out;

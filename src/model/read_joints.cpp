@@ -31,11 +31,6 @@ void refuse_planes(TableReader& in) {
     in.wrong("count", "a random set takes it from [joint_set.random]; leave this one out");
 }
 
-/// The polygon's own plane, where the joint gives none.
-void take_plane(const std::vector<Vec3>& polygon, GivenPlane& plane) {
-  plane.orientation = doubled_area(polygon);
-}
-
 /// "polygon", with the plane that it lies on or is projected on.
 void read_polygon(TableReader& in, Joint& joint) {
   const auto* value = in.find("polygon");
@@ -53,7 +48,9 @@ void read_polygon(TableReader& in, Joint& joint) {
     in.wrong("polygon", problem);
     return;
   }
-  if (!oriented) take_plane(*points, joint.plane);
+  if (!oriented) joint.plane.orientation = doubled_area(*points);  // the polygon's own plane
+  if (!oriented && leaves_plane(*points, joint.plane.point - points->front()))
+    in.wrong("point", "is not in the plane of the polygon; leave it out, or give an orientation");
   joint.polygon = *points;
 }
 

@@ -12,6 +12,7 @@
 
 #include "host/cut/cut.hpp"
 #include "host/keyblock/keyblock.hpp"
+#include "host/measure/measure.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/arrays/cover_arrays.hpp"
 #include "src/base/error.hpp"
@@ -46,7 +47,7 @@ struct DocumentHead {
 Json head_json(const DocumentHead& head);
 
 Json cut_document(const DocumentHead& head, const Model& model, const CutTotals& totals,
-                  const BlockArrays& blocks);
+                  const BlockArrays& blocks, const RockMeasures& measures);
 Json support_document(const DocumentHead& head, const BlockArrays& blocks,
                       const KeyblockReport& report);
 /// With "support", as support_document has it, where there are key blocks to tell of.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/keyblock/keyblock.hpp"
+#include "host/measure/block_shapes.hpp"
 #include "src/base/error.hpp"
 
 namespace rockfold {
@@ -28,6 +29,24 @@ constexpr const char* class_name(BlockClass block_class) {
       return "stable";
     case BlockClass::key:
       return "key";
+  }
+  return "";
+}
+
+constexpr const char* shape_name(ShapeClass shape) {
+  switch (shape) {
+    case ShapeClass::cubic:
+      return "cubic";
+    case ShapeClass::cubic_elongated:
+      return "cubic_elongated";
+    case ShapeClass::elongated:
+      return "elongated";
+    case ShapeClass::elongated_platy:
+      return "elongated_platy";
+    case ShapeClass::platy:
+      return "platy";
+    case ShapeClass::platy_cubic:
+      return "platy_cubic";
   }
   return "";
 }

@@ -7,6 +7,7 @@
 
 #include "host/cut/cut.hpp"
 #include "host/keyblock/keyblock.hpp"
+#include "host/measure/measure.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/io/result_file.hpp"
 #include "src/model/model.hpp"
@@ -18,6 +19,8 @@ constexpr std::size_t all_keyblocks = static_cast<std::size_t>(-1);
 
 std::string check_summary(const Model& model);
 std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks);
+/// Sizes and shapes of the blocks, joints and their intensities, stages.
+std::string measure_summary(const RockMeasures& measures);
 /// The key blocks that need the greatest support force, `most` of them, and the batches.
 std::string support_summary(const KeyblockReport& report, const BlockArrays& blocks,
                             std::size_t most = all_keyblocks);

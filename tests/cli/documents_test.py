@@ -8,7 +8,9 @@ from program import CASES, ProgramTest
 
 CUT_TOTALS = {"blocks", "faces", "vertices", "edges", "volume", "solid_volume", "joint_area", "dangling_joint_area", "cells"}
 CUT_BLOCK = {"id", "volume", "centroid", "faces", "edges", "vertices", "convex", "shells", "genus", "finite", "material",
-             "dead_end_area"}
+             "dead_end_area", "stage", "surface_area", "alpha", "beta", "aspect_ratio"}
+STATISTICS = {"volume", "block_size", "histogram", "shape", "volumetric_joint_count", "rqd", "scanlines", "sections"}
+INTENSITY = {"name", "joints", "area", "p10", "p20", "p21", "p30", "p32"}
 KEYBLOCK = {"block", "batch", "volume", "weight", "mode", "planes", "direction", "sliding_force", "factor_of_safety",
             "free_area", "support_force", "support_pressure", "support_direction", "bolts", "mobilisation"}
 RUN_TOTALS = {"blocks", "mathematical_covers", "physical_covers", "elements", "dof", "steps", "time"}
@@ -26,6 +28,11 @@ class Cut(ProgramTest):
         self.assertEqual([block["id"] for block in document["blocks"]], [1, 2, 3, 4])
         for block in document["blocks"]:
             self.assertLessEqual(CUT_BLOCK, set(block))
+        self.assertLessEqual(STATISTICS, set(document["statistics"]))
+        self.assertEqual([joint["name"] for joint in document["intensities"]], ["east", "west"])
+        for joint in document["intensities"]:
+            self.assertLessEqual(INTENSITY, set(joint))
+        self.assertEqual((document["stages"], document["flagged"]), ([], {"small_volume": 0, "elongated": 0}))
 
     def test_a_cube_of_a_thousand_blocks(self):
         self.copy_case("cube")
@@ -36,6 +43,18 @@ class Cut(ProgramTest):
             self.assertAlmostEqual(block["volume"], 1, delta=1e-12)
             self.assertEqual([block[key] for key in ("faces", "edges", "vertices", "shells", "genus")], [6, 12, 8, 1, 0])
             self.assertTrue(block["convex"] and block["finite"])
+            self.assertAlmostEqual(block["aspect_ratio"], 1, delta=1e-9)
+        statistics = document["statistics"]
+        self.assertAlmostEqual(statistics["volume"]["by_volume"]["D50"], 1, delta=1e-12)
+        self.assertAlmostEqual(statistics["block_size"]["D90"], 1, delta=1e-12)
+        self.assertEqual([(bin["from"], bin["blocks"]) for bin in statistics["histogram"]], [(1, 1000)])
+        self.assertEqual(statistics["shape"]["classes"][0]["blocks"], 1000)
+        self.assertAlmostEqual(statistics["volumetric_joint_count"], 2.7, delta=1e-9)
+        self.assertEqual(statistics["rqd"], 1)
+        for joint in document["intensities"]:
+            self.assertEqual(joint["joints"], 9)
+            self.assertAlmostEqual(joint["p32"], 0.9, delta=1e-9)
+            self.assertAlmostEqual(joint["p21"], 0.6, delta=1e-9)
 
     def test_needs_no_material(self):
         self.write("bare.toml", '[[solid]]\nname = "rock"\nshape = "box"\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n')

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "src/io/exports/export.hpp"
 #include "src/io/hdf5_file.hpp"
 #include "src/io/result_file.hpp"
 #include "tests/io/sample.hpp"
@@ -233,6 +234,25 @@ TEST(ResultInfo, RefusesFilesCutShort) {
     EXPECT_TRUE(message.starts_with("is damaged") || message == "is no HDF5 file")
         << length << ": " << message;
   }
+}
+
+TEST(Exports, ThatDoNotFitOnTheDiskLeaveTheOlderFile) {
+  const TemporaryFolder folder;
+  const BlockArrays blocks = box_grid(20, 20, 10);
+  for (const std::string name : {"a.vtp", "a.obj", "a.stl", "a.json"}) {
+    write_file(folder / name, "older");
+    {
+      const FileSizeLimit limit(300'000);
+      const std::string message = io_error(
+          [&] {
+            export_blocks({blocks, {}, ""}, folder / name);
+          },
+          folder / name);
+      EXPECT_NE(message.find("cannot be written: "), std::string::npos);
+    }
+    EXPECT_EQ(file_bytes(folder / name), "older");
+  }
+  EXPECT_EQ(folder.names(), (Names{"a.json", "a.obj", "a.stl", "a.vtp"}));
 }
 
 }  // namespace

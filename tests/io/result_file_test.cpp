@@ -150,6 +150,52 @@ TEST(ResultFile, KeepsTheFacesOfATube) {
   EXPECT_EQ(file.shape("/rockfold/blocks/vertex"), (hdf5::Shape{16, 3}));
 }
 
+BlockArrays with_stages_and_dead_ends(BlockArrays blocks) {
+  blocks.stage.assign(blocks.volume.size(), 0);
+  blocks.stage[1] = 2;
+  blocks.dead_end_area.assign(blocks.volume.size(), 0);
+  blocks.dead_end_area[0] = 0.5;
+  blocks.dead_end_block = {0, 0};
+  blocks.dead_end_origin = {2, 1};
+  blocks.dead_end_corner_begin = {0, 3, 7};
+  for (int i = 0; i < 7; ++i) blocks.dead_end_vertex.push_back({10.1 + 0.1 * i, 20.3, -4.5});
+  return blocks;
+}
+
+TEST(ResultFile, HoldsStagesFlagsAndDeadEnds) {
+  const TemporaryFolder folder;
+  const BlockArrays blocks = with_stages_and_dead_ends(box_grid(3, 1, 1));
+  {
+    ResultWriter writer(folder / "a.vtkhdf", sample_model(), {"cut", "0.1.0", ""});
+    writer.write_blocks(blocks, {}, {1, 0, 3});
+    writer.finish();
+  }
+  const File file(folder / "a.vtkhdf", File::Mode::read, "a");
+  EXPECT_EQ(file.read_numbers("/rockfold/blocks/stage"), (std::vector<Real>{0, 2, 0}));
+  EXPECT_EQ(file.read_numbers("/rockfold/blocks/flags"), (std::vector<Real>{1, 0, 3}));
+  EXPECT_EQ(file.read_numbers("/rockfold/blocks/dead_end_area"), (std::vector<Real>{0.5, 0, 0}));
+  EXPECT_EQ(file.shape("/rockfold/blocks/dead_end_vertex"), (hdf5::Shape{7, 3}));
+  const auto stage = file.read_numbers("/VTKHDF/Blocks/CellData/stage"),
+             flags = file.read_numbers("/VTKHDF/Blocks/CellData/flags");
+  ASSERT_EQ(stage.size(), 18u);
+  for (std::size_t f = 0; f < 18; ++f) {
+    EXPECT_EQ(stage[f], f / 6 == 1 ? 2 : 0);
+    EXPECT_EQ(flags[f], f / 6 == 0 ? 1 : f / 6 == 1 ? 0 : 3);
+  }
+  EXPECT_EQ(file.read_numbers("/VTKHDF/DeadEnds/CellData/joint"), (std::vector<Real>{3, 2}));
+  EXPECT_EQ(file.read_numbers("/VTKHDF/DeadEnds/CellData/block"), (std::vector<Real>{1, 1}));
+  EXPECT_EQ(file.read_numbers("/VTKHDF/DeadEnds/Polygons/Offsets"), (std::vector<Real>{0, 3, 7}));
+}
+
+TEST(ResultFile, WithoutStagesFlagsOrDeadEndsHasNoneOfTheFields) {
+  const TemporaryFolder folder;
+  const File file(write_blocks_alone(folder, "a.vtkhdf", box_grid(2, 1, 1)), File::Mode::read, "a");
+  EXPECT_EQ(file.read_numbers("/rockfold/blocks/stage"), (std::vector<Real>{0, 0}));
+  for (const std::string name : {"/rockfold/blocks/flags", "/rockfold/blocks/dead_end_block",
+                                 "/VTKHDF/Blocks/CellData/stage", "/VTKHDF/DeadEnds"})
+    EXPECT_FALSE(file.exists(name)) << name;
+}
+
 /// As VTK's readers see it; the script says what they insist on.
 TEST(ResultFile, HasTheLayoutThatReadersExpect) {
   const TemporaryFolder folder;
@@ -157,9 +203,17 @@ TEST(ResultFile, HasTheLayoutThatReadersExpect) {
   const std::string one = write_sample_file(folder, "one.vtkhdf", {0});
   const std::string cut = write_blocks_alone(folder, "cut.vtkhdf", box_grid(2, 2, 1));
   const std::string no_joints = write_blocks_alone(folder, "tube.vtkhdf", tube());
+  const std::string dead = folder / "dead.vtkhdf";
+  {
+    ResultWriter writer(dead, sample_model(), sample_header());
+    write_sample(writer, with_stages_and_dead_ends(box_grid(3, 2, 2)), lattice_with_cut(2),
+                 three_times);
+    writer.finish();
+  }
   const std::string script =
       "/usr/bin/python3 -B " ROCKFOLD_SOURCE_DIR "/tests/io/check_layout.py ";
-  for (const std::string& arguments : {run + " 3", one + " 1", cut + " 0", no_joints + " 0"}) {
+  for (const std::string& arguments :
+       {run + " 3", dead + " 3", one + " 1", cut + " 0", no_joints + " 0"}) {
     const int status = std::system((script + arguments).c_str());
     if (WEXITSTATUS(status) == 77) GTEST_SKIP() << "h5py is not installed";
     EXPECT_EQ(status, 0) << arguments;
@@ -194,6 +248,7 @@ TEST(ResultWriter, RefusesWhatDoesNotFit) {
   const StateArrays state = linear_state(covers, 0);
   const std::vector<Vec3> motion(blocks.vertex.size());
   EXPECT_THROW(writer.add_state({0, state, motion, motion, {}}), std::invalid_argument);
+  EXPECT_THROW(writer.write_blocks(blocks, {}, {1}), std::invalid_argument);
   writer.write_blocks(blocks);
   EXPECT_THROW(writer.write_blocks(blocks), std::invalid_argument);
   writer.write_elements(covers);

@@ -18,7 +18,7 @@ LIBRARIES = [
     ("HDF5", r"hdf5|H5", r"src/io/[^/]*\.cpp$"),
     ("toml++", r"toml\+\+/|toml\.hpp|toml\.h$", r"src/model/[^/]*\.cpp$"),
     ("CLI11", r"CLI/", r"src/[^/]*\.(cpp|hpp)$"),
-    ("nlohmann-json", r"nlohmann/", r"src/(io/|report/|run/)?[^/]*\.(cpp|hpp)$"),
+    ("nlohmann-json", r"nlohmann/", r"src/(io/|io/exports/|report/|run/)?[^/]*\.(cpp|hpp)$"),
     ("fmt or spdlog", r"fmt/|spdlog/", r"(host/|src/(?!base/|arrays/)).*$"),
     ("CUDA", r"cuda", r"kernels/device/.*(\.cpp|_kernel\.hpp)$"),
 ]

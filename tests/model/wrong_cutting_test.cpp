@@ -92,6 +92,7 @@ TEST(WrongCutting, OfFiniteJoints) {
       {POLYGON "polygon = [[0, 0, 0], [1, 0, 1], [2, 0, 5], [1, 1, 0]]", 8, 11, "joint[1].polygon", "points 1, 2 and 3 are collinear"},
       {POLYGON "polygon = [[0, 0, 0], [3, 2, 0], [3, 0, 0], [0, 1, 0]]", 8, 11, "joint[1].polygon", "the edges cross or touch"},
       {ROCK "[[joint]]\npolygon = [[0, 0, 0], [1, 0, 0], [1, 1, 0.5], [0, 1, 0]]", 7, 11, "joint[1].polygon", "is not in one plane with the others"},
+      {ROCK "[[joint]]\npolygon = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\npoint = [0, 0, 1]", 8, 9, "joint[1].point", "is not in the plane of the polygon"},
       {ROCK "[[joint]]\npolygon = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\ndip = 4", 6, 1, "joint[1].dip_direction", "is missing"},
       {SET "spacing = 1\nradius = -2", 10, 10, "joint_set[1].radius", "found -2, must be > 0 (m)"},
       {SET "spacing = 1\nsides = 8", 10, 9, "joint_set[1].sides", "belongs to discs, but there is no radius"},

@@ -52,8 +52,13 @@ TEST(Frustum, NamesItsSidesByTheBasesEdges) {
 
 TEST(Frustum, RefusesTwistedAndFlatOnes) {
   const std::vector<Vec3> base{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  const std::vector<Vec3> turned{{1, 0, 1}, {1, 1, 1}, {0, 1, 1}, {0, 0, 1}};
-  EXPECT_NE(refusal(FrustumShape{base, turned}).find("planar sides"), std::string::npos);
+  const std::vector<Vec3> twisted{{0.2, 0, 1}, {1, 0.2, 1}, {0.8, 1, 1}, {0, 0.8, 1}};
+  const std::vector<Vec3> next{{1, 0, 1}, {1, 1, 1}, {0, 1, 1}, {0, 0, 1}};
+  std::vector<Vec3> bent = base;
+  for (Vec3& p : bent) p[2] = 1 + 0.5 * p[0] * p[1];
+  EXPECT_NE(refusal(FrustumShape{base, twisted}).find("off the plane of face"), std::string::npos);
+  EXPECT_NE(refusal(FrustumShape{base, bent}).find("off the plane of face 5"), std::string::npos);
+  EXPECT_NE(refusal(FrustumShape{base, next}).find("in the same order"), std::string::npos);
   EXPECT_NE(refusal(FrustumShape{base, base}).find("no area"), std::string::npos);
   EXPECT_NE(refusal(FrustumShape{base, {{0, 0, 1}}}).find("equally many"), std::string::npos);
 }

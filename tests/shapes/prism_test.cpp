@@ -105,12 +105,22 @@ TEST(Prism, HasTheShoelaceVolumeOnConcaveBases) {
     }
 }
 
+// Hertel and Mehlhorn: at most two diagonals remain at each reflex corner.
 TEST(Prism, OfConcaveBasesNeedsFewParts) {
   EXPECT_EQ(geometry_of(PrismShape{Placement{}(l_shape), {0, 0, 1}}).parts.size(), 2u);
-  EXPECT_EQ(
-      geometry_of(PrismShape{Placement{}(random_star(5, *std::make_unique<Random>(3))), {0, 0, 1}})
-          .parts.size(),
-      2u);
+  Random random(3);
+  for (int i = 0; i < 40; ++i) {
+    const Polygon2 base = random_star(4 + i, random);
+    const std::size_t n = base.size();
+    std::size_t reflex = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto &a = base[k], &b = base[(k + 1) % n], &c = base[(k + 2) % n];
+      if ((b[0] - a[0]) * (c[1] - b[1]) < (b[1] - a[1]) * (c[0] - b[0])) ++reflex;
+    }
+    const std::size_t parts = geometry_of(PrismShape{Placement{}(base), {0, 0, 1}}).parts.size();
+    EXPECT_LE(parts, 2 * reflex + 1);
+    EXPECT_GE(parts, (reflex + 1) / 2 + 1);
+  }
 }
 
 TEST(Prism, OnRandomConcaveBasesAnywhereIsFilledOnce) {
