@@ -2,12 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include <CGAL/Box_intersection_d/Box_with_info_d.h>
-#include <CGAL/box_intersection_d.h>
-
-#include "host/cut/patch.hpp"
+#include "host/cut/near_boxes.hpp"
 #include "host/exact/plane_exact.hpp"
 #include "src/base/vector.hpp"
 
@@ -25,18 +21,10 @@ struct Edge {
   Real sine = 0;       // of its angle with the polygon's plane
 };
 
-using TreeBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, Index>;
-
-TreeBox tree_box(const Vec3& low, const Vec3& high, Real slack, Index id) {
-  return {CGAL::Bbox_3(low[0] - slack, low[1] - slack, low[2] - slack, high[0] + slack,
-                       high[1] + slack, high[2] + slack),
-          id};
-}
-
-TreeBox tree_box(const Edge& e, Real slack, Index id) {
+Box box_of(const Edge& e) {
   Box box;
   box.add(e.a), box.add(e.b);
-  return tree_box(box.low, box.high, slack, id);
+  return box;
 }
 
 class EdgePlanes {
@@ -56,18 +44,15 @@ class EdgePlanes {
   void take_given_planes(const std::vector<Index>& unbounded) {
     for (Edge& e : edges_)
       for (const Index plane : unbounded) offer(e, plane);
-    std::vector<TreeBox> boxes, faces;
-    for (std::size_t i = 0; i < edges_.size(); ++i)
-      boxes.push_back(tree_box(edges_[i], planes_.tolerance(), static_cast<Index>(i)));
-    for (std::size_t p = 0; p < polygons_.size(); ++p) {
-      Box box;
-      for (const Vec3& x : polygons_[p].corner) box.add(x);
-      faces.push_back(tree_box(box.low, box.high, 0, static_cast<Index>(p)));
+    std::vector<Box> boxes, faces;
+    for (const Edge& e : edges_) boxes.push_back(box_of(e));
+    for (const FlatPolygon& polygon : polygons_) {
+      faces.emplace_back();
+      for (const Vec3& x : polygon.corner) faces.back().add(x);
     }
-    CGAL::box_intersection_d(boxes.begin(), boxes.end(), faces.begin(), faces.end(),
-                             [this](const TreeBox& edge, const TreeBox& face) {
-                               offer(edges_[edge.info()], polygons_[face.info()].plane);
-                             });
+    const auto near = near_boxes(boxes, faces, planes_.tolerance());
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+      for (const Index p : near[i]) offer(edges_[i], polygons_[p].plane);
   }
 
   // Rule 4: long edges first, since they define a plane best.
@@ -77,18 +62,11 @@ class EdgePlanes {
       if (edges_[i].plane == none) open.push_back(static_cast<Index>(i));
     std::sort(open.begin(), open.end(), [this](Index i, Index j) { return before(i, j); });
 
-    std::vector<std::vector<Index>> longer(open.size());  // neighbours decided before, by rank
-    std::vector<TreeBox> boxes;
-    for (std::size_t r = 0; r < open.size(); ++r)
-      boxes.push_back(tree_box(edges_[open[r]], planes_.tolerance(), static_cast<Index>(r)));
-    CGAL::box_self_intersection_d(
-        boxes.begin(), boxes.end(), [&](const TreeBox& x, const TreeBox& y) {
-          const Index low = std::min(x.info(), y.info()), high = std::max(x.info(), y.info());
-          longer[high].push_back(low);
-        });
+    std::vector<Box> boxes;
+    for (const Index i : open) boxes.push_back(box_of(edges_[i]));
+    const auto longer = earlier_near_boxes(boxes, 2 * planes_.tolerance());
     for (std::size_t r = 0; r < open.size(); ++r) {
       Edge& e = edges_[open[r]];
-      std::sort(longer[r].begin(), longer[r].end());
       for (const Index other : longer[r]) {
         offer(e, edges_[open[other]].plane);
         if (e.plane != none) break;

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "host/cut/joint_patches_exact.hpp"
-#include "host/exact/convex_pieces.hpp"
+#include "host/cut/near_boxes.hpp"
+#include "host/refuse.hpp"
+#include "host/shapes/convex_pieces_exact.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -11,81 +14,177 @@ namespace rockfold {
 namespace {
 
 // A joint with what orders it independently of the model's own order.
-struct Keyed {
+struct OrderedJoint {
   const PlacedJoint* joint;
-  ExactPlane plane;           // normal with the upward sense
-  std::array<Real, 4> key;    // unit normal and offset
-  std::vector<Vec3> corners;  // sorted
+  ExactPlane plane;          // normal with the upward sense
+  std::array<Real, 4> key;   // unit normal and offset
+  std::vector<Vec3> corner;  // m, about the centre
 };
 
-Keyed keyed(const PlacedJoint& joint, const Vec3& centre) {
-  Keyed k{&joint, joint.plane, {}, joint.polygon};
+OrderedJoint with_key(const PlacedJoint& joint, const Vec3& centre) {
+  OrderedJoint k{&joint, joint.plane, {}, {}};
   const auto& n = k.plane.n;
   if (n[2] < 0 || (n[2] == 0 && (n[1] < 0 || (n[1] == 0 && n[0] < 0)))) k.plane = opposite(k.plane);
   PlaneTable rounding(centre, 1);
   const Index id = rounding.add(k.plane);
   const Vec3& unit = rounding.normal(id);
   k.key = {unit[0], unit[1], unit[2], rounding.offset(id)};
-  std::sort(k.corners.begin(), k.corners.end());
+  for (const Vec3& x : joint.polygon) k.corner.push_back(x - centre);
+  // The same corner first, whichever the user began with.
+  std::rotate(k.corner.begin(), std::min_element(k.corner.begin(), k.corner.end()), k.corner.end());
   return k;
 }
 
-std::vector<Keyed> in_order(const PlacedJoints& placed, const Vec3& centre) {
-  std::vector<Keyed> joints;
+std::vector<OrderedJoint> in_order(const PlacedJoints& placed, const Vec3& centre) {
+  std::vector<OrderedJoint> joints;
   joints.reserve(placed.joints.size());
-  for (const PlacedJoint& joint : placed.joints) joints.push_back(keyed(joint, centre));
-  std::stable_sort(joints.begin(), joints.end(), [](const Keyed& a, const Keyed& b) {
+  for (const PlacedJoint& joint : placed.joints) joints.push_back(with_key(joint, centre));
+  std::stable_sort(joints.begin(), joints.end(), [](const OrderedJoint& a, const OrderedJoint& b) {
     if (a.key != b.key) return a.key < b.key;
-    return a.corners != b.corners ? a.corners < b.corners : a.joint->origin < b.joint->origin;
+    return a.corner != b.corner ? a.corner < b.corner : a.joint->origin < b.joint->origin;
   });
   return joints;
 }
 
-// The polygon counter-clockwise seen from above, in two coordinates and in space about the centre.
-struct Outline {
-  std::vector<std::array<Real, 2>> flat;
-  std::vector<Vec3> corner;
+// Corners nearer to each other than the tolerance are one corner: the first of them in the order of coordinates.
+void join_corners(std::vector<OrderedJoint>& joints, Real tolerance) {
+  std::vector<Vec3> corners;
+  for (const OrderedJoint& j : joints)
+    corners.insert(corners.end(), j.corner.begin(), j.corner.end());
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  std::map<Vec3, Vec3> moved;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    while (corners[begin][0] < corners[i][0] - tolerance) ++begin;
+    for (std::size_t j = begin; j < i; ++j)
+      if (moved.count(corners[j]) == 0 && norm(corners[j] - corners[i]) <= tolerance) {
+        moved.emplace(corners[i], corners[j]);
+        break;
+      }
+  }
+  for (OrderedJoint& joint : joints)
+    for (Vec3& x : joint.corner)
+      if (const auto found = moved.find(x); found != moved.end()) x = found->second;
+}
+
+bool holds(const PlaneTable& planes, Index plane, const OrderedJoint& joint) {
+  return std::all_of(joint.corner.begin(), joint.corner.end(), [&](const Vec3& x) {
+    return std::abs(dot(planes.normal(plane), x) - planes.offset(plane)) <= planes.tolerance();
+  });
+}
+
+// Finds the plane of each joint: first through-going ones, then polygons, the larger the earlier. A polygon all of whose
+// corners lie on a plane that is there takes it.
+class JointPlanes {
+ public:
+  JointPlanes(const std::vector<OrderedJoint>& joints, CuttingInput& input)
+      : joints_(joints),
+        planes_(input.complex.planes),
+        identified_(input.planes_identified),
+        plane_(joints.size(), none) {
+    for (const Body& body : input.complex.bodies)
+      for (const HalfSpaceId h : body.inside) unbounded_.push_back(plane_of(h));
+  }
+
+  std::vector<Index> run() {
+    std::vector<Index> finite;
+    std::vector<Box> boxes(joints_.size());
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      const auto id = static_cast<Index>(i);
+      for (const Vec3& x : joints_[i].corner) boxes[i].add(x);
+      if (!joints_[i].corner.empty()) {
+        finite.push_back(id);
+        continue;
+      }
+      plane_[i] = find_or_add(joints_[i].plane);
+      unbounded_.push_back(plane_[i]);
+    }
+    std::sort(unbounded_.begin(), unbounded_.end());
+    unbounded_.erase(std::unique(unbounded_.begin(), unbounded_.end()), unbounded_.end());
+
+    std::stable_sort(finite.begin(), finite.end(), [&](Index a, Index b) {
+      return norm(boxes[a].high - boxes[a].low) > norm(boxes[b].high - boxes[b].low);
+    });
+    std::vector<Box> ordered;
+    for (const Index i : finite) ordered.push_back(boxes[i]);
+    const auto larger = earlier_near_boxes(ordered, planes_.tolerance());
+    for (std::size_t r = 0; r < finite.size(); ++r) {
+      const OrderedJoint& joint = joints_[finite[r]];
+      Index& plane = plane_[finite[r]];
+      for (const Index other : larger[r]) offer(joint, plane_[finite[other]], plane);
+      for (const Index other : unbounded_) offer(joint, other, plane);
+      if (plane == none)
+        plane = find_or_add(own_plane(joint));
+      else
+        ++identified_;
+    }
+    return std::move(plane_);
+  }
+
+ private:
+  Index find_or_add(const ExactPlane& plane) {
+    const HalfSpaceId found = planes_.find(plane);
+    if (found == none) return planes_.add(plane);
+    ++identified_;
+    return plane_of(found);
+  }
+
+  void offer(const OrderedJoint& joint, Index other, Index& plane) const {
+    const Vec3 normal{joint.key[0], joint.key[1], joint.key[2]};
+    if ((plane == none || other < plane) && std::abs(dot(planes_.normal(other), normal)) > 0.999 &&
+        holds(planes_, other, joint))
+      plane = other;
+  }
+
+  // A triangle's plane passes exactly through its corners (DESIGN.md, rule 1), unless it was given by another one.
+  ExactPlane own_plane(const OrderedJoint& joint) const {
+    if (joint.corner.size() != 3) return joint.plane;
+    PlaneTable given(planes_.centre(), planes_.model_size());
+    if (!holds(given, given.add(joint.plane), joint)) return joint.plane;
+    const Vec3& c = planes_.centre();
+    ExactPlane plane = plane_through_points(joint.corner[0], joint.corner[1], joint.corner[2]);
+    plane.d += dot(plane.n, exact(c));
+    const bool has_area = std::any_of(plane.n.begin(), plane.n.end(),
+                                      [](const Exact& component) { return component != 0; });
+    return has_area ? plane : joint.plane;
+  }
+
+  const std::vector<OrderedJoint>& joints_;
+  PlaneTable& planes_;
+  Index& identified_;
+  std::vector<Index> plane_;
+  std::vector<Index> unbounded_;
 };
 
-Outline outline_of(const std::vector<Vec3>& polygon, const Vec3& normal, const Vec3& centre) {
+void add_polygon(const OrderedJoint& joint, JointPatch patch, Complex& complex,
+                 JointPolygons& result) {
+  const Vec3& normal = complex.planes.normal(patch.patch.plane);
   int drop = 0;
   for (int d = 1; d < 3; ++d)
     if (std::abs(normal[d]) > std::abs(normal[drop])) drop = d;
   const int u = (drop + 1) % 3, v = (drop + 2) % 3;
-  Outline outline;
-  for (const Vec3& x : polygon) {
-    outline.corner.push_back(x - centre);
-    outline.flat.push_back({outline.corner.back()[u], outline.corner.back()[v]});
-  }
+  ExactPolygon flat;
   Real area = 0;
-  const auto& p = outline.flat;
-  for (std::size_t k = 1; k + 1 < p.size(); ++k)
-    area += (p[k][0] - p[0][0]) * (p[k + 1][1] - p[0][1]) -
-            (p[k + 1][0] - p[0][0]) * (p[k][1] - p[0][1]);
-  if (area < 0) {
-    std::reverse(outline.flat.begin(), outline.flat.end());
-    std::reverse(outline.corner.begin(), outline.corner.end());
+  const auto& c = joint.corner;
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    const Vec3 &a = c[k], &b = c[(k + 1) % c.size()];
+    flat.push_back({Exact(a[u]), Exact(a[v])});
+    area += (a[u] - c[0][u]) * (b[v] - c[0][v]) - (b[u] - c[0][u]) * (a[v] - c[0][v]);
   }
-  // Now counter-clockwise in (u, v), whose normal is the dropped axis.
-  return outline;
-}
-
-void add_polygon(const PlacedJoint& joint, JointPatch patch, Complex& complex,
-                 JointPolygons& result) {
-  const Vec3& normal = complex.planes.normal(patch.patch.plane);
-  const Outline outline = outline_of(joint.polygon, normal, complex.planes.centre());
-  int drop = 0;
-  for (int d = 1; d < 3; ++d)
-    if (std::abs(normal[d]) > std::abs(normal[drop])) drop = d;
-  for (const auto& piece : convex_pieces(outline.flat)) {
+  const auto pieces = convex_pieces(flat);
+  for (const ConvexPiece& piece : pieces) {
     FlatPolygon polygon;
     polygon.plane = patch.patch.plane;
     patch.patch.box = {};
-    for (const Index k : piece) {
-      polygon.corner.push_back(outline.corner[k]);
-      patch.patch.box.add(outline.corner[k]);
+    for (const PieceEdge& edge : piece) {
+      polygon.corner.push_back(c[edge.from]);
+      patch.patch.box.add(c[edge.from]);
     }
-    if (normal[drop] < 0) std::reverse(polygon.corner.begin(), polygon.corner.end());
+    // A convex polygon stays in its given sense, pieces run counter-clockwise in (u, v).
+    const bool counter_clockwise = pieces.size() > 1 || area > 0;
+    if (counter_clockwise != (normal[drop] > 0))
+      std::reverse(polygon.corner.begin(), polygon.corner.end());
     result.polygons.push_back(std::move(polygon));
     result.patch.push_back(static_cast<Index>(complex.joints.size()));
     complex.joints.push_back(patch);
@@ -96,28 +195,27 @@ void add_polygon(const PlacedJoint& joint, JointPatch patch, Complex& complex,
 
 JointPolygons add_joints(const PlacedJoints& placed, CuttingInput& input) {
   Complex& complex = input.complex;
-  const std::vector<Keyed> joints = in_order(placed, complex.planes.centre());
-  std::vector<JointPatch> patches;
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    const HalfSpaceId found = complex.planes.find(joints[i].plane);
-    if (found != none) ++input.planes_identified;
+  std::vector<OrderedJoint> joints = in_order(placed, complex.planes.centre());
+  join_corners(joints, complex.planes.tolerance());
+  const std::vector<Index> plane = JointPlanes(joints, input).run();
+
+  std::vector<Index> by_precedence(joints.size());
+  for (std::size_t i = 0; i < joints.size(); ++i) by_precedence[i] = static_cast<Index>(i);
+  std::stable_sort(by_precedence.begin(), by_precedence.end(), [&](Index a, Index b) {
+    return joints[a].joint->origin < joints[b].joint->origin;
+  });
+  JointPolygons result;
+  for (const Index i : by_precedence) {
     JointPatch patch;
-    patch.patch.plane = found != none ? plane_of(found) : complex.planes.add(joints[i].plane);
+    patch.patch.plane = plane[i];
     patch.origin = joints[i].joint->origin;
     patch.within = joints[i].joint->within;
-    patch.instance = static_cast<Index>(i);
-    patches.push_back(std::move(patch));
-  }
-  std::stable_sort(patches.begin(), patches.end(),
-                   [](const JointPatch& a, const JointPatch& b) { return a.origin < b.origin; });
-  JointPolygons result;
-  for (JointPatch& patch : patches) {
-    const PlacedJoint& joint = *joints[patch.instance].joint;
-    if (joint.polygon.empty()) {
-      result.through_going.push_back(patch.patch.plane);
+    patch.instance = i;
+    if (joints[i].corner.empty()) {
+      result.through_going.push_back(plane[i]);
       complex.joints.push_back(std::move(patch));
     } else {
-      add_polygon(joint, std::move(patch), complex, result);
+      add_polygon(joints[i], std::move(patch), complex, result);
     }
   }
   return result;
