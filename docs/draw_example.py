@@ -5,7 +5,7 @@
     docs/draw_example.py brick_wall cube        these
     docs/draw_example.py --rockfold PROGRAM …   another program than build/release/rockfold
 
-It needs VTK 9 for Python (Debian, Ubuntu: apt install python3-vtk9) and no screen where VTK can do without one
+It needs VTK 9 for Python (Debian, Ubuntu: apt install python3-vtk9). Without a screen run it under xvfb-run (package xvfb).
 (elsewhere: xvfb-run docs/draw_example.py). The program cuts the model; the blocks come from its exports.
 
 picture.json beside a model says how it is drawn. All keys may be left out:
