@@ -1,0 +1,319 @@
+#!/usr/bin/env python3
+"""Draws the pictures of the worked examples: docs/images/NAME.png from tests/cases/NAME.
+
+    docs/draw_example.py                        all examples that have a picture.json
+    docs/draw_example.py brick_wall cube        these
+    docs/draw_example.py --rockfold PROGRAM …   another program than build/release/rockfold
+
+It needs VTK 9 for Python (Debian, Ubuntu: apt install python3-vtk9). Without a screen run it under xvfb-run (package xvfb).
+(elsewhere: xvfb-run docs/draw_example.py). The program cuts the model; the blocks come from its exports.
+
+picture.json beside a model says how it is drawn. All keys may be left out:
+
+    view           [x, y, z]: from where one looks, as a direction from the middle of the picture; z is up
+    zoom           larger is nearer (1)
+    centre         [x, y, z], m: the middle of the picture; by default the middle of what is drawn
+    colour         "block" (default), "stage", "volume" (dark is small), "material", "face" (joints and surfaces)
+    explode        each block goes outwards by this share of its distance from the middle (0)
+    move_stages    {"1": [dx, dy, dz], …}: blocks of a stage are moved by so many m
+    hide_stages    [1, …]: what has gone
+    hide           [{"point": [x, y, z], "normal": [x, y, z]}, …]: a block is left out if its centroid is beyond all
+                   of these planes; a list of such lists leaves out what one of them does
+    glass_over     m3: larger blocks are drawn as glass
+    glass_stages   [0, …]: blocks of these stages are drawn as glass
+    dead_ends      true: joints that end inside blocks are drawn too
+    edges          width of the edges in pixels (1); 0: none
+    arguments      ["--set", …]: more arguments for the program
+"""
+import argparse
+import colorsys
+import json
+import math
+import random
+import struct
+import subprocess
+import tempfile
+import zlib
+from pathlib import Path
+
+import vtk
+
+ROOT = Path(__file__).resolve().parent.parent
+CASES = ROOT / "tests" / "cases"
+SIZE = (1000, 750)
+OVERSAMPLING = 2  # drawn so many times larger, then reduced: smooth edges
+
+STAGE_COLOURS = [(0.80, 0.78, 0.73), (0.85, 0.33, 0.24), (0.95, 0.62, 0.20), (0.98, 0.85, 0.37), (0.45, 0.70, 0.42),
+                 (0.28, 0.58, 0.78), (0.42, 0.40, 0.68), (0.70, 0.42, 0.62)]
+
+
+class Block:
+    """What is drawn of a block: its polygons with the numbers of their faces, and values to colour it by."""
+
+    def __init__(self, number):
+        self.number, self.polygons, self.faces, self.origins = number, [], [], []
+        self.volume, self.stage, self.centroid, self.dead_ends, self.material = 0.0, 0, (0, 0, 0), [], 0
+
+
+def blocks_of(folder, program, arguments):
+    """Cuts the model of a case and reads its blocks from the exports."""
+    with tempfile.TemporaryDirectory() as temporary:
+        surface, details = Path(temporary) / "blocks.vtp", Path(temporary) / "blocks.json"
+        cut = subprocess.run([program, "cut", folder / "model.toml", "--json", "-o", Path(temporary) / "result.vtkhdf",
+                              "--export", surface, "--export", details, *arguments],
+                             check=True, capture_output=True, text=True)
+        reader = vtk.vtkXMLPolyDataReader()
+        reader.SetFileName(str(surface))
+        reader.Update()
+        data = reader.GetOutput()
+        exported = json.loads(details.read_text(encoding="utf-8"))
+        reported = {block["id"]: block for block in json.loads(cut.stdout)["blocks"]}
+
+    cells, points = data.GetCellData(), data.GetPoints()
+    arrays = {name: cells.GetArray(name) for name in ("block", "face", "origin")}
+    blocks = {block["id"]: Block(block["id"]) for block in exported["blocks"]}
+    ids = vtk.vtkIdList()
+    for cell in range(data.GetNumberOfPolys()):
+        data.GetCellPoints(cell, ids)
+        block = blocks[int(arrays["block"].GetTuple1(cell))]
+        block.polygons.append([points.GetPoint(ids.GetId(corner)) for corner in range(ids.GetNumberOfIds())])
+        block.faces.append(int(arrays["face"].GetTuple1(cell)))
+        block.origins.append(int(arrays["origin"].GetTuple1(cell)))
+    for entry in exported["blocks"]:
+        block = blocks[entry["id"]]
+        block.volume, block.stage, block.centroid = entry["volume"], entry["stage"], tuple(entry["centroid"])
+        block.dead_ends = [dead_end["points"] for dead_end in entry["dead_ends"]]
+        block.material = reported[entry["id"]]["material"]
+    return list(blocks.values())
+
+
+def beyond(planes, point):
+    """Whether a point lies beyond all of the planes."""
+    return all(sum(n * (x - p) for n, x, p in zip(plane["normal"], point, plane["point"])) > 0 for plane in planes)
+
+
+def visible(blocks, picture):
+    groups = picture.get("hide", [])
+    if groups and isinstance(groups[0], dict):
+        groups = [groups]
+    return [block for block in blocks if block.stage not in picture.get("hide_stages", [])
+            and not any(beyond(planes, block.centroid) for planes in groups)]
+
+
+def move(blocks, picture):
+    """Explodes the model, and takes stages apart."""
+    corners = [point for block in blocks for polygon in block.polygons for point in polygon]
+    middle = [(min(axis) + max(axis)) / 2 for axis in zip(*corners)]
+    explode, stages = picture.get("explode", 0), picture.get("move_stages", {})
+    for block in blocks:
+        shift = [explode * (x - m) for x, m in zip(block.centroid, middle)]
+        shift = [a + b for a, b in zip(shift, stages.get(str(block.stage), (0, 0, 0)))]
+        for polygons in (block.polygons, block.dead_ends):
+            polygons[:] = [[tuple(x + d for x, d in zip(point, shift)) for point in polygon] for polygon in polygons]
+
+
+def rock_colour(number):
+    """Pale earth colours; neighbours in number differ."""
+    rng = random.Random(number)
+    return colorsys.hls_to_rgb(rng.choice([0.04, 0.08, 0.11, 0.14, 0.55, 0.60, 0.30]) + rng.uniform(-0.015, 0.015),
+                               rng.uniform(0.52, 0.80), rng.uniform(0.18, 0.50))
+
+
+def colours(blocks, picture):
+    """One colour for each polygon of each block: {block number: [(r, g, b), …]}."""
+    how = picture.get("colour", "block")
+    logs = [math.log(block.volume) for block in blocks]
+    low, high = min(logs), max(max(logs), min(logs) + 1e-9)
+    of = {}
+    for block in blocks:
+        if how == "stage":
+            one = STAGE_COLOURS[block.stage % len(STAGE_COLOURS)]
+        elif how == "material":
+            one = STAGE_COLOURS[block.material % len(STAGE_COLOURS)]
+        elif how == "volume":
+            share = (math.log(block.volume) - low) / (high - low)
+            one = colorsys.hls_to_rgb(0.62 - 0.52 * share, 0.35 + 0.40 * share, 0.55)
+        else:
+            one = rock_colour(block.number)
+        of[block.number] = [rock_colour(7 * origin + 1) if how == "face" else one for origin in block.origins]
+    return of
+
+
+def surface_actor(blocks, of, opacity):
+    points, polygons, shades = vtk.vtkPoints(), vtk.vtkCellArray(), vtk.vtkUnsignedCharArray()
+    shades.SetNumberOfComponents(3)
+    for block in blocks:
+        for polygon, colour in zip(block.polygons, of[block.number]):
+            polygons.InsertNextCell(len(polygon))
+            for point in polygon:
+                polygons.InsertCellPoint(points.InsertNextPoint(point))
+            shades.InsertNextTuple3(*(round(255 * part) for part in colour))
+    data = vtk.vtkPolyData()
+    data.SetPoints(points)
+    data.SetPolys(polygons)
+    data.GetCellData().SetScalars(shades)
+    triangles = vtk.vtkTriangleFilter()  # VTK fills concave polygons wrongly
+    triangles.SetInputData(data)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(triangles.GetOutputPort())
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    looks = actor.GetProperty()
+    looks.SetInterpolationToFlat()
+    looks.SetOpacity(opacity)
+    looks.SetAmbient(0.25)
+    looks.SetDiffuse(0.8)
+    return actor
+
+
+def edges_of(block):
+    """Edges between different faces. Where a face with holes was split into polygons there is none."""
+    around = {}
+    for polygon, face in zip(block.polygons, block.faces):
+        for edge in zip(polygon, polygon[1:] + polygon[:1]):
+            around.setdefault(tuple(sorted(edge)), set()).add(face)
+    return [edge for edge, faces in around.items() if len(faces) > 1]
+
+
+def lines_actor(edges, colour, width, opacity):
+    points, lines = vtk.vtkPoints(), vtk.vtkCellArray()
+    for edge in edges:
+        lines.InsertNextCell(2)
+        for point in edge:
+            lines.InsertCellPoint(points.InsertNextPoint(point))
+    data = vtk.vtkPolyData()
+    data.SetPoints(points)
+    data.SetLines(lines)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    looks = actor.GetProperty()
+    looks.SetColor(*colour)
+    looks.SetLineWidth(width * OVERSAMPLING)
+    looks.SetOpacity(opacity)
+    looks.LightingOff()
+    return actor
+
+
+def dead_ends_of(blocks):
+    """Joints that end inside blocks, as a block of its own."""
+    joints = Block(-1)
+    joints.polygons = [polygon for block in blocks for polygon in block.dead_ends]
+    joints.faces = joints.origins = list(range(len(joints.polygons)))
+    return joints
+
+
+def scene(blocks, picture):
+    glass_over, glass_stages = picture.get("glass_over", math.inf), picture.get("glass_stages", [])
+    glass = [block for block in blocks if block.volume > glass_over or block.stage in glass_stages]
+    solid = [block for block in blocks if block not in glass]
+    of, width = colours(blocks, picture), picture.get("edges", 1)
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    for some, opacity, ink in ((solid, 1.0, (0.13, 0.12, 0.11)), (glass, 0.10, (0.45, 0.45, 0.45))):
+        if some:
+            renderer.AddActor(surface_actor(some, of, opacity))
+            if width:
+                edges = [edge for block in some for edge in edges_of(block)]
+                renderer.AddActor(lines_actor(edges, ink, width, 1.0 if opacity == 1 else 0.5))
+    joints = dead_ends_of(blocks)
+    if picture.get("dead_ends") and joints.polygons:
+        renderer.AddActor(surface_actor([joints], {-1: [(0.80, 0.30, 0.22)] * len(joints.polygons)}, 0.75))
+        rims = [edge for polygon in joints.polygons for edge in zip(polygon, polygon[1:] + polygon[:1])]
+        renderer.AddActor(lines_actor(rims, (0.45, 0.12, 0.08), max(width, 1), 1.0))
+    return renderer
+
+
+def light(renderer):
+    """A sun over the left shoulder and a weaker light from the right, fixed to the camera."""
+    for place, intensity in (((-0.6, 0.9, 1.0), 0.85), ((1.0, 0.1, 0.6), 0.35)):
+        lamp = vtk.vtkLight()
+        lamp.SetLightTypeToCameraLight()
+        lamp.SetPosition(*place)
+        lamp.SetFocalPoint(0, 0, 0)
+        lamp.SetIntensity(intensity)
+        renderer.AddLight(lamp)
+
+
+def aim(renderer, picture):
+    camera = renderer.GetActiveCamera()
+    bounds = renderer.ComputeVisiblePropBounds()
+    centre = picture.get("centre") or [(bounds[2 * axis] + bounds[2 * axis + 1]) / 2 for axis in range(3)]
+    camera.SetFocalPoint(*centre)
+    camera.SetPosition(*(c + v for c, v in zip(centre, picture.get("view", [1.0, -1.6, 0.9]))))
+    camera.SetViewUp(0, 0, 1)
+    camera.SetViewAngle(22)
+    away = [(p - c) for p, c in zip(camera.GetPosition(), centre)]
+    radius = math.sqrt(sum((bounds[2 * axis + 1] - bounds[2 * axis]) ** 2 for axis in range(3))) / 2
+    distance = radius / math.sin(math.radians(11)) / picture.get("zoom", 1) / math.hypot(*away)
+    camera.SetPosition(*(c + distance * a for c, a in zip(centre, away)))
+    renderer.ResetCameraClippingRange()
+
+
+def write_palette_png(path, image, colours_kept=256):
+    """A PNG of at most 256 colours, a third of the size of a true-colour one."""
+    quantized = vtk.vtkImageQuantizeRGBToIndex()
+    quantized.SetInputData(image)
+    quantized.SetNumberOfColors(colours_kept)
+    quantized.Update()
+    indices, table = quantized.GetOutput(), quantized.GetLookupTable()
+    width, height, _ = indices.GetDimensions()
+    scalars = indices.GetPointData().GetScalars()
+    flat = bytes(int(scalars.GetValue(place)) for place in range(width * height))
+    rows = b"".join(b"\0" + flat[row * width:(row + 1) * width] for row in reversed(range(height)))
+    palette = b"".join(bytes(round(255 * part) for part in table.GetTableValue(index)[:3])
+                       for index in range(table.GetNumberOfTableValues()))
+
+    def chunk(kind, content):
+        return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
+
+    header = struct.pack(">IIBBBBB", width, height, 8, 3, 0, 0, 0)
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"PLTE", palette)
+                     + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
+
+
+def draw(name, program, out):
+    folder = CASES / name
+    picture = json.loads((folder / "picture.json").read_text(encoding="utf-8"))
+    blocks = visible(blocks_of(folder, program, picture.get("arguments", [])), picture)
+    move(blocks, picture)
+    renderer = scene(blocks, picture)
+    renderer.SetUseDepthPeeling(True)
+    renderer.SetMaximumNumberOfPeels(30)
+    light(renderer)
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetAlphaBitPlanes(True)
+    window.SetMultiSamples(0)
+    window.SetSize(*(OVERSAMPLING * side for side in SIZE))
+    window.AddRenderer(renderer)
+    aim(renderer, picture)
+    window.Render()
+    grab = vtk.vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    smaller = vtk.vtkImageShrink3D()
+    smaller.SetInputConnection(grab.GetOutputPort())
+    smaller.SetShrinkFactors(OVERSAMPLING, OVERSAMPLING, 1)
+    smaller.MeanOn()
+    smaller.Update()
+    path = out / f"{name}.png"
+    write_palette_png(path, smaller.GetOutput())
+    print(f"{path}: {path.stat().st_size / 1000:.0f} kB, {len(blocks)} blocks drawn")
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Draws the pictures of the worked examples.")
+    parser.add_argument("names", nargs="*", metavar="NAME", help="folders of tests/cases; default: all with a picture.json")
+    parser.add_argument("--rockfold", default=ROOT / "build" / "release" / "rockfold", help="the program")
+    parser.add_argument("--out", type=Path, default=ROOT / "docs" / "images", help="folder for the pictures")
+    options = parser.parse_args()
+    options.out.mkdir(parents=True, exist_ok=True)
+    for name in options.names or sorted(path.parent.name for path in CASES.glob("*/picture.json")):
+        draw(name, options.rockfold, options.out)
+
+
+if __name__ == "__main__":
+    main()
