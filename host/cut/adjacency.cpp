@@ -168,7 +168,6 @@ class PlaneLabeller {
     const bool whole_face = open.polygon.empty();
     const CellView cell = complex_.cells[open.cell];
     std::vector<Part> parts = divide_by_facets(
-        open.cell, cell.faces[open.face].inside,
         whole_face ? face_polygon(cell, cell.faces[open.face]) : std::move(open.polygon));
     for (Part& part : parts) {
       const Real area = polygon_moments(part.polygon).area;
@@ -189,38 +188,26 @@ class PlaneLabeller {
     return joints.empty() ? none : complex_.joints[joints.front()].origin;
   }
 
-  // The faces of solids that a free area lies on: of the solid whose rock the cell is; what these do not cover, of the
-  // solids that were taken away there, each where no later one was.
-  std::vector<Part> divide_by_facets(Index cell, HalfSpaceId inside, Polygon polygon) {
-    const Index own = zone(cell).solid;
+  // The faces of solids that a free area lies on: of the solid that was added or taken away there last.
+  std::vector<Part> divide_by_facets(Polygon polygon) {
     const auto on_plane = complex_.facets_by_plane.on(plane_);
     usable_.clear();
-    for (const Index f : on_plane)
-      if (complex_.facets[f].inside == inside && owner_of(complex_.facets[f]) == own)
-        usable_.push_back(f);
-    if (usable_.size() == 1 && complex_.facets[usable_.front()].origin != none)
-      return {{std::move(polygon), complex_.facets[usable_.front()].origin}};
     for (std::size_t i = on_plane.size(); i-- > 0;) {
       const Facet& facet = complex_.facets[on_plane[i]];
-      if (facet.inside == (inside ^ 1) && owner_of(facet) != none) usable_.push_back(on_plane[i]);
+      if (facet.origin != none && complex_.bodies[facet.body].role == Body::Role::solid)
+        usable_.push_back(on_plane[i]);
     }
+    if (usable_.size() == 1) return {{std::move(polygon), complex_.facets[usable_.front()].origin}};
     std::vector<Part> parts;
     std::vector<Polygon> left{std::move(polygon)};
     Index first_listed = none;
     for (const Index f : usable_) {
-      const Facet& facet = complex_.facets[f];
-      if (facet.origin == none) continue;
-      if (first_listed == none) first_listed = facet.origin;
-      left = take(facet, std::move(left), parts);
+      if (first_listed == none) first_listed = complex_.facets[f].origin;
+      left = take(complex_.facets[f], std::move(left), parts);
     }
     // Rounding may leave a trace beside the parts.
     for (Polygon& p : left) parts.push_back({std::move(p), first_listed});
     return parts;
-  }
-
-  Index owner_of(const Facet& facet) const {
-    const Body& body = complex_.bodies[facet.body];
-    return body.role == Body::Role::solid ? body.owner : none;
   }
 
   // What the facet does not cover; the rest becomes its parts.

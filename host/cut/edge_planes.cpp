@@ -98,7 +98,7 @@ class EdgePlanes {
   }
 
   Real distance(const Vec3& x, Index plane) const {
-    return dot(planes_.normal(plane), x) - planes_.offset(plane);
+    return dot(planes_.normal(plane), x - planes_.centre()) - planes_.offset(plane);
   }
 
   void offer(Edge& e, Index plane) const {
@@ -117,9 +117,8 @@ class EdgePlanes {
   }
 
   Index own_plane(const Edge& e) const {
-    const ExactVec3 a = exact(e.a), b = exact(e.b), c = exact(planes_.centre());
-    const ExactVec3 along{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    const ExactPlane plane = plane_along({a[0] + c[0], a[1] + c[1], a[2] + c[2]}, along,
+    const ExactVec3 a = exact(e.a), b = exact(e.b);
+    const ExactPlane plane = plane_along(a, {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
                                          exact(planes_.normal(polygons_[e.polygon].plane)));
     const HalfSpaceId found = planes_.find(plane);
     return found != none ? plane_of(found) : planes_.add(plane);

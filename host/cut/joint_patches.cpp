@@ -18,18 +18,17 @@ struct OrderedJoint {
   const PlacedJoint* joint;
   ExactPlane plane;          // normal with the upward sense
   std::array<Real, 4> key;   // unit normal and offset
-  std::vector<Vec3> corner;  // m, about the centre
+  std::vector<Vec3> corner;  // m, as given
 };
 
 OrderedJoint with_key(const PlacedJoint& joint, const Vec3& centre) {
-  OrderedJoint k{&joint, joint.plane, {}, {}};
+  OrderedJoint k{&joint, joint.plane, {}, joint.polygon};
   const auto& n = k.plane.n;
   if (n[2] < 0 || (n[2] == 0 && (n[1] < 0 || (n[1] == 0 && n[0] < 0)))) k.plane = opposite(k.plane);
   PlaneTable rounding(centre, 1);
   const Index id = rounding.add(k.plane);
   const Vec3& unit = rounding.normal(id);
   k.key = {unit[0], unit[1], unit[2], rounding.offset(id)};
-  for (const Vec3& x : joint.polygon) k.corner.push_back(x - centre);
   // The same corner first, whichever the user began with.
   std::rotate(k.corner.begin(), std::min_element(k.corner.begin(), k.corner.end()), k.corner.end());
   return k;
@@ -70,7 +69,8 @@ void join_corners(std::vector<OrderedJoint>& joints, Real tolerance) {
 
 bool holds(const PlaneTable& planes, Index plane, const OrderedJoint& joint) {
   return std::all_of(joint.corner.begin(), joint.corner.end(), [&](const Vec3& x) {
-    return std::abs(dot(planes.normal(plane), x) - planes.offset(plane)) <= planes.tolerance();
+    const Real d = dot(planes.normal(plane), x - planes.centre()) - planes.offset(plane);
+    return std::abs(d) <= planes.tolerance();
   });
 }
 
@@ -142,9 +142,7 @@ class JointPlanes {
     if (joint.corner.size() != 3) return joint.plane;
     PlaneTable given(planes_.centre(), planes_.model_size());
     if (!holds(given, given.add(joint.plane), joint)) return joint.plane;
-    const Vec3& c = planes_.centre();
     ExactPlane plane = plane_through_points(joint.corner[0], joint.corner[1], joint.corner[2]);
-    plane.d += dot(plane.n, exact(c));
     const bool has_area = std::any_of(plane.n.begin(), plane.n.end(),
                                       [](const Exact& component) { return component != 0; });
     return has_area ? plane : joint.plane;
@@ -179,7 +177,7 @@ void add_polygon(const OrderedJoint& joint, JointPatch patch, Complex& complex,
     patch.patch.box = {};
     for (const PieceEdge& edge : piece) {
       polygon.corner.push_back(c[edge.from]);
-      patch.patch.box.add(c[edge.from]);
+      patch.patch.box.add(c[edge.from] - complex.planes.centre());
     }
     // A convex polygon stays in its given sense, pieces run counter-clockwise in (u, v).
     const bool counter_clockwise = pieces.size() > 1 || area > 0;

@@ -184,8 +184,8 @@ void add_surface(const ShapeRegion& region, Complex& complex, std::vector<FlatPo
     facet.patch.plane = polygon.plane;
     facet.patch.box = {};
     for (Index k = begin; k < end; ++k) {
-      polygon.corner.push_back(surface.vertices[surface.corner[k]] - complex.planes.centre());
-      facet.patch.box.add(polygon.corner.back());
+      polygon.corner.push_back(surface.vertices[surface.corner[k]]);
+      facet.patch.box.add(polygon.corner.back() - complex.planes.centre());
     }
     if (!is_above(outward)) std::reverse(polygon.corner.begin(), polygon.corner.end());
     facet.inside = outward ^ 1;

@@ -14,10 +14,10 @@ namespace rockfold {
 namespace {
 
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
-constexpr Real relative_tolerance = 1e-10;        // DESIGN.md, rules 2 and 5
-constexpr Real guard_sine_squared = 1e-3 * 1e-3;  // rule 5: sine of the angle over 1e-3
-constexpr Real near_factor = 100;                 // rule 5: what is reported as near
-constexpr Real far_factor = 1000;                 // no vertex is moved by more than 1e-7·L
+constexpr Real relative_tolerance = 1e-10;  // DESIGN.md, rules 2 and 5
+constexpr Real guard_sine = 1e-3;           // rule 5
+constexpr Real near_factor = 100;           // rule 5: what is reported as near
+constexpr Real far_factor = 1000;           // no vertex is moved by more than 1e-7·L
 // Below this determinant of the unit normals a vertex is computed exactly: above it the bound of `vertex` keeps
 // the error under 50·48·ε·L ≈ 5e-13·L, two orders below the tolerance of rule 5.
 constexpr Real ill_conditioned = 0.02;
@@ -58,7 +58,7 @@ Exact determinant(const ExactPlane& a, const ExactPlane& b, const ExactPlane& c)
 }  // namespace
 
 struct PlaneTable::Store {
-  std::vector<ExactPlane> plane;           // d relative to the centre
+  std::vector<ExactPlane> plane;      // d relative to the centre
   std::multimap<Real, Index> by_key;  // for find()
 };
 
@@ -147,22 +147,30 @@ Vertex PlaneTable::vertex(Index p, Index q, Index r) const {
   return v;
 }
 
-bool PlaneTable::nearly_parallel(Index p, Index q) const {
-  const Vec3 c = cross(normal_[p], normal_[q]);
-  return dot(c, c) <= guard_sine_squared;
+// The smallest sine of the angles between four planes, at most the guard's.
+Real PlaneTable::guarded_sine(const Vertex& vertex, Index s) const {
+  const Index p[4] = {vertex.plane[0], vertex.plane[1], vertex.plane[2], s};
+  Real squared = guard_sine * guard_sine;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < i; ++j) {
+      const Vec3 c = cross(normal_[p[i]], normal_[p[j]]);
+      squared = std::min(squared, dot(c, c));
+    }
+  return std::sqrt(squared);
 }
 
 Real PlaneTable::distance(const Vertex& vertex, Index plane) const {
   return dot(normal_[plane], vertex.x) - offset_[plane];
 }
 
-int PlaneTable::exact_side(const Vertex& vertex, Index plane) const {
+Real PlaneTable::exact_distance(const Vertex& vertex, Index plane) const {
   const auto& p = vertex.plane;
   const ExactPlane &a = store_->plane[p[0]], &b = store_->plane[p[1]], &c = store_->plane[p[2]];
   const ExactPlane& s = store_->plane[plane];
   const Exact det = determinant(a, b, c);
   const Exact value = dot(s.n, cramer_numerators(a, b, c)) - s.d * det;
-  return CGAL::sign(value) * CGAL::sign(det);
+  if (CGAL::sign(value) == 0) return 0;
+  return CGAL::to_double(Exact(value / det)) / std::sqrt(CGAL::to_double(dot(s.n, s.n)));
 }
 
 // Four planes miss a common point by four distances, that of each from the meeting point of the others: one 4×4
@@ -187,20 +195,26 @@ int PlaneTable::side(const Vertex& vertex, Index plane, IntentCount& intent) con
                                          std::abs(vertex.x[2]) + std::abs(offset_[plane]));
   if (magnitude > far_factor * tolerance_ + error) return sign;
 
-  const bool guarded = !nearly_parallel(plane, p[0]) && !nearly_parallel(plane, p[1]) &&
-                       !nearly_parallel(plane, p[2]);
-  if (!guarded) return magnitude > error ? sign : exact_side(vertex, plane);
-  if (magnitude <= error) return 0;
-
   // The least distance, so that the answer is the same whichever of the four is asked about: planes that all pass a
-  // point within a quarter of the tolerance are concurrent however badly three of them define it.
-  const Real least = magnitude * least_share(vertex, plane);
-  if (least > near_factor * tolerance_) return sign;
-  if (least * near_factor > tolerance_) {
+  // point within a quarter of the tolerance are concurrent however badly three of them define it. Where two of them are
+  // nearly parallel the tolerance shrinks with their angle: what it takes for a point stays as small as elsewhere.
+  const Real share = least_share(vertex, plane);
+  const Real guard = guarded_sine(vertex, plane) / guard_sine;
+  const Real allowed = guard * tolerance_;
+  if (magnitude <= error && error * share > allowed) {
+    const Real exact = exact_distance(vertex, plane);
+    if (std::abs(exact) * share > allowed) return exact > 0 ? 1 : -1;
+    if (exact != 0) ++intent.vertices_identified;
+    return 0;
+  }
+  if (magnitude <= error) return 0;
+  const Real least = magnitude * share;
+  if (least > near_factor * allowed) return sign;
+  if (guard == 1 && least * near_factor > allowed) {
     ++intent.near_decisions;
     intent.near_planes.push_back(plane);
   }
-  if (least > tolerance_) return sign;
+  if (least > allowed) return sign;
   ++intent.vertices_identified;
   return 0;
 }

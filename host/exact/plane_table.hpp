@@ -89,9 +89,9 @@ class PlaneTable {
 
  private:
   struct Store;  // exact coefficients
-  bool nearly_parallel(Index p, Index q) const;
+  Real guarded_sine(const Vertex& vertex, Index s) const;
   Real least_share(const Vertex& vertex, Index s) const;
-  int exact_side(const Vertex& vertex, Index plane) const;
+  Real exact_distance(const Vertex& vertex, Index plane) const;
   Vec3 exact_position(const std::array<Index, 3>& p) const;
 
   Vec3 centre_;

@@ -214,7 +214,7 @@ std::vector<std::string> dependences(const Model& model, Real size, bool shuffle
     if (differs.empty() && (one.arrays.dead_end_area != many.arrays.dead_end_area ||
                             one.arrays.dead_end_vertex != many.arrays.dead_end_vertex))
       differs = "dead ends";
-    if (!differs.empty()) lines.push_back(what + ": " + differs);
+    if (!differs.empty()) lines.push_back(std::string(what).append(": ").append(differs));
     if (totals_text(many.cutting.totals) != totals_text(one.cutting.totals))
       lines.push_back(what + ": " + totals_text(many.cutting.totals) +
                       ", one thread: " + totals_text(one.cutting.totals));
@@ -227,7 +227,7 @@ std::vector<std::string> dependences(const Model& model, Real size, bool shuffle
     const Blocks other = cut(shuffled);
     const std::string what = "shuffle " + std::to_string(seed);
     const std::string differs = block_difference(one.arrays, other.arrays, size);
-    if (!differs.empty()) lines.push_back(what + ": " + differs);
+    if (!differs.empty()) lines.push_back(std::string(what).append(": ").append(differs));
     const CutTotals &t = one.cutting.totals, &u = other.cutting.totals;
     if (!nearly_equal(t.joint_area, u.joint_area) || !nearly_equal(t.solid_volume, u.solid_volume))
       lines.push_back(what + ": " + totals_text(u) + ", before: " + totals_text(t));

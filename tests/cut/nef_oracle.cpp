@@ -34,8 +34,12 @@ Point exact_point(const Vec3& p) {
 Vector exact_vector(const Vec3& v) {
   return {v[0], v[1], v[2]};
 }
+// Of a lazy number itself to_double promises five digits.
+Real rounded(const Number& x) {
+  return CGAL::to_double(CGAL::exact(x));
+}
 Vec3 rounded(const Vector& v) {
-  return {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
+  return {rounded(v.x()), rounded(v.y()), rounded(v.z())};
 }
 
 // ---- solids and joints as Nef polyhedra
@@ -205,7 +209,7 @@ class VolumeSurface {
     // The sense of the SNC's loops is one for all: that of positive volume is outward.
     if (volume6_ < 0) reverse();
     NefBlock block;
-    block.volume = CGAL::to_double(volume6_) / 6;
+    block.volume = rounded(volume6_) / 6;
     block.centroid = rounded(first24_ / (4 * volume6_));
     block.joint_area = joint_area_;
     pair_edges();
@@ -399,6 +403,9 @@ std::vector<NefBlock> nef_blocks(const Model& model) {
     blocks.push_back(surface.count());
     blocks.back().dead_end_area = dead_ends[volume];
   }
+  std::sort(blocks.begin(), blocks.end(), [](const NefBlock& a, const NefBlock& b) {
+    return a.volume != b.volume ? a.volume < b.volume : a.centroid < b.centroid;
+  });
   return blocks;
 }
 

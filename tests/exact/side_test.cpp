@@ -88,9 +88,9 @@ TEST_F(Side, OfNearlyConcurrentPlanesFollowsTheTolerance) {
   EXPECT_GT(checked, 11000);
 }
 
-// The fourth plane nearly parallel to one of the others: rule 5's guard. Beyond it (sine ≤ 1e-3) the exact sign decides,
-// however near the vertex is.
-TEST_F(Side, OfNearlyParallelPlanesIsExactBeyondTheGuard) {
+// The fourth plane nearly parallel to one of the others: rule 5's guard. Beyond it (sine ≤ 1e-3) the tolerance shrinks with
+// the angle, so that what is taken for one point stays as small.
+TEST_F(Side, OfNearlyParallelPlanesIsExactBeyondATighterTolerance) {
   const Real sines[] = {1e-2, 1.01e-3, 0.99e-3, 1e-4, 1e-6, 1e-8, 3e-10};
   for (int i = 0; i < 7000; ++i) {
     const Real size = std::pow(10.0, i % 5 - 2);
