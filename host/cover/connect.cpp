@@ -91,6 +91,7 @@ class Connector {
   void find_virtual_links() {
     for (const Fragment& f : complex_.fragments) {
       if (f.joint != none && !welded_) continue;
+      if (complex_.zone(f.cell[0]).stage != 0 || complex_.zone(f.cell[1]).stage != 0) continue;
       const Polygon polygon = complex_.polygon_of(f);
       struct OnFacet {
         Facet nodes;

@@ -55,6 +55,7 @@ Pieces cut_pieces(const Complex& complex, const LatticePlanes& lattice, const Pl
   progress.begin("covering", n, "cells");
   parallel_for(n, 4, [&](std::int64_t c) {
     const auto rock = static_cast<Index>(c);
+    if (complex.zone(rock).stage != 0) return;  // excavated before the analysis starts
     LatticeWalker walker(lattice, planes);
     Pieces& out = parts[c];
     CellVisitor visitor;

@@ -13,6 +13,10 @@ namespace rockfold {
 
 namespace {
 
+// Noise of 1e-11 of the model's size on polygons a hundredth of it turns them by this much; what is given more steeply is
+// meant to be.
+constexpr Real largest_angle = 1e-9;
+
 // A joint with what orders it independently of the model's own order.
 struct OrderedJoint {
   const PlacedJoint* joint;
@@ -132,8 +136,8 @@ class JointPlanes {
 
   void offer(const OrderedJoint& joint, Index other, Index& plane) const {
     const Vec3 normal{joint.key[0], joint.key[1], joint.key[2]};
-    if ((plane == none || other < plane) && std::abs(dot(planes_.normal(other), normal)) > 0.999 &&
-        holds(planes_, other, joint))
+    if ((plane == none || other < plane) && holds(planes_, other, joint) &&
+        norm(cross(planes_.normal(other), normal)) < largest_angle)
       plane = other;
   }
 

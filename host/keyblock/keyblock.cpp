@@ -46,6 +46,9 @@ FaceStrength face_strength(const FaceOrigin& origin, const Model& model, bool jo
   return strength;
 }
 
+/// The batch of blocks that are excavated: gone before the first.
+constexpr Index excavated = -1;
+
 /// The state between batches: which blocks are left, and what each of them is.
 class KeyblockSearch {
  public:
@@ -79,6 +82,8 @@ KeyblockSearch::KeyblockSearch(const BlockArrays& blocks, const Model& model)
   const auto count = static_cast<std::size_t>(blocks.block_count());
   report_.block_class.assign(count, BlockClass::tapered);
   report_.batch.assign(count, 0);
+  for (std::size_t b = 0; b < blocks.stage.size(); ++b)
+    if (blocks.stage[b] > 0) report_.batch[b] = excavated;
   stable_.resize(count);
 }
 
@@ -166,8 +171,9 @@ Keyblock KeyblockSearch::describe(Index block, const BlockVerdict& verdict) cons
 }
 
 KeyblockReport KeyblockSearch::run() {
-  std::vector<Index> candidates(static_cast<std::size_t>(blocks_.block_count()));
-  for (std::size_t b = 0; b < candidates.size(); ++b) candidates[b] = static_cast<Index>(b);
+  std::vector<Index> candidates;
+  for (Index b = 0; b < blocks_.block_count(); ++b)
+    if (report_.batch[static_cast<std::size_t>(b)] != excavated) candidates.push_back(b);
   for (Index batch = 1;; ++batch) {
     const std::vector<BlockVerdict> verdicts = judge(candidates);
     std::vector<Index> removed;
@@ -188,6 +194,11 @@ KeyblockReport KeyblockSearch::run() {
   }
   for (const auto& block : stable_)
     if (block) report_.stable.push_back(*block);
+  for (std::size_t b = 0; b < report_.batch.size(); ++b)
+    if (report_.batch[b] == excavated) {
+      report_.batch[b] = 0;
+      report_.block_class[b] = BlockClass::excavated;
+    }
   return std::move(report_);
 }
 

@@ -37,7 +37,7 @@ struct Keyblock {
 };
 
 struct KeyblockReport {
-  std::vector<BlockClass> block_class;  ///< [B] key, or the class once all key blocks are gone
+  std::vector<BlockClass> block_class;  ///< [B] key, excavated, or the class once all key blocks are gone
   std::vector<Index> batch;             ///< [B] 0 = not a key block
   std::vector<Keyblock> keyblocks;      ///< ordered by batch, then block
   std::vector<Index> batches;           ///< key blocks in each batch
@@ -49,7 +49,8 @@ struct KeyblockReport {
 
 /// Finds the key blocks in batches: remove the first batch, renew the free faces, look again, until
 /// none. A batch is all blocks that move with the same rock still around them: it depends on
-/// neither ids nor threads. Cost: one look at each block with a free face, then one at each
+/// neither ids nor threads. Blocks of all excavation stages are gone before the first batch: what bounds them is free.
+/// Cost: one look at each block with a free face, then one at each
 /// neighbour of a removed block.
 KeyblockReport find_keyblocks(const BlockArrays& blocks, const Model& model);
 

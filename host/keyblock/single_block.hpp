@@ -16,7 +16,8 @@ enum class BlockClass {
   infinite,  ///< the rock goes on beyond one of its faces
   tapered,   ///< no free face, or no direction that its joint faces allow
   stable,    ///< removable, but the resistance is no less than the driving force
-  key        ///< removable, and moves without support
+  key,       ///< removable, and moves without support
+  excavated  ///< removed by an excavation before any block moves
 };
 
 /// A face of a block as block theory sees it.

@@ -29,6 +29,8 @@ constexpr const char* class_name(BlockClass block_class) {
       return "stable";
     case BlockClass::key:
       return "key";
+    case BlockClass::excavated:
+      return "excavated";
   }
   return "";
 }

@@ -87,14 +87,11 @@ class Grid {
     return -1;
   }
 
-  /// Between two blocks a joint; else the face of the solid whose rock it is, if that ends there; else of the one dug last.
+  /// Between two blocks a joint; else the face of the solid that was added or dug last there.
   int origin(const Cell& c, int axis, bool up) const {
     const Cell next = step(c, axis, up ? 1 : -1);
     const Cell& lower = up ? c : next;
     if (rock(next)) return joint_between(lower, axis);
-    const int owner = solid_[id(c)];
-    if (in(m_.solids[owner], c) != in(m_.solids[owner], next))
-      return static_cast<int>(m_.joints.size()) + owner;
     int last = -1;
     for (std::size_t s = 0; s < m_.solids.size(); ++s)
       if (in(m_.solids[s], c) != in(m_.solids[s], next)) last = static_cast<int>(s);
