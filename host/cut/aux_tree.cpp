@@ -31,13 +31,14 @@ struct AuxTree::Builder {
 
   const Box& box(Index i) const { return patches[i]->box; }
 
-  Index plane_at(const Split& split) const {
+  // The half-space above the split. One of the model's own planes serves, whatever its sense: a second plane there would
+  // hide what lies on the first.
+  HalfSpaceId above_split(const Split& split) const {
     Vec3 normal{};
     normal[split.axis] = 1;
     ExactPlane plane{exact(normal), Exact(split.at) + Exact(planes.centre()[split.axis])};
     const HalfSpaceId found = planes.find(plane);
-    // One of the model's own planes serves where it has the same sense.
-    return found != none && is_above(found) ? plane_of(found) : planes.add(plane);
+    return found != none ? found : half_space(planes.add(plane), true);
   }
 
   bool is_below(Index i, const Split& s) const {
@@ -92,7 +93,8 @@ struct AuxTree::Builder {
     if (split.axis < 0) split = divide(list, used);
     if (split.axis < 0) return;
 
-    nodes[node].plane = plane_at(split);
+    const HalfSpaceId up = above_split(split);
+    nodes[node].plane = plane_of(up);
     std::vector<Index> part[2];
     for (const Index i : list) {
       if (is_below(i, split)) part[0].push_back(i);
@@ -101,7 +103,7 @@ struct AuxTree::Builder {
     list = {};
     for (int s = 0; s < 2; ++s) {
       const auto child = static_cast<Index>(nodes.size());
-      nodes[node].child[s] = child;
+      nodes[node].child[is_above(up) ? s : 1 - s] = child;
       nodes.emplace_back();
       Box half = space;
       (s == 0 ? half.high : half.low)[split.axis] = split.at;

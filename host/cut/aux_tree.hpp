@@ -12,7 +12,7 @@ namespace rockfold {
 class AuxTree {
  public:
   struct Node {
-    Index plane = none;             ///< normal along an axis, pointing up it; none = a leaf
+    Index plane = none;             ///< across an axis; none = a leaf
     Index child[2] = {none, none};  ///< below and above the plane
   };
 

@@ -87,26 +87,27 @@ CellStore cut_by_shapes(CuttingInput& input, const Model& model, IntentCount& in
 }
 
 struct Rock {
-  CellStore cells;             // with the void
-  std::vector<Index> zone;     // [cells] none = void
-  std::vector<Index> of_rock;  // cells that are rock
+  CellStore cells;                   // with the void
+  std::vector<Index> zone;           // [cells] none = void
+  std::vector<Index> of_rock;        // cells that are rock
+  std::vector<CellMoments> moments;  // [of_rock]
   Real volume = 0;
 };
 
 Rock find_rock(CellStore cells, Complex& complex, const Model& model) {
   ZonedCells zoned = find_zones(complex, cells, model);
   complex.zones = std::move(zoned.zones);
-  Rock rock{std::move(cells), std::move(zoned.cell_zone), {}, 0};
+  Rock rock{std::move(cells), std::move(zoned.cell_zone), {}, {}, 0};
   for (Index c = 0; c < rock.cells.size(); ++c)
     if (rock.zone[c] != none) rock.of_rock.push_back(c);
   if (rock.of_rock.empty())
     refuse(model.solids.back().place, "solid", "the block operations leave no rock");
-  std::vector<Real> volume(rock.of_rock.size());
-  parallel_for(static_cast<std::int64_t>(volume.size()), 256, [&](std::int64_t i) {
-    volume[i] = cell_moments(rock.cells[rock.of_rock[i]], complex.planes).volume;
+  rock.moments.resize(rock.of_rock.size());
+  parallel_for(static_cast<std::int64_t>(rock.moments.size()), 256, [&](std::int64_t i) {
+    rock.moments[i] = cell_moments(rock.cells[rock.of_rock[i]], complex.planes);
   });
   Sum sum;
-  for (const Real v : volume) sum += v;
+  for (const CellMoments& m : rock.moments) sum += m.volume;
   rock.volume = sum.value();
   return rock;
 }
@@ -117,10 +118,18 @@ Index take_cells(const Subdivision& cut, const Rock& rock, Complex& complex) {
   const std::size_t n = cut.parts.size();
   std::vector<std::vector<CellMoments>> moments(n);
   std::vector<std::vector<Index>> kept(n);
+  // What no joint has cut is measured already.
+  std::vector<Index> parts_of(rock.cells.size(), 0), measured(rock.cells.size(), none);
+  for (const auto& parents : cut.parents)
+    for (const Index c : parents) ++parts_of[c];
+  for (std::size_t i = 0; i < rock.of_rock.size(); ++i)
+    if (parts_of[rock.of_rock[i]] == 1) measured[rock.of_rock[i]] = static_cast<Index>(i);
   const auto measure = [&](std::int64_t p) {
     const CellStore& part = cut.parts[p];
     for (Index c = 0; c < part.size(); ++c) {
-      const CellMoments m = cell_moments(part[c], complex.planes);
+      const Index known = measured[cut.parents[p][c]];
+      const CellMoments m =
+          known != none ? rock.moments[known] : cell_moments(part[c], complex.planes);
       if (!(m.volume > 0)) continue;
       moments[p].push_back(m);
       kept[p].push_back(c);

@@ -6,6 +6,9 @@
 #include <map>
 #include <stdexcept>
 
+#include <CGAL/Fraction_traits.h>
+#include <CGAL/number_utils.h>
+
 #include "host/exact/plane_exact.hpp"
 #include "src/base/vector.hpp"
 
@@ -44,21 +47,76 @@ Real search_key(const UnitPlane& plane, Real size) {
   return std::abs(plane.offset + size * dot(generic, plane.normal));
 }
 
-ExactVec3 cramer_numerators(const ExactPlane& a, const ExactPlane& b, const ExactPlane& c) {
-  const ExactVec3 bc = cross(b.n, c.n), ca = cross(c.n, a.n), ab = cross(a.n, b.n);
-  ExactVec3 x;
-  for (int d = 0; d < 3; ++d) x[d] = a.d * bc[d] + b.d * ca[d] + c.d * ab[d];
-  return x;
+// Integers in proportion to a plane's coefficients: unlike fractions they need no greatest common divisors, which are
+// nine tenths of the time.
+using Fraction = CGAL::Fraction_traits<Exact>;
+using Integer = Fraction::Numerator_type;
+using IntegerVec3 = std::array<Integer, 3>;
+
+struct IntegerPlane {
+  IntegerVec3 n;
+  Integer d;
+};
+
+IntegerPlane integers(const ExactVec3& n, const Exact& d) {
+  std::array<Integer, 4> numerator, denominator;
+  for (int i = 0; i < 4; ++i) Fraction::Decompose()(i < 3 ? n[i] : d, numerator[i], denominator[i]);
+  Integer common = denominator[0];
+  for (int i = 1; i < 4; ++i)
+    common = Integer(common * CGAL::integral_division(denominator[i],
+                                                      Integer(CGAL::gcd(common, denominator[i]))));
+  for (int i = 0; i < 4; ++i)
+    numerator[i] = Integer(numerator[i] * CGAL::integral_division(common, denominator[i]));
+  const Integer shared = Integer(CGAL::gcd(Integer(CGAL::gcd(numerator[0], numerator[1])),
+                                           Integer(CGAL::gcd(numerator[2], numerator[3]))));
+  for (Integer& i : numerator) i = Integer(CGAL::integral_division(i, shared));
+  return {{numerator[0], numerator[1], numerator[2]}, numerator[3]};
 }
 
-Exact determinant(const ExactPlane& a, const ExactPlane& b, const ExactPlane& c) {
-  return dot(a.n, cross(b.n, c.n));
+Integer dot(const IntegerVec3& a, const IntegerVec3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+IntegerVec3 cross(const IntegerVec3& a, const IntegerVec3& b) {
+  return {Integer(a[1] * b[2] - a[2] * b[1]), Integer(a[2] * b[0] - a[0] * b[2]),
+          Integer(a[0] * b[1] - a[1] * b[0])};
+}
+
+// The meeting point of three planes is x/w.
+struct IntegerPoint {
+  IntegerVec3 x;
+  Integer w;
+};
+
+IntegerPoint meet(const IntegerPlane& a, const IntegerPlane& b, const IntegerPlane& c) {
+  const IntegerVec3 bc = cross(b.n, c.n), ca = cross(c.n, a.n), ab = cross(a.n, b.n);
+  IntegerPoint p;
+  for (int i = 0; i < 3; ++i) p.x[i] = a.d * bc[i] + b.d * ca[i] + c.d * ab[i];
+  p.w = dot(a.n, bc);
+  return p;
+}
+
+Integer power_of_two(int exponent) {
+  Integer numerator, denominator;
+  Fraction::Decompose()(Exact(std::ldexp(1.0, std::clamp(exponent, 0, 1000))), numerator,
+                        denominator);
+  return numerator;
+}
+
+Exact quotient(const Integer& a, const Integer& b) {
+  return Fraction::Compose()(a, b);
 }
 
 }  // namespace
 
 struct PlaneTable::Store {
-  std::vector<ExactPlane> plane;      // d relative to the centre
+  explicit Store(Real size)
+      : fine(power_of_two(224 - std::ilogb(size))), coarse(power_of_two(128 - std::ilogb(size))) {}
+
+  /// Fixed point: numbers of these units a metre, for 2^-224 and 2^-128 of the model's size. Rounded once to them,
+  /// quotients need no fractions either.
+  Integer fine, coarse;
+  std::vector<IntegerPlane> plane;    // d relative to the centre
   std::multimap<Real, Index> by_key;  // for find()
 };
 
@@ -72,7 +130,7 @@ PlaneTable::PlaneTable(const Vec3& centre, Real size)
     : centre_(centre),
       size_(size),
       tolerance_(relative_tolerance * size),
-      store_(std::make_unique<Store>()) {}
+      store_(std::make_unique<Store>(size)) {}
 PlaneTable::~PlaneTable() = default;
 PlaneTable::PlaneTable(PlaneTable&&) noexcept = default;
 PlaneTable& PlaneTable::operator=(PlaneTable&&) noexcept = default;
@@ -90,7 +148,7 @@ Index PlaneTable::add(const ExactPlane& plane) {
   const Index id = size();
   normal_.push_back(unit.normal);
   offset_.push_back(unit.offset);
-  store_->plane.push_back({plane.n, d});
+  store_->plane.push_back(integers(plane.n, d));
   store_->by_key.emplace(search_key(unit, size_), id);
   return id;
 }
@@ -116,12 +174,13 @@ HalfSpaceId PlaneTable::find(const ExactPlane& plane) const {
 }
 
 Vec3 PlaneTable::exact_position(const std::array<Index, 3>& p) const {
-  const ExactPlane &a = store_->plane[p[0]], &b = store_->plane[p[1]], &c = store_->plane[p[2]];
-  const Exact det = determinant(a, b, c);
-  if (det == 0) throw std::logic_error("three planes without a common point");
-  const ExactVec3 x = cramer_numerators(a, b, c);
-  return {CGAL::to_double(Exact(x[0] / det)), CGAL::to_double(Exact(x[1] / det)),
-          CGAL::to_double(Exact(x[2] / det))};
+  const IntegerPoint point = meet(store_->plane[p[0]], store_->plane[p[1]], store_->plane[p[2]]);
+  if (point.w == 0) throw std::logic_error("three planes without a common point");
+  Vec3 x;
+  for (int d = 0; d < 3; ++d)
+    x[d] = CGAL::to_double(Integer(point.x[d] * store_->coarse / point.w)) /
+           CGAL::to_double(store_->coarse);
+  return x;
 }
 
 Vertex PlaneTable::vertex(Index p, Index q, Index r) const {
@@ -165,12 +224,16 @@ Real PlaneTable::distance(const Vertex& vertex, Index plane) const {
 
 Real PlaneTable::exact_distance(const Vertex& vertex, Index plane) const {
   const auto& p = vertex.plane;
-  const ExactPlane &a = store_->plane[p[0]], &b = store_->plane[p[1]], &c = store_->plane[p[2]];
-  const ExactPlane& s = store_->plane[plane];
-  const Exact det = determinant(a, b, c);
-  const Exact value = dot(s.n, cramer_numerators(a, b, c)) - s.d * det;
-  if (CGAL::sign(value) == 0) return 0;
-  return CGAL::to_double(Exact(value / det)) / std::sqrt(CGAL::to_double(dot(s.n, s.n)));
+  const IntegerPlane& s = store_->plane[plane];
+  const IntegerPoint point = meet(store_->plane[p[0]], store_->plane[p[1]], store_->plane[p[2]]);
+  const Integer value = dot(s.n, point.x) - s.d * point.w;
+  if (value == 0) return 0;
+  // The length of the integer normal, by its component along the axis nearest to it.
+  const Vec3& n = normal_[plane];
+  int axis = 0;
+  for (int d = 1; d < 3; ++d)
+    if (std::abs(n[d]) > std::abs(n[axis])) axis = d;
+  return CGAL::to_double(quotient(value, Integer(point.w * s.n[axis]))) * n[axis];
 }
 
 // Four planes miss a common point by four distances, that of each from the meeting point of the others: one 4×4
@@ -221,31 +284,37 @@ int PlaneTable::side(const Vertex& vertex, Index plane, IntentCount& intent) con
 
 PlaneTable::ExactMoments PlaneTable::exact_moments(
     std::span<const Vertex> vertices, const std::vector<std::array<Index, 3>>& triangles) const {
-  std::vector<ExactVec3> x;
+  std::vector<IntegerVec3> x;  // about the first vertex
   x.reserve(vertices.size());
   for (const Vertex& v : vertices) {
-    const ExactPlane &a = store_->plane[v.plane[0]], &b = store_->plane[v.plane[1]],
-                     &c = store_->plane[v.plane[2]];
-    const Exact det = determinant(a, b, c);
-    ExactVec3 y = cramer_numerators(a, b, c);
-    for (Exact& component : y) component /= det;
+    const IntegerPoint p =
+        meet(store_->plane[v.plane[0]], store_->plane[v.plane[1]], store_->plane[v.plane[2]]);
+    IntegerVec3 y;
+    for (int d = 0; d < 3; ++d) {
+      y[d] = p.x[d] * store_->fine / p.w;
+      if (!x.empty()) y[d] -= x.front()[d];
+    }
     x.push_back(std::move(y));
   }
-  const ExactVec3 o = x.front();
-  for (ExactVec3& y : x)
-    for (int d = 0; d < 3; ++d) y[d] -= o[d];
-  Exact volume6 = 0;
-  ExactVec3 first24{0, 0, 0};
+  const IntegerVec3 o = x.front();
+  x.front() = {Integer(0), Integer(0), Integer(0)};
+  Integer volume6 = 0;
+  IntegerVec3 first24{Integer(0), Integer(0), Integer(0)};
   for (const auto& t : triangles) {
-    const ExactVec3 &a = x[t[0]], &b = x[t[1]], &c = x[t[2]];
-    const Exact v = dot(a, cross(b, c));
+    const IntegerVec3 &a = x[t[0]], &b = x[t[1]], &c = x[t[2]];
+    const Integer v = dot(a, cross(b, c));
     volume6 += v;
     for (int d = 0; d < 3; ++d) first24[d] += v * (a[d] + b[d] + c[d]);
   }
+  // Points of one plane are off it by a unit; no cell that the tolerance lets stand is nearly as thin.
+  const Integer noise = store_->fine * store_->fine * 1000000;
+  if (CGAL::abs(volume6) < noise) return {0, {}};
+  const Real unit = 1 / CGAL::to_double(store_->fine);
   ExactMoments m;
-  m.volume = CGAL::to_double(Exact(volume6 / 6));
+  m.volume = CGAL::to_double(volume6) * unit * unit * unit / 6;
   for (int d = 0; d < 3; ++d)
-    m.first[d] = CGAL::to_double(Exact(first24[d] / 24 + o[d] * volume6 / 6));
+    m.first[d] =
+        CGAL::to_double(Integer(first24[d] + 4 * o[d] * volume6)) * unit * unit * unit * unit / 24;
   return m;
 }
 

@@ -78,10 +78,10 @@ class PlaneTable {
   /// Signed distance of a vertex from a plane in double precision, m.
   Real distance(const Vertex& vertex, Index plane) const;
 
-  /// Six times the volume and 24 times the first moment, about the first vertex, of the tetrahedra of a convex
-  /// cell's triangulated boundary, in exact arithmetic; for slivers that doubles cannot measure.
+  /// Volume and first moment of a convex cell from its triangulated boundary, for slivers that doubles cannot measure:
+  /// vertices rounded once to 2^-224 of the model's size, all else exact. 0 for a cell without volume.
   struct ExactMoments {
-    Real volume;
+    Real volume;  ///< m³
     Vec3 first;  ///< about the table's centre
   };
   ExactMoments exact_moments(std::span<const Vertex> vertices,
