@@ -5,20 +5,21 @@
     docs/draw_example.py brick_wall cube        these
     docs/draw_example.py --rockfold PROGRAM …   another program than build/release/rockfold
 
-It needs VTK 9 for Python (Debian, Ubuntu: apt install python3-vtk9). Without a screen run it under xvfb-run (package xvfb).
-(elsewhere: xvfb-run docs/draw_example.py). The program cuts the model; the blocks come from its exports.
+It needs VTK 9 for Python (Debian, Ubuntu: apt install python3-vtk9). Without a screen run it
+under xvfb-run (package xvfb). The program cuts the model; the blocks come from its exports.
 
 picture.json beside a model says how it is drawn. All keys may be left out:
 
     view           [x, y, z]: from where one looks, as a direction from the middle of the picture; z is up
-    zoom           larger is nearer (1)
-    centre         [x, y, z], m: the middle of the picture; by default the middle of what is drawn
-    colour         "block" (default), "stage", "volume" (dark is small), "material", "face" (joints and surfaces)
+    zoom           1 (default): the picture is filled; larger is nearer
+    centre         [x, y, z], m: the middle of the picture, with zoom; by default the middle of what is drawn
+    colour         "block" (default), "stage", "volume" (dark is small), "material", "face" (where faces come from)
+    palette        "rock" (default), "brick", "soil": what colours blocks and faces have
+    hide           [{"stages": [0, …], "beyond": [{"point": [x, y, z], "normal": [x, y, z]}, …]}, …]: blocks of these
+                   stages (without the key: of any) are left out if their centroid is beyond all of the planes
+    frame          true: the edges of the box of the whole model
     explode        each block goes outwards by this share of its distance from the middle (0)
     move_stages    {"1": [dx, dy, dz], …}: blocks of a stage are moved by so many m
-    hide_stages    [1, …]: what has gone
-    hide           [{"point": [x, y, z], "normal": [x, y, z]}, …]: a block is left out if its centroid is beyond all
-                   of these planes; a list of such lists leaves out what one of them does
     glass_over     m3: larger blocks are drawn as glass
     glass_stages   [0, …]: blocks of these stages are drawn as glass
     dead_ends      true: joints that end inside blocks are drawn too
@@ -52,7 +53,8 @@ class Block:
 
     def __init__(self, number):
         self.number, self.polygons, self.faces, self.origins = number, [], [], []
-        self.volume, self.stage, self.centroid, self.dead_ends, self.material = 0.0, 0, (0, 0, 0), [], 0
+        self.volume, self.stage, self.centroid, self.material = 0.0, 0, (0, 0, 0), 0
+        self.dead_ends, self.dead_end_origins = [], []
 
 
 def blocks_of(folder, program, arguments):
@@ -82,7 +84,9 @@ def blocks_of(folder, program, arguments):
     for entry in exported["blocks"]:
         block = blocks[entry["id"]]
         block.volume, block.stage, block.centroid = entry["volume"], entry["stage"], tuple(entry["centroid"])
-        block.dead_ends = [dead_end["points"] for dead_end in entry["dead_ends"]]
+        for dead_end in entry["dead_ends"]:
+            block.dead_ends.append([tuple(point) for point in dead_end["points"]])
+            block.dead_end_origins.append(dead_end["origin"])
         block.material = reported[entry["id"]]["material"]
     return list(blocks.values())
 
@@ -93,17 +97,20 @@ def beyond(planes, point):
 
 
 def visible(blocks, picture):
-    groups = picture.get("hide", [])
-    if groups and isinstance(groups[0], dict):
-        groups = [groups]
-    return [block for block in blocks if block.stage not in picture.get("hide_stages", [])
-            and not any(beyond(planes, block.centroid) for planes in groups)]
+    def hidden(block, rule):
+        return block.stage in rule.get("stages", [block.stage]) and beyond(rule.get("beyond", []), block.centroid)
+    return [block for block in blocks if not any(hidden(block, rule) for rule in picture.get("hide", []))]
+
+
+def box_of(blocks):
+    """The corners of the box of all blocks: [(least, largest)] along x, y, z."""
+    corners = [point for block in blocks for polygon in block.polygons for point in polygon]
+    return [(min(axis), max(axis)) for axis in zip(*corners)]
 
 
 def move(blocks, picture):
     """Explodes the model, and takes stages apart."""
-    corners = [point for block in blocks for polygon in block.polygons for point in polygon]
-    middle = [(min(axis) + max(axis)) / 2 for axis in zip(*corners)]
+    middle = [(low + high) / 2 for low, high in box_of(blocks)]
     explode, stages = picture.get("explode", 0), picture.get("move_stages", {})
     for block in blocks:
         shift = [explode * (x - m) for x, m in zip(block.centroid, middle)]
@@ -112,16 +119,23 @@ def move(blocks, picture):
             polygons[:] = [[tuple(x + d for x, d in zip(point, shift)) for point in polygon] for polygon in polygons]
 
 
-def rock_colour(number):
-    """Pale earth colours; neighbours in number differ."""
+# Hues and their ranges of lightness and saturation.
+PALETTES = {"rock": ((0.05, 0.09, 0.12, 0.15, 0.56, 0.60), (0.50, 0.80), (0.15, 0.40)),
+            "brick": ((0.02, 0.04, 0.06), (0.48, 0.70), (0.35, 0.55)),
+            "soil": ((0.06, 0.08, 0.10, 0.12), (0.35, 0.75), (0.22, 0.55))}
+
+
+def palette_colour(palette, number):
+    """A colour that looks drawn at random but is always the same for a number."""
     rng = random.Random(number)
-    return colorsys.hls_to_rgb(rng.choice([0.04, 0.08, 0.11, 0.14, 0.55, 0.60, 0.30]) + rng.uniform(-0.015, 0.015),
-                               rng.uniform(0.52, 0.80), rng.uniform(0.18, 0.50))
+    hues, lightness, saturation = PALETTES[palette]
+    return colorsys.hls_to_rgb(rng.choice(hues) + rng.uniform(-0.012, 0.012), rng.uniform(*lightness),
+                               rng.uniform(*saturation))
 
 
 def colours(blocks, picture):
     """One colour for each polygon of each block: {block number: [(r, g, b), …]}."""
-    how = picture.get("colour", "block")
+    how, palette = picture.get("colour", "block"), picture.get("palette", "rock")
     logs = [math.log(block.volume) for block in blocks]
     low, high = min(logs), max(max(logs), min(logs) + 1e-9)
     of = {}
@@ -134,8 +148,9 @@ def colours(blocks, picture):
             share = (math.log(block.volume) - low) / (high - low)
             one = colorsys.hls_to_rgb(0.62 - 0.52 * share, 0.35 + 0.40 * share, 0.55)
         else:
-            one = rock_colour(block.number)
-        of[block.number] = [rock_colour(7 * origin + 1) if how == "face" else one for origin in block.origins]
+            one = palette_colour(palette, block.number)
+        of[block.number] = [palette_colour(palette, 7 * origin + 1) if how == "face" else one
+                            for origin in block.origins]
     return of
 
 
@@ -162,7 +177,7 @@ def surface_actor(blocks, of, opacity):
     looks = actor.GetProperty()
     looks.SetInterpolationToFlat()
     looks.SetOpacity(opacity)
-    looks.SetAmbient(0.25)
+    looks.SetAmbient(0.36)
     looks.SetDiffuse(0.8)
     return actor
 
@@ -198,14 +213,24 @@ def lines_actor(edges, colour, width, opacity):
 
 
 def dead_ends_of(blocks):
-    """Joints that end inside blocks, as a block of its own."""
-    joints = Block(-1)
-    joints.polygons = [polygon for block in blocks for polygon in block.dead_ends]
+    """Joints that end inside blocks, as a block of its own, and their rims: edges that only one convex part has."""
+    joints, parts = Block(-1), {}
+    for block in blocks:
+        for polygon, origin in zip(block.dead_ends, block.dead_end_origins):
+            joints.polygons.append(polygon)
+            for edge in zip(polygon, polygon[1:] + polygon[:1]):
+                key = (origin, *sorted(edge))
+                parts[key] = parts.get(key, 0) + 1
     joints.faces = joints.origins = list(range(len(joints.polygons)))
-    return joints
+    return joints, [key[1:] for key, count in parts.items() if count == 1]
 
 
-def scene(blocks, picture):
+def frame_edges(box):
+    corners = [tuple(box[axis][(bits >> axis) & 1] for axis in range(3)) for bits in range(8)]
+    return [(corners[a], corners[a | 1 << axis]) for a in range(8) for axis in range(3) if not a >> axis & 1]
+
+
+def scene(blocks, frame, picture):
     glass_over, glass_stages = picture.get("glass_over", math.inf), picture.get("glass_stages", [])
     glass = [block for block in blocks if block.volume > glass_over or block.stage in glass_stages]
     solid = [block for block in blocks if block not in glass]
@@ -218,11 +243,12 @@ def scene(blocks, picture):
             if width:
                 edges = [edge for block in some for edge in edges_of(block)]
                 renderer.AddActor(lines_actor(edges, ink, width, 1.0 if opacity == 1 else 0.5))
-    joints = dead_ends_of(blocks)
+    joints, rims = dead_ends_of(blocks)
     if picture.get("dead_ends") and joints.polygons:
         renderer.AddActor(surface_actor([joints], {-1: [(0.80, 0.30, 0.22)] * len(joints.polygons)}, 0.75))
-        rims = [edge for polygon in joints.polygons for edge in zip(polygon, polygon[1:] + polygon[:1])]
         renderer.AddActor(lines_actor(rims, (0.45, 0.12, 0.08), max(width, 1), 1.0))
+    if picture.get("frame"):
+        renderer.AddActor(lines_actor(frame_edges(frame), (0.4, 0.4, 0.4), 1, 1.0))
     return renderer
 
 
@@ -237,18 +263,32 @@ def light(renderer):
         renderer.AddLight(lamp)
 
 
-def aim(renderer, picture):
+def aim(renderer, points, picture):
+    """Places the camera so that all points fill the picture: its middle and distance are found in a few rounds."""
+    angle = math.radians(22)
+    view = picture.get("view", [1.0, -1.6, 0.9])
+    back = [part / math.hypot(*view) for part in view]
+    flat = math.hypot(back[0], back[1])
+    right = (-back[1] / flat, back[0] / flat, 0.0)
+    up = (-back[2] * right[1], back[2] * right[0], back[0] * right[1] - back[1] * right[0])
+    eye = [tuple(sum(p * a for p, a in zip(point, axis)) for axis in (right, up, back)) for point in points]
+    middle, distance = [sum(axis) / len(axis) for axis in zip(*eye)], 0.0
+    for _ in range(20):
+        deepest = max(point[2] for point in eye) - middle[2]
+        distance = max(distance, 1.05 * deepest)
+        seen = [((x - middle[0]) / (distance - z + middle[2]), (y - middle[1]) / (distance - z + middle[2]))
+                for x, y, z in eye]
+        (left, farright), (low, top) = ((min(axis), max(axis)) for axis in zip(*seen))
+        middle = [middle[0] + distance * (left + farright) / 2, middle[1] + distance * (low + top) / 2, middle[2]]
+        needed = max((farright - left) * SIZE[1] / SIZE[0], top - low) / (2 * math.tan(angle / 2)) / 0.95
+        distance *= needed
+    focus = picture.get("centre") or [sum(m * axis[k] for m, axis in zip(middle, (right, up, back))) for k in range(3)]
+    distance /= picture.get("zoom", 1)
     camera = renderer.GetActiveCamera()
-    bounds = renderer.ComputeVisiblePropBounds()
-    centre = picture.get("centre") or [(bounds[2 * axis] + bounds[2 * axis + 1]) / 2 for axis in range(3)]
-    camera.SetFocalPoint(*centre)
-    camera.SetPosition(*(c + v for c, v in zip(centre, picture.get("view", [1.0, -1.6, 0.9]))))
+    camera.SetViewAngle(math.degrees(angle))
+    camera.SetFocalPoint(*focus)
+    camera.SetPosition(*(f + distance * b for f, b in zip(focus, back)))
     camera.SetViewUp(0, 0, 1)
-    camera.SetViewAngle(22)
-    away = [(p - c) for p, c in zip(camera.GetPosition(), centre)]
-    radius = math.sqrt(sum((bounds[2 * axis + 1] - bounds[2 * axis]) ** 2 for axis in range(3))) / 2
-    distance = radius / math.sin(math.radians(11)) / picture.get("zoom", 1) / math.hypot(*away)
-    camera.SetPosition(*(c + distance * a for c, a in zip(centre, away)))
     renderer.ResetCameraClippingRange()
 
 
@@ -277,9 +317,11 @@ def write_palette_png(path, image, colours_kept=256):
 def draw(name, program, out):
     folder = CASES / name
     picture = json.loads((folder / "picture.json").read_text(encoding="utf-8"))
-    blocks = visible(blocks_of(folder, program, picture.get("arguments", [])), picture)
+    blocks = blocks_of(folder, program, picture.get("arguments", []))
+    frame = box_of(blocks)
+    blocks = visible(blocks, picture)
     move(blocks, picture)
-    renderer = scene(blocks, picture)
+    renderer = scene(blocks, frame, picture)
     renderer.SetUseDepthPeeling(True)
     renderer.SetMaximumNumberOfPeels(30)
     light(renderer)
@@ -289,7 +331,8 @@ def draw(name, program, out):
     window.SetMultiSamples(0)
     window.SetSize(*(OVERSAMPLING * side for side in SIZE))
     window.AddRenderer(renderer)
-    aim(renderer, picture)
+    corners = {point for block in blocks for polygon in block.polygons for point in polygon}
+    aim(renderer, corners | {point for edge in frame_edges(frame) for point in edge if picture.get("frame")}, picture)
     window.Render()
     grab = vtk.vtkWindowToImageFilter()
     grab.SetInput(window)
