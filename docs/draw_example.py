@@ -13,10 +13,13 @@ picture.json beside a model says how it is drawn. All keys may be left out:
     view           [x, y, z]: from where one looks, as a direction from the middle of the picture; z is up
     zoom           1 (default): the picture is filled; larger is nearer
     centre         [x, y, z], m: the middle of the picture, with zoom; by default the middle of what is drawn
-    colour         "block" (default), "stage", "volume" (dark is small), "material", "face" (where faces come from)
+    colour         "block" (default), "stage", "volume" (dark is small), "material", "batch" (of key
+                   blocks), "face" (where faces come from)
+    materials      {"granite": [red, green, blue], …}: colours from 0 to 1 for "material"
     palette        "rock" (default), "brick", "soil": what colours blocks and faces have
     hide           [{"stages": [0, …], "beyond": [{"point": [x, y, z], "normal": [x, y, z]}, …]}, …]: blocks of these
-                   stages (without the key: of any) are left out if their centroid is beyond all of the planes
+                   stages (without the key: of any) are left out if their centroid is beyond all of the planes;
+                   with "keyblocks": false key blocks are not
     frame          true: the edges of the box of the whole model
     explode        each block goes outwards by this share of its distance from the middle (0)
     move_stages    {"1": [dx, dy, dz], …}: blocks of a stage are moved by so many m
@@ -25,12 +28,14 @@ picture.json beside a model says how it is drawn. All keys may be left out:
     dead_ends      true: joints that end inside blocks are drawn too
     edges          width of the edges in pixels (1); 0: none
     arguments      ["--set", …]: more arguments for the program
+    add            ["[[solid]]", …]: lines that the model gets for the picture, as a cut through it
 """
 import argparse
 import colorsys
 import json
 import math
 import random
+import shutil
 import struct
 import subprocess
 import tempfile
@@ -53,17 +58,29 @@ class Block:
 
     def __init__(self, number):
         self.number, self.polygons, self.faces, self.origins = number, [], [], []
-        self.volume, self.stage, self.centroid, self.material = 0.0, 0, (0, 0, 0), 0
+        self.volume, self.stage, self.centroid, self.material, self.batch = 0.0, 0, (0, 0, 0), "", 0
         self.dead_ends, self.dead_end_origins = [], []
 
 
-def blocks_of(folder, program, arguments):
+def batches_of(model, program, arguments):
+    """{block number: batch} of the key blocks."""
+    done = subprocess.run([program, "support", model, "--json", "-o", model.parent / "support.vtkhdf", *arguments],
+                          check=True, capture_output=True, text=True)
+    return {block["block"]: block["batch"] for block in json.loads(done.stdout)["keyblocks"]}
+
+
+def blocks_of(folder, program, picture):
     """Cuts the model of a case and reads its blocks from the exports."""
+    arguments = picture.get("arguments", [])
     with tempfile.TemporaryDirectory() as temporary:
+        model = Path(shutil.copytree(folder, Path(temporary) / "case")) / "model.toml"
+        with model.open("a", encoding="utf-8") as text:
+            text.write("\n" + "\n".join(picture.get("add", [])) + "\n")
         surface, details = Path(temporary) / "blocks.vtp", Path(temporary) / "blocks.json"
-        cut = subprocess.run([program, "cut", folder / "model.toml", "--json", "-o", Path(temporary) / "result.vtkhdf",
+        cut = subprocess.run([program, "cut", model, "--json", "-o", Path(temporary) / "result.vtkhdf",
                               "--export", surface, "--export", details, *arguments],
                              check=True, capture_output=True, text=True)
+        batches = batches_of(model, program, arguments) if picture.get("colour") == "batch" else {}
         reader = vtk.vtkXMLPolyDataReader()
         reader.SetFileName(str(surface))
         reader.Update()
@@ -88,6 +105,7 @@ def blocks_of(folder, program, arguments):
             block.dead_ends.append([tuple(point) for point in dead_end["points"]])
             block.dead_end_origins.append(dead_end["origin"])
         block.material = reported[entry["id"]]["material"]
+        block.batch = batches.get(entry["id"], 0)
     return list(blocks.values())
 
 
@@ -98,7 +116,8 @@ def beyond(planes, point):
 
 def visible(blocks, picture):
     def hidden(block, rule):
-        return block.stage in rule.get("stages", [block.stage]) and beyond(rule.get("beyond", []), block.centroid)
+        return (block.stage in rule.get("stages", [block.stage]) and beyond(rule.get("beyond", []), block.centroid)
+                and (rule.get("keyblocks", True) or not block.batch))
     return [block for block in blocks if not any(hidden(block, rule) for rule in picture.get("hide", []))]
 
 
@@ -142,8 +161,11 @@ def colours(blocks, picture):
     for block in blocks:
         if how == "stage":
             one = STAGE_COLOURS[block.stage % len(STAGE_COLOURS)]
-        elif how == "material":
-            one = STAGE_COLOURS[block.material % len(STAGE_COLOURS)]
+        elif how == "batch":
+            one = STAGE_COLOURS[1 + (block.batch - 1) % 4] if block.batch else STAGE_COLOURS[0]
+        elif how == "material":  # neighbours differ a little
+            shade = random.Random(block.number).uniform(0.85, 1.0)
+            one = [shade * part for part in picture.get("materials", {}).get(block.material, STAGE_COLOURS[0])]
         elif how == "volume":
             share = (math.log(block.volume) - low) / (high - low)
             one = colorsys.hls_to_rgb(0.62 - 0.52 * share, 0.35 + 0.40 * share, 0.55)
@@ -317,7 +339,7 @@ def write_palette_png(path, image, colours_kept=256):
 def draw(name, program, out):
     folder = CASES / name
     picture = json.loads((folder / "picture.json").read_text(encoding="utf-8"))
-    blocks = blocks_of(folder, program, picture.get("arguments", []))
+    blocks = blocks_of(folder, program, picture)
     frame = box_of(blocks)
     blocks = visible(blocks, picture)
     move(blocks, picture)

@@ -2,7 +2,7 @@
 """Writes the ground and the rock head of this case from a formula (README.md); no measured elevations.
 
     ./make_terrain.py            writes great_wall_ground.asc and great_wall_rock.asc beside this file
-    ./make_terrain.py --path     prints the wall's path: points on the crest, 12 m apart
+    ./make_terrain.py --path     prints the wall's path: points on the crest, 14 m apart
 """
 import math
 import sys
@@ -40,7 +40,7 @@ def write(name, elevation):
 
 
 if sys.argv[1:] == ["--path"]:
-    print("path = [" + ", ".join(f"[{x}, {ridge(x):.2f}, {ground(x, ridge(x)):.2f}]" for x in range(18, 223, 12)) + "]")
+    print("path = [" + ", ".join(f"[{x}, {ridge(x):.2f}, {ground(x, ridge(x)):.2f}]" for x in range(22, 219, 14)) + "]")
 else:
     write("great_wall_ground.asc", ground)
     write("great_wall_rock.asc", rock_head)
