@@ -71,8 +71,9 @@ Model hilly_terrain(Index posts) {
 Model bumpy_ball(Index rings) {
   const Index around = 2 * rings;
   auto ball = std::make_shared<TriangleSurface>();
-  const auto point = [](Real polar, Real turn) {
-    const Real r = 10 + 0.5 * std::sin(5 * polar) * std::sin(7 * turn);
+  std::mt19937_64 random(7);
+  const auto point = [&random](Real polar, Real turn) {
+    const Real r = 10 + 0.5 * std::sin(5 * polar) * std::sin(7 * turn) + 0.02 * uniform(random);
     return r * Vec3{std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn),
                     std::cos(polar)};
   };

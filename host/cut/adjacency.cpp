@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include "host/cut/contacts.hpp"
+#include "host/cut/patch_finder.hpp"
 #include "host/parallel.hpp"
 
 namespace rockfold {
@@ -34,7 +36,21 @@ Box box_of(const Polygon& polygon) {
 class PlaneLabeller {
  public:
   PlaneLabeller(const Complex& complex, Index plane)
-      : complex_(complex), plane_(plane), clipper_(complex.planes) {}
+      : complex_(complex),
+        plane_(plane),
+        clipper_(complex.planes),
+        joints_(complex.joints_by_plane.on(plane), complex.planes.normal(plane),
+                [&](Index j) { return complex.joints[j].patch.box; }),
+        facets_(complex.facets_by_plane.on(plane), complex.planes.normal(plane),
+                [&](Index f) { return complex.facets[f].patch.box; }) {
+    bool several = false;
+    for (const Index f : complex.facets_by_plane.on(plane))
+      if (names_rock(complex.facets[f])) {
+        several = several || (only_origin_ != none && only_origin_ != complex.facets[f].origin);
+        only_origin_ = complex.facets[f].origin;
+      }
+    if (several) only_origin_ = none;
+  }
 
   PlaneResult run(PlaneContacts& contacts) {
     result_.fragments.reserve(contacts.shared.size());
@@ -66,12 +82,20 @@ class PlaneLabeller {
     if (below.stage != above.stage) return add_whole(shared, excavation_origin(shared), none);
     const Index rest = interface_between(below, above);
     usable_.clear();
-    for (const Index j : complex_.joints_by_plane.on(plane_))
+    for (const Index j : joints_near(shared))
       if (applies(complex_.joints[j], shared)) usable_.push_back(j);
     if (usable_.empty()) return add_whole(shared, rest, none);
     if (const JointPatch& first = complex_.joints[usable_.front()]; !first.patch.bounded())
       return add_whole(shared, first.origin, first.instance);
     divide_by_joints(shared, rest);
+  }
+
+  // Of few joints all: divide_by_joints() looks at their boxes.
+  std::span<const Index> joints_near(const SharedArea& shared) {
+    const auto on_plane = complex_.joints_by_plane.on(plane_);
+    if (on_plane.size() <= 16) return on_plane;
+    joints_.near(box_of(polygon_of(shared)), complex_.planes.tolerance(), near_);
+    return near_;
   }
 
   Polygon polygon_of(const SharedArea& shared) const {
@@ -125,7 +149,8 @@ class PlaneLabeller {
     const Polygon polygon = polygon_of(shared);
     Index best = none;
     Real most = 0;
-    for (const Index f : complex_.facets_by_plane.on(plane_)) {
+    facets_.near(box_of(polygon), complex_.planes.tolerance(), near_);
+    for (const Index f : near_) {
       const Facet& facet = complex_.facets[f];
       if (complex_.bodies[facet.body].role != Body::Role::excavation || facet.origin == none)
         continue;
@@ -188,15 +213,17 @@ class PlaneLabeller {
     return joints.empty() ? none : complex_.joints[joints.front()].origin;
   }
 
+  bool names_rock(const Facet& facet) const {
+    return facet.origin != none && complex_.bodies[facet.body].role == Body::Role::solid;
+  }
+
   // The faces of solids that a free area lies on: of the solid that was added or taken away there last.
   std::vector<Part> divide_by_facets(Polygon polygon) {
-    const auto on_plane = complex_.facets_by_plane.on(plane_);
+    if (only_origin_ != none) return {{std::move(polygon), only_origin_}};
+    facets_.near(box_of(polygon), complex_.planes.tolerance(), near_);
     usable_.clear();
-    for (std::size_t i = on_plane.size(); i-- > 0;) {
-      const Facet& facet = complex_.facets[on_plane[i]];
-      if (facet.origin != none && complex_.bodies[facet.body].role == Body::Role::solid)
-        usable_.push_back(on_plane[i]);
-    }
+    for (std::size_t i = near_.size(); i-- > 0;)
+      if (names_rock(complex_.facets[near_[i]])) usable_.push_back(near_[i]);
     if (usable_.size() == 1) return {{std::move(polygon), complex_.facets[usable_.front()].origin}};
     std::vector<Part> parts;
     std::vector<Polygon> left{std::move(polygon)};
@@ -237,7 +264,9 @@ class PlaneLabeller {
   const Index plane_;
   PolygonClipper clipper_;
   PlaneResult result_;
-  std::vector<Index> usable_;  // joints or facets that count for the area at hand
+  PatchFinder joints_, facets_;
+  Index only_origin_ = none;          // of all the plane's faces of solids
+  std::vector<Index> near_, usable_;  // joints or facets that count for the area at hand
 };
 
 }  // namespace

@@ -61,6 +61,20 @@ struct AuxTree::Builder {
     return best;
   }
 
+  // The middle polygon's lower end where it is another one's too, as on a grid; else the middle to the next lower one, so
+  // that the plane passes through nobody's corner.
+  Real between(const std::vector<Index>& list, std::vector<Index>::const_iterator middle,
+               int d) const {
+    const Real low = box(*middle).low[d];
+    Real before = -Box::infinity;
+    for (auto it = list.begin(); it != list.end(); ++it) {
+      const Real other = box(*it).low[d];
+      if (it != middle && other == low) return low;
+      if (other < low) before = std::max(before, other);
+    }
+    return before > -Box::infinity ? 0.5 * (before + low) : low;
+  }
+
   // The median of the polygons' lower ends along the longest axis on which that divides them.
   Split divide(std::vector<Index>& list, const Box& used) const {
     int axes[3] = {0, 1, 2};
@@ -73,7 +87,7 @@ struct AuxTree::Builder {
       std::nth_element(list.begin(), middle, list.end(), [&](Index i, Index j) {
         return box(i).low[d] != box(j).low[d] ? box(i).low[d] < box(j).low[d] : i < j;
       });
-      const Split split{d, box(*middle).low[d]};
+      const Split split{d, between(list, middle, d)};
       std::size_t below = 0, above = 0;
       for (const Index i : list) below += is_below(i, split), above += is_above_plane(i, split);
       if (5 * std::max(below, above) <= 4 * list.size()) return split;

@@ -1,6 +1,7 @@
 // The complex of convex cells that a model is cut into: the one data structure behind blocks, covers and contacts.
 #pragma once
 
+#include <compare>
 #include <vector>
 
 #include "host/cut/convex_cell.hpp"
@@ -68,7 +69,7 @@ struct Zone {
   Index stage = 0;            ///< at which it is excavated; 0 = it stays
   std::vector<Index> within;  ///< solids named by joints' `within` whose shapes hold it, ascending
   std::vector<Index> merges;  ///< merge regions that hold it, ascending
-  auto operator<=>(const Zone&) const = default;
+  std::strong_ordering operator<=>(const Zone&) const = default;
 };
 
 struct Complex {

@@ -75,8 +75,7 @@ void PolygonClipper::write_part(const Polygon& polygon, HalfSpaceId h, Polygon& 
   }
 }
 
-void PolygonClipper::split(const Polygon& polygon, HalfSpaceId h, Polygon& inside,
-                           Polygon* outside) {
+PolygonClipper::Extent PolygonClipper::classify(const Polygon& polygon, HalfSpaceId h) {
   side_.resize(polygon.corner.size());
   bool above = false, below = false;
   for (std::size_t k = 0; k < polygon.corner.size(); ++k) {
@@ -84,7 +83,12 @@ void PolygonClipper::split(const Polygon& polygon, HalfSpaceId h, Polygon& insid
     above = above || side_[k] > 0;
     below = below || side_[k] < 0;
   }
-  const bool any_inside = is_above(h) ? above : below, any_outside = is_above(h) ? below : above;
+  return is_above(h) ? Extent{above, below} : Extent{below, above};
+}
+
+void PolygonClipper::split(const Polygon& polygon, HalfSpaceId h, Polygon& inside,
+                           Polygon* outside) {
+  const Extent extent = classify(polygon, h);
   inside.corner.clear();
   inside.edge.clear();
   inside.plane = polygon.plane;
@@ -92,11 +96,11 @@ void PolygonClipper::split(const Polygon& polygon, HalfSpaceId h, Polygon& insid
     outside->corner.clear();
     outside->edge.clear();
     outside->plane = polygon.plane;
-    if (any_outside && !any_inside) *outside = polygon;
-    if (any_outside && any_inside) write_part(polygon, h ^ 1, *outside);
+    if (extent.outside && !extent.inside) *outside = polygon;
+    if (extent.outside && extent.inside) write_part(polygon, h ^ 1, *outside);
   }
-  if (any_inside && !any_outside) inside = polygon;
-  if (any_inside && any_outside) write_part(polygon, h, inside);
+  if (extent.inside && !extent.outside) inside = polygon;
+  if (extent.inside && extent.outside) write_part(polygon, h, inside);
 }
 
 PolygonClipper::Share PolygonClipper::share(const Polygon& polygon,
@@ -114,23 +118,38 @@ PolygonClipper::Share PolygonClipper::share(const Polygon& polygon,
   return all ? Share::all : Share::some;
 }
 
+// Nothing is copied before something is cut off: most pairs of polygons have nothing in common.
 Polygon PolygonClipper::intersection(const Polygon& a, std::span<const HalfSpaceId> inside) {
-  Polygon result = a, part;
+  Polygon result, part;
+  const Polygon* now = &a;
   for (const HalfSpaceId h : inside) {
-    split(result, h, part, nullptr);
+    const Extent extent = classify(*now, h);
+    if (!extent.inside) return {};
+    if (!extent.outside) continue;
+    write_part(*now, h, part);
     std::swap(result, part);
+    now = &result;
     if (result.empty()) return {};
   }
-  return result;
+  return now == &a ? a : result;
 }
 
 void PolygonClipper::subtract(const Polygon& a, std::span<const HalfSpaceId> inside,
                               std::vector<Polygon>& rest) {
-  Polygon kept = a, part, outside;
+  Polygon kept, part;
+  const Polygon* now = &a;
   for (const HalfSpaceId h : inside) {
-    split(kept, h, part, &outside);
-    if (!outside.empty()) rest.push_back(outside);
+    const Extent extent = classify(*now, h);
+    if (!extent.outside && extent.inside) continue;
+    if (!extent.inside) {
+      if (extent.outside) rest.push_back(*now);
+      return;
+    }
+    write_part(*now, h ^ 1, part);
+    if (!part.empty()) rest.push_back(part);
+    write_part(*now, h, part);
     std::swap(kept, part);
+    now = &kept;
     if (kept.empty()) return;
   }
 }

@@ -54,6 +54,10 @@ class PolygonClipper {
   IntentCount intent;
 
  private:
+  struct Extent {
+    bool inside, outside;  // whether any corner lies strictly there
+  };
+  Extent classify(const Polygon& polygon, HalfSpaceId h);
   void write_part(const Polygon& polygon, HalfSpaceId h, Polygon& part) const;
 
   const PlaneTable& planes_;

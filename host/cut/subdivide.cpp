@@ -191,13 +191,7 @@ class Cutter {
   // Whether the polygon's interior meets the section, which is the last face of the part below.
   bool section_meets(const ConvexCell& below, const Patch& patch) {
     if (!patch.bounded()) return true;
-    Polygon section = face_polygon(below, below.faces.back()), part;
-    for (const HalfSpaceId edge : patch.edges) {
-      clipper_.split(section, edge, part, nullptr);
-      if (part.empty()) return false;
-      std::swap(section, part);
-    }
-    return true;
+    return !clipper_.intersection(face_polygon(below, below.faces.back()), patch.edges).empty();
   }
 
   void descend(std::size_t depth, const CellView& cell, Index node, const SurfaceList& list,
