@@ -119,8 +119,7 @@ int hand_out_examples(const Options& options) {
     if (!options.quiet) {
       text = fmt::format("{}: {}\n", files.front(), example.summary);
       if (files.size() > 1)
-        text += fmt::format("and what it names: {}\n",
-                            fmt::join(files.begin() + 1, files.end(), ", "));
+        text += fmt::format("with it: {}\n", fmt::join(files.begin() + 1, files.end(), ", "));
     }
   }
   if (options.json)

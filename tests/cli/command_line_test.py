@@ -187,19 +187,20 @@ class Examples(ProgramTest):
     def test_tell_all_files_that_they_write(self):
         document = self.json_of("examples", "great_wall")
         self.assertEqual(document["written"], "great_wall.toml")
-        self.assertEqual(document["files"], ["great_wall.toml", "great_wall_ridge.asc"])
+        self.assertEqual(document["files"], ["great_wall.toml", "great_wall_ground.asc", "great_wall_rock.asc"])
         self.assertEqual(self.files(), sorted(document["files"]))
         for file in self.files():
             (self.folder / file).unlink()
-        self.assertIn("and what it names: great_wall_ridge.asc", self.run_program("examples", "great_wall").stdout)
+        self.assertIn("with it: great_wall_ground.asc, great_wall_rock.asc",
+                      self.run_program("examples", "great_wall").stdout)
 
     def test_are_written_whole_or_not_at_all(self):
-        self.write("great_wall_ridge.asc", "mine")
+        self.write("great_wall_rock.asc", "mine")
         message = self.run_program("examples", "great_wall", status=3).stderr
-        self.assertIn("great_wall_ridge.asc", message)
+        self.assertIn("great_wall_rock.asc", message)
         self.assertIn("is there already", message)
-        self.assertEqual(self.files(), ["great_wall_ridge.asc"])
-        self.assertEqual((self.folder / "great_wall_ridge.asc").read_text(encoding="utf-8"), "mine")
+        self.assertEqual(self.files(), ["great_wall_rock.asc"])
+        self.assertEqual((self.folder / "great_wall_rock.asc").read_text(encoding="utf-8"), "mine")
 
     def test_leave_a_file_of_that_name_alone(self):
         self.write("cube.toml", "mine")
