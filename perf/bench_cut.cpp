@@ -5,6 +5,8 @@
 //   cut        solids, joints, adjacency and blocks: host/cut as a whole
 //   adjacency  the part of it that finds who touches whom
 //   flatten    merged faces and flat arrays
+//
+// peak_bytes/cell is of the process: it says something where this benchmark is run alone.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -20,59 +22,12 @@
 #include "host/cut/adjacency.hpp"
 #include "host/cut/complex.hpp"
 #include "host/cut/cut.hpp"
-#include "host/exact/orientation.hpp"
 #include "host/flatten/flatten.hpp"
-#include "perf/plain_splitter.hpp"
+#include "perf/memory.hpp"
+#include "perf/three_sets.hpp"
 
 namespace rockfold {
 namespace {
-
-constexpr Real edge = 10;  // m
-
-// Spacings that make about as many blocks as asked for.
-Model three_sets(std::int64_t blocks) {
-  const Real spacing = 0.94 * edge / std::cbrt(static_cast<Real>(blocks));
-  Model model;
-  Solid rock;
-  rock.name = "rock";
-  rock.shape = BoxShape{{0, 0, 0}, {edge, edge, edge}};
-  rock.continues.assign(6, false);
-  model.solids.push_back(rock);
-  const auto add = [&](Real dip, Real direction, Real apart) {
-    JointSet set;
-    set.orientation = DipOrientation{dip, direction};
-    set.spacing = apart;
-    set.origin = {0.01, 0.02, 0.03};
-    model.joint_sets.push_back(set);
-  };
-  add(60, 90, spacing), add(70, 200, 1.1 * spacing), add(20, 320, 0.9 * spacing);
-  return model;
-}
-
-// The planes of the sets in bisecting order, as host/cut takes them.
-std::vector<PlainPlane> plain_planes(const Model& model) {
-  std::vector<PlainPlane> sorted, planes;
-  for (const JointSet& set : model.joint_sets) {
-    const Vec3 n = normal_of(set.orientation);
-    Real low = 1e300, high = -1e300;
-    for (int c = 0; c < 8; ++c) {
-      const Real t =
-          dot(n, Vec3{c & 1 ? edge : 0, c & 2 ? edge : 0, c & 4 ? edge : 0} - set.origin) /
-          set.spacing;
-      low = std::min(low, t), high = std::max(high, t);
-    }
-    for (Real k = std::ceil(low); k <= high; ++k)
-      sorted.push_back({n, dot(n, set.origin) + k * set.spacing});
-  }
-  unsigned bits = 0;
-  while ((std::size_t{1} << bits) < sorted.size()) ++bits;
-  for (unsigned i = 0; i < 1u << bits; ++i) {
-    unsigned reversed = 0;
-    for (unsigned b = 0; b < bits; ++b) reversed |= (i >> b & 1u) << (bits - 1 - b);
-    if (reversed < sorted.size()) planes.push_back(sorted[reversed]);
-  }
-  return planes;
-}
 
 struct Plain {
   std::int64_t blocks = 0;
@@ -90,7 +45,7 @@ const Plain& measure_plain(std::int64_t asked) {
   const auto planes = plain_planes(three_sets(asked));
   for (int i = 0; i < 3; ++i) {
     const double began = seconds();
-    const auto cells = PlainSplitter(planes).run({0, 0, 0}, {edge, edge, edge});
+    const auto cells = PlainSplitter(planes).run({0, 0, 0}, {cube_edge, cube_edge, cube_edge});
     result.blocks = static_cast<std::int64_t>(cells.size());
     result.rate = std::max(result.rate, static_cast<double>(cells.size()) / (seconds() - began));
   }
@@ -110,14 +65,15 @@ void report(benchmark::State& state, std::int64_t blocks) {
 
 // Long double: adding 100,000 equal volumes in double loses 2e-12 by its own rounding.
 void check_volume(benchmark::State& state, long double volume) {
-  if (!(std::abs(volume / (edge * edge * edge) - 1) < 1e-12))
+  if (!(std::abs(volume / (cube_edge * cube_edge * cube_edge) - 1) < 1e-12))
     state.SkipWithError("the blocks do not fill the cube");
 }
 
 void plain(benchmark::State& state) {
   const auto planes = plain_planes(three_sets(state.range(0)));
   std::vector<PlainCell> cells;
-  for (auto _ : state) cells = PlainSplitter(planes).run({0, 0, 0}, {edge, edge, edge});
+  for (auto _ : state)
+    cells = PlainSplitter(planes).run({0, 0, 0}, {cube_edge, cube_edge, cube_edge});
   long double volume = 0;
   for (const PlainCell& c : cells) volume += plain_volume(c);
   check_volume(state, volume);
@@ -129,8 +85,14 @@ void cut(benchmark::State& state) {
   const Model model = three_sets(state.range(0));
   Progress silent;
   Cutting cutting;
-  for (auto _ : state) cutting = cut_blocks(model, silent);
-  check_volume(state, cutting.totals.solid_volume);
+  for (auto _ : state) {
+    cutting = {};
+    cutting = cut_blocks(model, silent);
+  }
+  long double volume = 0;
+  for (const CellMoments& m : cutting.complex->moments) volume += m.volume;
+  check_volume(state, volume);
+  state.counters["peak_bytes/cell"] = peak_bytes() / static_cast<double>(cutting.totals.cells);
   report(state, cutting.complex->block_count);
 }
 
@@ -164,11 +126,17 @@ void flatten(benchmark::State& state) {
   report(state, blocks.block_count());
 }
 
-BENCHMARK(plain)->ArgName("blocks")->Arg(1000)->Arg(10000)->Arg(100000)->UseRealTime()->Unit(
-    benchmark::kMillisecond);
+BENCHMARK(plain)
+    ->ArgName("blocks")
+    ->Arg(1000)
+    ->Arg(10000)
+    ->Arg(100000)
+    ->Arg(1000000)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 void sizes(benchmark::internal::Benchmark* b) {
   b->ArgNames({"blocks", "threads"})->UseRealTime()->Unit(benchmark::kMillisecond);
-  for (const std::int64_t blocks : {1000, 10000, 100000})
+  for (const std::int64_t blocks : {1000, 10000, 100000, 1000000})
     for (const std::int64_t threads : {1, 2}) b->Args({blocks, threads});
 }
 BENCHMARK(cut)->Apply(sizes);

@@ -1,8 +1,8 @@
 #include "host/cut/blocks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -74,13 +74,20 @@ void find_blocks(Complex& complex, const Model& model) {
     sum[complex.cell_block[c]].first += complex.moments[c].first;
   }
   const Real unit = 1e-9 * complex.planes.model_size();
-  std::vector<std::array<Real, 3>> key(sum.size());
-  for (std::size_t b = 0; b < sum.size(); ++b)
-    for (int d = 0; d < 3; ++d) key[b][d] = std::round(sum[b].first[2 - d] / sum[b].volume / unit);
-  std::vector<Index> order(sum.size()), rank(sum.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key[a] < key[b]; });
-  for (std::size_t i = 0; i < order.size(); ++i) rank[order[i]] = static_cast<Index>(i);
+  struct Placed {
+    std::array<Real, 3> key;
+    Index block;
+    auto operator<=>(const Placed&) const = default;
+  };
+  std::vector<Placed> order(sum.size());
+  for (std::size_t b = 0; b < sum.size(); ++b) {
+    order[b].block = static_cast<Index>(b);
+    for (int d = 0; d < 3; ++d)
+      order[b].key[d] = std::round(sum[b].first[2 - d] / sum[b].volume / unit);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<Index> rank(sum.size());
+  for (std::size_t i = 0; i < order.size(); ++i) rank[order[i].block] = static_cast<Index>(i);
   for (Index& b : complex.cell_block) b = rank[b];
 }
 

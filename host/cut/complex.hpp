@@ -2,6 +2,9 @@
 #pragma once
 
 #include <compare>
+#include <memory>
+#include <new>
+#include <utility>
 #include <vector>
 
 #include "host/cut/convex_cell.hpp"
@@ -11,6 +14,23 @@
 #include "src/arrays/block_arrays.hpp"
 
 namespace rockfold {
+
+/// For arrays that are filled on all threads at once, each page by the thread that first writes to it: resize() leaves new
+/// elements unwritten. For types that may be copied byte by byte.
+template <class T>
+struct UnwrittenAllocator : std::allocator<T> {
+  template <class U>
+  struct rebind {
+    using other = UnwrittenAllocator<U>;
+  };
+  void construct(T*) {}
+  template <class... Args>
+  void construct(T* at, Args&&... args) {
+    ::new (static_cast<void*>(at)) T(std::forward<Args>(args)...);
+  }
+};
+template <class T>
+using UnwrittenVector = std::vector<T, UnwrittenAllocator<T>>;
 
 /// Convex cells in flat arrays; face and vertex numbers are local to their cell.
 class CellStore {
@@ -26,9 +46,9 @@ class CellStore {
   std::int64_t face_begin(Index cell) const { return face_begin_[cell]; }
 
  private:
-  std::vector<Vertex> vertices_;
-  std::vector<ConvexCell::Face> faces_;
-  std::vector<ConvexCell::Corner> corners_;
+  UnwrittenVector<Vertex> vertices_;
+  UnwrittenVector<ConvexCell::Face> faces_;
+  UnwrittenVector<ConvexCell::Corner> corners_;
   std::vector<std::int64_t> vertex_begin_{0}, face_begin_{0}, corner_begin_{0};
 };
 

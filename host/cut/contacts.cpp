@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "host/parallel.hpp"
 #include "src/base/vector.hpp"
@@ -37,14 +38,6 @@ std::uint64_t edge_set_hash(const CellView& cell, const ConvexCell::Face& face) 
   return sum;
 }
 
-std::vector<HalfSpaceId> edge_set(const CellView& cell, const ConvexCell::Face& face) {
-  std::vector<HalfSpaceId> set;
-  for (const auto& corner : cell.corners.subspan(face.begin, face.count))
-    set.push_back(corner.neighbour);
-  std::sort(set.begin(), set.end());
-  return set;
-}
-
 // Matches the faces of the cells below a plane with those of the cells above it.
 class PlaneMatcher {
  public:
@@ -74,8 +67,20 @@ class PlaneMatcher {
 
   ConvexCell::Face face(const FaceRef& ref) const { return cells_[ref.cell].faces[ref.face]; }
 
+  // Seen from their own cells the loops of one area run against each other.
   bool same_edges(const FaceRef& a, const FaceRef& b) const {
-    return edge_set(cells_[a.cell], face(a)) == edge_set(cells_[b.cell], face(b));
+    const ConvexCell::Face f = face(a), g = face(b);
+    if (f.count != g.count) return false;
+    const auto* x = &cells_[a.cell].corners[f.begin];
+    const auto* y = &cells_[b.cell].corners[g.begin];
+    std::int32_t j = 0;
+    while (j < g.count && y[j].neighbour != x[0].neighbour) ++j;
+    if (j == g.count) return false;
+    for (std::int32_t k = 1; k < f.count; ++k) {
+      j = j == 0 ? g.count - 1 : j - 1;
+      if (y[j].neighbour != x[k].neighbour) return false;
+    }
+    return true;
   }
 
   void match_equal(const std::vector<PlaneFace>& below, const std::vector<PlaneFace>& above) {
@@ -177,18 +182,33 @@ struct FacesByPlane {
 };
 
 FacesByPlane sort_by_plane(const PlaneTable& planes, const CellStore& cells) {
+  const auto n = static_cast<std::int64_t>(cells.size()), plane_count = std::int64_t{planes.size()};
+  const std::int64_t total = cells.face_begin(cells.size());
+  // Each part of the cells counts for itself, where that takes little memory beside the faces.
+  const std::int64_t parts = std::clamp<std::int64_t>(total / (4 * plane_count + 1000), 1, 64);
+  const auto first = [&](std::int64_t part) { return static_cast<Index>(part * n / parts); };
+  std::vector<std::vector<std::int64_t>> next(parts);
+  parallel_for(parts, 1, [&](std::int64_t part) {
+    next[part].assign(plane_count, 0);
+    for (Index c = first(part); c < first(part + 1); ++c)
+      for (const auto& f : cells[c].faces) ++next[part][plane_of(f.inside)];
+  });
   FacesByPlane result;
-  result.begin.assign(static_cast<std::size_t>(planes.size()) + 1, 0);
-  for (Index c = 0; c < cells.size(); ++c)
-    for (const auto& f : cells[c].faces) ++result.begin[plane_of(f.inside) + 1];
-  for (std::size_t p = 1; p < result.begin.size(); ++p) result.begin[p] += result.begin[p - 1];
-  result.faces.resize(result.begin.back());
-  std::vector<std::int64_t> next(result.begin.begin(), result.begin.end() - 1);
-  for (Index c = 0; c < cells.size(); ++c) {
-    const CellView cell = cells[c];
-    for (std::size_t f = 0; f < cell.faces.size(); ++f)
-      result.faces[next[plane_of(cell.faces[f].inside)]++] = {{c, static_cast<Index>(f)}, 0};
+  result.begin.assign(plane_count + 1, 0);
+  for (std::int64_t p = 0; p < plane_count; ++p) {
+    std::int64_t at = result.begin[p];
+    for (auto& counts : next) at += std::exchange(counts[p], at);
+    result.begin[p + 1] = at;
   }
+  result.faces.resize(total);
+  parallel_for(parts, 1, [&](std::int64_t part) {
+    for (Index c = first(part); c < first(part + 1); ++c) {
+      const CellView cell = cells[c];
+      for (std::size_t f = 0; f < cell.faces.size(); ++f)
+        result.faces[next[part][plane_of(cell.faces[f].inside)]++] = {
+            {c, static_cast<Index>(f)}, edge_set_hash(cell, cell.faces[f])};
+    }
+  });
   return result;
 }
 
@@ -201,10 +221,8 @@ void for_each_plane(const PlaneTable& planes, const CellStore& cells,
     if (by_plane.begin[plane] == by_plane.begin[plane + 1]) return;
     std::vector<PlaneFace> below, above;  // cells below and above the plane
     for (auto i = by_plane.begin[plane]; i < by_plane.begin[plane + 1]; ++i) {
-      PlaneFace f = by_plane.faces[i];
-      const CellView cell = cells[f.ref.cell];
-      f.hash = edge_set_hash(cell, cell.faces[f.ref.face]);
-      (is_above(cell.faces[f.ref.face].inside) ? above : below).push_back(f);
+      const PlaneFace& f = by_plane.faces[i];
+      (is_above(cells[f.ref.cell].faces[f.ref.face].inside) ? above : below).push_back(f);
     }
     const auto p = static_cast<Index>(plane);
     PlaneContacts contacts = PlaneMatcher(planes, cells, p).run(below, above);
