@@ -140,8 +140,7 @@ void LatticePlanes::add_planes(PlaneTable& planes) {
     const Exact at_node = rockfold::dot(plane.n, node);
     for (Index v = low; v <= high; ++v) {
       plane.d = at_node + Exact(shift + v) * Exact(spacing_);
-      const HalfSpaceId found = planes.find(plane);
-      family.upper.push_back(found != none ? found : half_space(planes.add(plane), true));
+      family.upper.push_back(planes.find_or_add(plane));
     }
   }
 }

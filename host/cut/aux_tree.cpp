@@ -37,8 +37,7 @@ struct AuxTree::Builder {
     Vec3 normal{};
     normal[split.axis] = 1;
     ExactPlane plane{exact(normal), Exact(split.at) + Exact(planes.centre()[split.axis])};
-    const HalfSpaceId found = planes.find(plane);
-    return found != none ? found : half_space(planes.add(plane), true);
+    return planes.find_or_add(plane, Known::exactly);
   }
 
   bool is_below(Index i, const Split& s) const {

@@ -104,8 +104,8 @@ class EdgePlanes {
   void offer(Edge& e, Index plane) const {
     const Index own = polygons_[e.polygon].plane;
     if (plane == own || plane == e.plane) return;
-    if (std::abs(distance(e.a, plane)) > planes_.tolerance() ||
-        std::abs(distance(e.b, plane)) > planes_.tolerance())
+    const Real tolerance = planes_.tolerance(plane, own);
+    if (std::abs(distance(e.a, plane)) > tolerance || std::abs(distance(e.b, plane)) > tolerance)
       return;
     const Real sine = norm(cross(planes_.normal(plane), planes_.normal(own)));
     if (sine <= guard_sine) return;
@@ -118,10 +118,10 @@ class EdgePlanes {
 
   Index own_plane(const Edge& e) const {
     const ExactVec3 a = exact(e.a), b = exact(e.b);
-    const ExactPlane plane = plane_along(a, {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
-                                         exact(planes_.normal(polygons_[e.polygon].plane)));
-    const HalfSpaceId found = planes_.find(plane);
-    return found != none ? plane_of(found) : planes_.add(plane);
+    const Index own = polygons_[e.polygon].plane;
+    const ExactPlane plane =
+        plane_along(a, {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, exact(planes_.normal(own)));
+    return plane_of(planes_.find_or_add(plane, planes_.known(own)));
   }
 
   PlaneTable& planes_;

@@ -101,7 +101,7 @@ class JointPlanes {
         finite.push_back(id);
         continue;
       }
-      plane_[i] = find_or_add(joints_[i].plane);
+      plane_[i] = find_or_add(joints_[i].plane, Known::nearly);
       unbounded_.push_back(plane_[i]);
     }
     std::sort(unbounded_.begin(), unbounded_.end());
@@ -119,19 +119,28 @@ class JointPlanes {
       for (const Index other : larger[r]) offer(joint, plane_[finite[other]], plane);
       for (const Index other : unbounded_) offer(joint, other, plane);
       if (plane == none)
-        plane = find_or_add(own_plane(joint));
+        plane = find_or_add_own(joint);
       else
-        ++identified_;
+        ++identified_, planes_.loosen(plane);
     }
     return std::move(plane_);
   }
 
  private:
-  Index find_or_add(const ExactPlane& plane) {
-    const HalfSpaceId found = planes_.find(plane);
-    if (found == none) return planes_.add(plane);
-    ++identified_;
+  Index find_or_add(const ExactPlane& plane, Known known) {
+    const Index before = planes_.size();
+    const HalfSpaceId found = planes_.find_or_add(plane, known);
+    if (planes_.size() == before) ++identified_;
     return plane_of(found);
+  }
+
+  Index find_or_add_own(const OrderedJoint& joint) {
+    const ExactPlane plane = own_plane(joint);
+    const bool exactly = joint.joint->of_mesh &&
+                         std::all_of(joint.corner.begin(), joint.corner.end(), [&](const Vec3& x) {
+                           return dot(plane.n, exact(x)) == plane.d;
+                         });
+    return find_or_add(plane, exactly ? Known::exactly : Known::nearly);
   }
 
   void offer(const OrderedJoint& joint, Index other, Index& plane) const {

@@ -114,11 +114,6 @@ void add_origins(const Model& model, const PlacedJoints& joints, std::vector<Sha
   }
 }
 
-HalfSpaceId find_or_add(PlaneTable& planes, const ExactPlane& plane) {
-  const HalfSpaceId found = planes.find(plane);
-  return found != none ? found : half_space(planes.add(plane), true);
-}
-
 Index origin_of(const ShapeRegion& region, Index face) {
   return region.first_origin == none || face == none ? none : region.first_origin + face;
 }
@@ -130,7 +125,7 @@ void add_convex(const ShapeRegion& region, const ConvexPart& part, const CellVie
   body.role = region.role;
   body.owner = region.owner;
   for (const FacePlane& f : part.faces) {
-    const HalfSpaceId up = find_or_add(complex.planes, f.plane);
+    const HalfSpaceId up = complex.planes.find_or_add(f.plane);
     body.inside.push_back(f.inside_above ? up : up ^ 1);
   }
   body.facet_begin = static_cast<Index>(complex.facets.size());
@@ -166,6 +161,13 @@ ExactPlane plane_of_polygon(const ClosedSurface& surface, Index begin, Index end
   return plane_through_points(corner(begin), corner(widest), corner(widest + 1));
 }
 
+bool holds_corners(const ExactPlane& plane, const ClosedSurface& surface, Index begin, Index end) {
+  if (end - begin == 3) return true;
+  for (Index k = begin; k < end; ++k)
+    if (dot(plane.n, exact(surface.vertices[surface.corner[k]])) != plane.d) return false;
+  return true;
+}
+
 // A closed surface; its facets get their edges together with the joints'.
 void add_surface(const ShapeRegion& region, Complex& complex, std::vector<FlatPolygon>& polygons,
                  std::vector<Index>& facet_of_polygon) {
@@ -177,7 +179,9 @@ void add_surface(const ShapeRegion& region, Complex& complex, std::vector<FlatPo
   const auto count = static_cast<Index>(surface.face.size());
   for (Index i = 0; i < count; ++i) {
     const Index begin = surface.polygon_begin[i], end = surface.polygon_begin[i + 1];
-    const HalfSpaceId outward = find_or_add(complex.planes, plane_of_polygon(surface, begin, end));
+    const ExactPlane plane = plane_of_polygon(surface, begin, end);
+    const HalfSpaceId outward = complex.planes.find_or_add(
+        plane, holds_corners(plane, surface, begin, end) ? Known::exactly : Known::nearly);
     FlatPolygon polygon;
     polygon.plane = plane_of(outward);
     Facet facet;

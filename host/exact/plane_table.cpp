@@ -18,6 +18,7 @@ namespace {
 
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 constexpr Real relative_tolerance = 1e-10;  // DESIGN.md, rules 2 and 5
+constexpr Real rounding_tolerance = 1e-13;  // among exactly known planes: coordinates in doubles
 constexpr Real guard_sine = 1e-3;           // rule 5
 constexpr Real near_factor = 100;           // rule 5: what is reported as near
 constexpr Real far_factor = 1000;           // no vertex is moved by more than 1e-7·L
@@ -140,14 +141,16 @@ PlaneTable::PlaneTable(const PlaneTable& other)
       tolerance_(other.tolerance_),
       normal_(other.normal_),
       offset_(other.offset_),
+      known_(other.known_),
       store_(std::make_unique<Store>(*other.store_)) {}
 
-Index PlaneTable::add(const ExactPlane& plane) {
+Index PlaneTable::add(const ExactPlane& plane, Known known) {
   const Exact d = plane.d - dot(plane.n, exact(centre_));
   const UnitPlane unit = rounded(plane.n, d);
   const Index id = size();
   normal_.push_back(unit.normal);
   offset_.push_back(unit.offset);
+  known_.push_back(known);
   store_->plane.push_back(integers(plane.n, d));
   store_->by_key.emplace(search_key(unit, size_), id);
   return id;
@@ -171,6 +174,26 @@ HalfSpaceId PlaneTable::find(const ExactPlane& plane) const {
     }
   }
   return best == none ? none : half_space(best, same_sense);
+}
+
+HalfSpaceId PlaneTable::find_or_add(const ExactPlane& plane, Known known) {
+  const HalfSpaceId found = find(plane);
+  if (found == none) return half_space(add(plane, known), true);
+  const Index id = plane_of(found);
+  if (known_[id] == Known::exactly) {
+    const IntegerPlane &p = store_->plane[id],
+                       q = integers(plane.n, plane.d - dot(plane.n, exact(centre_)));
+    const int sense = is_above(found) ? 1 : -1;
+    const bool same = known == Known::exactly && p.d == sense * q.d && p.n[0] == sense * q.n[0] &&
+                      p.n[1] == sense * q.n[1] && p.n[2] == sense * q.n[2];
+    if (!same) loosen(id);
+  }
+  return found;
+}
+
+Real PlaneTable::tolerance(Index p, Index q) const {
+  return known_[p] == Known::exactly && known_[q] == Known::exactly ? rounding_tolerance * size_
+                                                                    : tolerance_;
 }
 
 Vec3 PlaneTable::exact_position(const std::array<Index, 3>& p) const {
@@ -263,22 +286,23 @@ int PlaneTable::side(const Vertex& vertex, Index plane, IntentCount& intent) con
   // nearly parallel the tolerance shrinks with their angle: what it takes for a point stays as small as elsewhere.
   const Real share = least_share(vertex, plane);
   const Real guard = guarded_sine(vertex, plane) / guard_sine;
-  const Real allowed = guard * tolerance_;
-  if (magnitude <= error && error * share > allowed) {
-    const Real exact = exact_distance(vertex, plane);
-    if (std::abs(exact) * share > allowed) return exact > 0 ? 1 : -1;
-    if (exact != 0) ++intent.vertices_identified;
-    return 0;
-  }
-  if (magnitude <= error) return 0;
-  const Real least = magnitude * share;
-  if (least > near_factor * allowed) return sign;
-  if (guard == 1 && least * near_factor > allowed) {
+  const bool exactly = known_[plane] == Known::exactly && known_[p[0]] == Known::exactly &&
+                       known_[p[1]] == Known::exactly && known_[p[2]] == Known::exactly;
+  const Real allowed = guard * (exactly ? rounding_tolerance * size_ : tolerance_);
+  const Real least = magnitude * share, doubt = error * share;
+  if (!exactly && guard == 1 && magnitude > error && least * near_factor > allowed &&
+      least <= near_factor * allowed) {
     ++intent.near_decisions;
     intent.near_planes.push_back(plane);
   }
-  if (least > allowed) return sign;
-  ++intent.vertices_identified;
+  if (least > allowed + doubt) return sign;
+  if (least > allowed - doubt) {
+    const Real exact = exact_distance(vertex, plane);
+    if (std::abs(exact) * share > allowed) return exact > 0 ? 1 : -1;
+    if (exact != 0 && !exactly) ++intent.vertices_identified;
+  } else if (magnitude > error && !exactly) {
+    ++intent.vertices_identified;
+  }
   return 0;
 }
 

@@ -36,6 +36,10 @@ struct Vertex {
   Vec3 x{};                      ///< m, relative to the table's centre
 };
 
+/// How well a plane is known: by numbers that stand for what the user meant, or exactly, as a plane through corners that
+/// other such planes share. Among exact planes near-concurrency is an accident, not meant.
+enum class Known { nearly, exactly };
+
 /// How often intent, not arithmetic, decided; kept by each task and added up.
 struct IntentCount {
   Index vertices_identified = 0;
@@ -56,10 +60,18 @@ class PlaneTable {
   PlaneTable& operator=(const PlaneTable&) = delete;
 
   /// Adds a plane and returns its id.
-  Index add(const ExactPlane& plane);
+  Index add(const ExactPlane& plane, Known known = Known::nearly);
 
   /// The plane that coincides with `plane` to the tolerance, on either orientation, or none. O(log n).
   HalfSpaceId find(const ExactPlane& plane) const;
+
+  /// The half-space above `plane`, bounded by the plane that coincides with it or else by itself, added. A plane stays
+  /// exactly known while all that coincide with it are exactly equal.
+  HalfSpaceId find_or_add(const ExactPlane& plane, Known known = Known::nearly);
+
+  Known known(Index plane) const { return known_[plane]; }
+  /// From now on the plane stands for points that lie on it only nearly.
+  void loosen(Index plane) { known_[plane] = Known::nearly; }
 
   Index size() const { return static_cast<Index>(normal_.size()); }
   const Vec3& normal(Index plane) const { return normal_[plane]; }  ///< unit
@@ -67,12 +79,15 @@ class PlaneTable {
   const Vec3& centre() const { return centre_; }
   Real model_size() const { return size_; }
   Real tolerance() const { return tolerance_; }
+  /// Of points on both planes, m: that of rounding where both are exactly known.
+  Real tolerance(Index p, Index q) const;
 
   /// The meeting of three planes that no line is parallel to. Throws std::logic_error if they have none.
   Vertex vertex(Index p, Index q, Index r) const;
 
   /// −1 below, 0 on, +1 above. On, too, where the four planes miss a common point by at most the tolerance,
-  /// measured by the least of their four distances (docs/decisions/0005-near-planes.md).
+  /// measured by the least of their four distances (docs/decisions/0005-near-planes.md); where all four are exactly known
+  /// only rounding is forgiven.
   int side(const Vertex& vertex, Index plane, IntentCount& intent) const;
 
   /// Signed distance of a vertex from a plane in double precision, m.
@@ -82,7 +97,7 @@ class PlaneTable {
   /// vertices rounded once to 2^-224 of the model's size, all else exact. 0 for a cell without volume.
   struct ExactMoments {
     Real volume;  ///< m³
-    Vec3 first;  ///< about the table's centre
+    Vec3 first;   ///< about the table's centre
   };
   ExactMoments exact_moments(std::span<const Vertex> vertices,
                              const std::vector<std::array<Index, 3>>& triangles) const;
@@ -99,6 +114,7 @@ class PlaneTable {
   Real tolerance_;
   std::vector<Vec3> normal_;
   std::vector<Real> offset_;
+  std::vector<Known> known_;
   std::unique_ptr<Store> store_;
 };
 

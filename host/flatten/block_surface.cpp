@@ -28,6 +28,12 @@ struct DirectedEdge {
   }
 };
 
+// Where the surface of a block does not close.
+struct NotClosed : std::logic_error {
+  NotClosed(const char* what, const Vertex& at) : std::logic_error(what), x(at.x) {}
+  Vec3 x;  // m, relative to the centre
+};
+
 class SurfaceMerger {
  public:
   SurfaceMerger(const Complex& complex, const std::vector<BoundaryArea>& areas)
@@ -163,7 +169,7 @@ class SurfaceMerger {
         loop.vertex.push_back(edges_[e].from);
         e = next_edge(e);
       } while (e != start && !used[e]);
-      if (e != start) throw std::logic_error("the boundary of a block's face does not close");
+      if (e != start) throw NotClosed("the edges of a face do not close", vertices_[edges_[e].to]);
       loops_.push_back(std::move(loop));
     }
     // The outer loop first: the one of largest area.
@@ -179,7 +185,7 @@ class SurfaceMerger {
                                  return std::pair{d.face, d.from} < key;
                                });
     if (it == edges_.end() || it->face != face || it->from != at)
-      throw std::logic_error("the boundary of a block's face ends");
+      throw NotClosed("the edges of a face end", vertices_[at]);
     auto best = it;
     Real best_angle = 7;
     for (; it != edges_.end() && it->face == face && it->from == at; ++it) {
@@ -216,7 +222,7 @@ class SurfaceMerger {
       }
     for (auto& [ends, list] : uses) {
       if (list.size() % 2 != 0)
-        throw std::logic_error("an edge of a block has an odd number of faces");
+        throw NotClosed("an edge has an odd number of faces", vertices_[ends.first]);
       if (list.size() > 2) sort_around(ends.first, ends.second, list);
       for (std::size_t i = 0; i < list.size(); i += 2) pairs_.emplace_back(list[i], list[i + 1]);
     }
@@ -394,13 +400,13 @@ BlockSurface make_block_surface(const Complex& complex, const std::vector<Bounda
   if (is_plain_cell(complex, cell, areas, origin)) return cell_surface(cell, areas, origin);
   try {
     return SurfaceMerger(complex, areas).run();
-  } catch (const std::logic_error& error) {
-    const Vec3 x = bounding_ball(cell).centre + complex.planes.centre();
+  } catch (const NotClosed& error) {
+    const Vec3 x = error.x + complex.planes.centre();
     throw Error(
         ErrorKind::analysis,
         fmt::format(
-            "the surface of the block at ({:.6g}, {:.6g}, {:.6g}) does not close: {}; planes "
-            "that nearly coincide there are neither one plane nor clearly two",
+            "the surface of a block does not close at ({:.9g}, {:.9g}, {:.9g}): {}; planes that "
+            "nearly coincide there are neither one plane nor clearly two",
             x[0], x[1], x[2], error.what()));
   }
 }

@@ -1,6 +1,7 @@
 // The one predicate: on which side of a plane lies the meeting point of three others.
 #include <random>
 #include <stdexcept>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -185,6 +186,42 @@ TEST_F(Side, CountsWhatIntentDecided) {
   EXPECT_EQ(ask(1.1e-10), std::pair(0, 1));
   EXPECT_EQ(ask(0.9e-8), std::pair(0, 1));
   EXPECT_EQ(ask(1.1e-8), std::pair(0, 0));
+}
+
+// Among planes known exactly nearness is an accident: rounding alone is forgiven.
+TEST_F(Side, OfExactlyKnownPlanesIsTheExactSignBeyondRounding) {
+  const auto ask = [](Real miss, Known last) {
+    PlaneTable table({}, 1);
+    for (int d = 0; d < 3; ++d) {
+      Vec3 n{};
+      n[d] = 1;
+      table.add(plane_through(n, {}), Known::exactly);
+    }
+    const Index fourth = table.add(plane_through({1, 1, 1}, {0, 0, std::sqrt(3.0) * miss}), last);
+    IntentCount intent;
+    const int side = table.side(table.vertex(0, 1, 2), fourth, intent);
+    return std::tuple{side, intent.vertices_identified, intent.near_decisions};
+  };
+  EXPECT_EQ(ask(0.5e-10, Known::nearly), std::tuple(0, 1, 1));
+  EXPECT_EQ(ask(0.5e-10, Known::exactly), std::tuple(-1, 0, 0));
+  EXPECT_EQ(ask(2e-13, Known::exactly), std::tuple(-1, 0, 0));
+  EXPECT_EQ(ask(0.5e-13, Known::exactly), std::tuple(0, 0, 0));
+}
+
+// A plane that stands for another one besides itself is known only nearly.
+TEST(KnownPlanes, AreExactWhileAllThatCoincideAreEqual) {
+  const auto after = [](const ExactPlane& second, Known known) {
+    PlaneTable table({0.5, 0.25, 0}, 1);
+    const Index id =
+        plane_of(table.find_or_add(plane_through({1, 2, 3}, {1, 1, 1}), Known::exactly));
+    EXPECT_EQ(plane_of(table.find_or_add(second, known)), id);
+    return table.known(id);
+  };
+  const ExactPlane same = plane_through({2, 4, 6}, {1, 1, 1});
+  EXPECT_EQ(after(same, Known::exactly), Known::exactly);
+  EXPECT_EQ(after(opposite(same), Known::exactly), Known::exactly);
+  EXPECT_EQ(after(same, Known::nearly), Known::nearly);
+  EXPECT_EQ(after(plane_through({1, 2, 3}, {1, 1, 1 + 1e-11}), Known::exactly), Known::nearly);
 }
 
 }  // namespace
