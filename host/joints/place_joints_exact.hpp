@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "host/exact/plane_exact.hpp"
-#include "host/joints/intensity.hpp"
 #include "src/model/model.hpp"
 
 namespace rockfold {
@@ -16,8 +15,8 @@ struct PlacedJoint {
   /// m, model coordinates: a simple polygon (may be concave, either sense) whose corners lie on the plane to rounding;
   /// empty = through-going.
   std::vector<Vec3> polygon;
-  Index origin = none;  ///< into PlacedJoints::origins
-  Index within = none;  ///< into Model::solids
+  Index origin = none;   ///< into PlacedJoints::origins
+  Index within = none;   ///< into Model::solids
   bool of_mesh = false;  ///< a triangle that shares its corners exactly with others of its mesh
 };
 
@@ -42,8 +41,5 @@ struct RockBounds {
 
 /// Throws Error(model) for sets that would make absurdly many joints or more than model.cut.max_cells cells.
 PlacedJoints place_joints(const Model& model, const RockBounds& rock);
-
-/// The same in double precision, in the same order, for measure_intensities().
-std::vector<FlatJoint> flat_joints(const PlacedJoints& placed);
 
 }  // namespace rockfold
