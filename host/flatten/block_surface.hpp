@@ -33,10 +33,21 @@ struct BlockSurface {
   Index shell_count = 0;
   Index genus = 0;
   bool convex = true;
+
+  /// An empty surface that keeps its memory.
+  void clear() {
+    faces.clear();
+    loop_begin.assign(1, 0);
+    corner_begin.assign(1, 0);
+    corner_vertex.clear();
+    vertices.clear();
+    face_of_area.clear();
+    edge_count = shell_count = genus = 0;
+    convex = true;
+  }
 };
 
-/// Merges the areas of one block. A block of one cell whose faces have one origin each is the cell itself: O(corners).
-/// Otherwise O(n^5/3) at worst in the number of vertices, n log n where they are spread.
+/// Merges the areas of one block. O(n^5/3) at worst in the number of vertices, n log n where they are spread.
 BlockSurface make_block_surface(const Complex& complex, const std::vector<BoundaryArea>& areas);
 
 }  // namespace rockfold
