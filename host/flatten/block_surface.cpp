@@ -357,7 +357,8 @@ BlockSurface make_block_surface(const Complex& complex, const std::vector<Bounda
   try {
     return SurfaceMerger(complex, areas).run();
   } catch (const std::logic_error& error) {
-    const Vec3 x = bounding_ball(complex.cells[areas.front().cell]).centre + complex.planes.centre();
+    const Vec3 x =
+        bounding_ball(complex.cells[areas.front().cell]).centre + complex.planes.centre();
     throw Error(
         ErrorKind::analysis,
         fmt::format(

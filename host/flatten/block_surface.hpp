@@ -33,18 +33,6 @@ struct BlockSurface {
   Index shell_count = 0;
   Index genus = 0;
   bool convex = true;
-
-  /// An empty surface that keeps its memory.
-  void clear() {
-    faces.clear();
-    loop_begin.assign(1, 0);
-    corner_begin.assign(1, 0);
-    corner_vertex.clear();
-    vertices.clear();
-    face_of_area.clear();
-    edge_count = shell_count = genus = 0;
-    convex = true;
-  }
 };
 
 /// Merges the areas of one block. O(n^5/3) at worst in the number of vertices, n log n where they are spread.

@@ -72,18 +72,19 @@ std::vector<Index> dangling_fragments(const Complex& complex) {
 
 }  // namespace
 
-void add_bulk(const Complex& complex, const Model& model, BlockArrays& out) {
+void add_bulk(const Complex& complex, const BlockOrder& order, const Model& model,
+              BlockArrays& out) {
   const Index blocks = complex.block_count;
   const Grouping cells =
-      group_items(complex.cells.size(), blocks, [&](Index c) { return complex.cell_block[c]; });
+      group_items(complex.cells.size(), blocks, [&](Index c) { return order.rank_of_cell[c]; });
   for (auto* array : {&out.volume, &out.mass}) array->resize(blocks);
   for (auto* array : {&out.stage, &out.material}) array->resize(blocks);
   out.centroid.resize(blocks);
   parallel_for((blocks + block_chunk - 1) / block_chunk, 1, [&](std::int64_t k) {
     std::vector<Share> shares;
     const auto begin = static_cast<Index>(k * block_chunk);
-    for (Index b = begin; b < std::min(begin + block_chunk, blocks); ++b)
-      add_block(complex, model, b, cells[b], shares, out);
+    for (Index r = begin; r < std::min(begin + block_chunk, blocks); ++r)
+      add_block(complex, model, order.block[r], cells[r], shares, out);
   });
 }
 

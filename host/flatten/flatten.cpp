@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <tuple>
 
 #include "host/cut/complex.hpp"
+#include "host/flatten/block_order.hpp"
 #include "host/flatten/block_surface.hpp"
 #include "host/flatten/bulk.hpp"
 #include "host/flatten/grouping.hpp"
@@ -35,11 +37,12 @@ SurfaceSize size_of(const BlockSurface& s) {
 }
 
 // Surfaces are measured first and written second, each block to its place in the arrays. A block that is one cell is
-// cheap to do twice; the surfaces of others are kept in between.
+// cheap to do twice; the surfaces of others are kept in between. Blocks are visited by rank (BlockOrder).
 class SurfaceWriter {
  public:
-  SurfaceWriter(const Complex& complex, BlockArrays& out)
+  SurfaceWriter(const Complex& complex, const BlockOrder& order, BlockArrays& out)
       : complex_(complex),
+        order_(order),
         out_(out),
         sides_(2 * static_cast<Index>(complex.fragments.size())),
         chunks_((complex.block_count + chunk - 1) / chunk) {}
@@ -54,7 +57,7 @@ class SurfaceWriter {
 
  private:
   struct KeptSurface {
-    Index block;
+    Index rank;
     BlockSurface surface;
   };
   // Of one fragment; those of one pair of faces become one.
@@ -81,20 +84,20 @@ class SurfaceWriter {
   // The boundary areas of each block: the sides of joint fragments with another block behind them, then free parts.
   // Items are numbered so: fragment i has the sides 2 i and 2 i + 1.
   void group_areas() {
-    const auto& block = complex_.cell_block;
-    const auto block_of_item = [&](Index i) {
-      if (i >= sides_) return block[complex_.free_parts[i - sides_].cell];
+    const auto& rank = order_.rank_of_cell;
+    const auto rank_of_item = [&](Index i) {
+      if (i >= sides_) return rank[complex_.free_parts[i - sides_].cell];
       const Fragment& f = complex_.fragments[i / 2];
-      if (f.joint == none || block[f.cell[0]] == block[f.cell[1]]) return none;
-      return block[f.cell[i % 2]];
+      if (f.joint == none || rank[f.cell[0]] == rank[f.cell[1]]) return none;
+      return rank[f.cell[i % 2]];
     };
     areas_ = group_items(sides_ + static_cast<Index>(complex_.free_parts.size()),
-                         complex_.block_count, block_of_item);
+                         complex_.block_count, rank_of_item);
   }
 
-  void find_areas(Index block, std::vector<BoundaryArea>& areas) const {
+  void find_areas(Index rank, std::vector<BoundaryArea>& areas) const {
     areas.clear();
-    for (const Index i : areas_[block]) {
+    for (const Index i : areas_[rank]) {
       if (i < sides_) {
         const Fragment& f = complex_.fragments[i / 2];
         areas.push_back({f.cell[i % 2], f.face[i % 2], f.joint, i / 2, none});
@@ -110,14 +113,15 @@ class SurfaceWriter {
     kept_.resize(chunks_);
     for_each_chunk([&](Index k, Index begin, Index end) {
       std::vector<BoundaryArea> areas;
-      std::vector<Index> origin;
-      for (Index b = begin; b < end; ++b) {
-        find_areas(b, areas);
-        if (is_plain_cell(complex_, areas, origin)) {
-          begin_[b + 1] = size_of(complex_.cells[areas.front().cell]);
+      std::vector<Index> workspace;
+      for (Index r = begin; r < end; ++r) {
+        SurfaceSize& size = begin_[order_.block[r] + 1];
+        find_areas(r, areas);
+        if (is_plain_cell(complex_, areas, workspace)) {
+          size = size_of(complex_.cells[areas.front().cell]);
         } else {
-          kept_[k].push_back({b, make_block_surface(complex_, areas)});
-          begin_[b + 1] = size_of(kept_[k].back().surface);
+          kept_[k].push_back({r, make_block_surface(complex_, areas)});
+          size = size_of(kept_[k].back().surface);
         }
       }
     });
@@ -139,7 +143,7 @@ class SurfaceWriter {
         [&] { out_.face_normal.resize(all.faces); },
         [&] { out_.corner_vertex.resize(all.corners); },
         [&] { out_.face_area.resize(all.faces); },
-        [&] { out_.face_origin.resize(all.faces); },
+        [&] { out_.face_origin.resize(all.faces, none); },
         [&] { out_.face_plane.resize(all.faces); },
         [&] { out_.loop_begin.resize(all.faces + 1); },
         [&] { out_.corner_begin.resize(all.loops + 1); },
@@ -158,83 +162,117 @@ class SurfaceWriter {
 
   void write_chunk(Index k, Index begin, Index end) {
     std::vector<BoundaryArea> areas;
-    std::vector<Index> origin;
-    BlockSurface plain;
     auto kept = kept_[k].begin();
-    for (Index b = begin; b < end; ++b) {
-      if (kept != kept_[k].end() && kept->block == b) {
-        write_surface(b, kept->surface);
-        ++kept;
-      } else {
-        find_areas(b, areas);
-        is_plain_cell(complex_, areas, origin);
-        write_cell_surface(complex_, areas, origin, plain);
-        write_surface(b, plain);
-      }
+    for (Index r = begin; r < end; ++r) {
+      find_areas(r, areas);
+      if (kept != kept_[k].end() && kept->rank == r)
+        write_surface(r, (kept++)->surface);
+      else
+        write_cell(r, areas);
     }
     kept_[k] = {};
   }
 
-  void write_surface(Index b, const BlockSurface& s) {
+  void write_surface(Index rank, const BlockSurface& s) {
+    const Index b = order_.block[rank];
     const SurfaceSize at = begin_[b];
     bool finite = true;
-    Index face = at.faces;
-    for (const auto& f : s.faces) {
-      const Vec3& n = complex_.planes.normal(plane_of(f.inside));
-      out_.face_normal[face] = is_above(f.inside) ? -n : n;
-      out_.face_area[face] = f.area;
-      out_.face_origin[face] = f.origin;
-      out_.face_up[face] = is_above(f.inside) ? 0 : 1;
-      out_.face_plane[face++] = plane_of(f.inside);
-      finite = finite && !complex_.origins[f.origin].continues;
+    for (std::size_t f = 0; f < s.faces.size(); ++f) {
+      write_face(at.faces + static_cast<Index>(f), s.faces[f]);
+      finite = finite && !complex_.origins[s.faces[f].origin].continues;
+      out_.loop_begin[at.faces + f + 1] = at.loops + s.loop_begin[f + 1];
     }
-    for (std::size_t i = 1; i < s.loop_begin.size(); ++i)
-      out_.loop_begin[at.faces + i] = at.loops + s.loop_begin[i];
     for (std::size_t i = 1; i < s.corner_begin.size(); ++i)
       out_.corner_begin[at.loops + i] = at.corners + s.corner_begin[i];
     for (std::size_t i = 0; i < s.corner_vertex.size(); ++i)
       out_.corner_vertex[at.corners + i] = at.vertices + s.corner_vertex[i];
     for (std::size_t i = 0; i < s.vertices.size(); ++i)
       out_.vertex[at.vertices + i] = s.vertices[i] + complex_.planes.centre();
-    out_.face_begin[b + 1] = begin_[b + 1].faces;
-    out_.vertex_begin[b + 1] = begin_[b + 1].vertices;
-    out_.edge_count[b] = s.edge_count;
-    out_.shell_count[b] = s.shell_count;
-    out_.genus[b] = s.genus;
-    out_.convex[b] = s.convex ? 1 : 0;
-    out_.finite[b] = finite ? 1 : 0;
-    const auto items = areas_[b];
+    write_counts(b, s.edge_count, s.shell_count, s.genus, s.convex, finite);
+    const auto items = areas_[rank];
     for (std::size_t i = 0; i < items.size() && items[i] < sides_; ++i)
       face_of_side_[items[i]] = at.faces + s.face_of_area[i];
+  }
+
+  // A plain cell, from where it lies to where it belongs.
+  void write_cell(Index rank, const std::vector<BoundaryArea>& areas) {
+    const Index b = order_.block[rank];
+    const SurfaceSize at = begin_[b];
+    const CellView cell = complex_.cells[areas.front().cell];
+    const auto items = areas_[rank];
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      out_.face_origin[at.faces + areas[i].face] = areas[i].origin;
+      if (items[i] < sides_) face_of_side_[items[i]] = at.faces + areas[i].face;
+    }
+    bool finite = true;
+    Index corner = at.corners;
+    for (std::size_t f = 0; f < cell.faces.size(); ++f) {
+      const auto& face = cell.faces[f];
+      const Index number = at.faces + static_cast<Index>(f);
+      Index origin = out_.face_origin[number];
+      if (origin == none) origin = origin_of_thin_face(complex_, face);
+      write_face(number, {face.inside, origin, area_from_above(cell, face)});
+      finite = finite && !complex_.origins[origin].continues;
+      for (const auto& of_face : cell.corners.subspan(face.begin, face.count))
+        out_.corner_vertex[corner++] = at.vertices + of_face.vertex;
+      out_.corner_begin[at.loops + f + 1] = corner;
+      out_.loop_begin[number + 1] = at.loops + static_cast<Index>(f) + 1;
+    }
+    for (std::size_t v = 0; v < cell.vertices.size(); ++v)
+      out_.vertex[at.vertices + v] = cell.vertices[v].x + complex_.planes.centre();
+    write_counts(b, static_cast<Index>(cell.corners.size() / 2), 1, 0, true, finite);
+  }
+
+  void write_face(Index number, const BlockSurface::Face& face) {
+    const Vec3& n = complex_.planes.normal(plane_of(face.inside));
+    out_.face_normal[number] = is_above(face.inside) ? -n : n;
+    out_.face_area[number] = face.area;
+    out_.face_origin[number] = face.origin;
+    out_.face_up[number] = is_above(face.inside) ? 0 : 1;
+    out_.face_plane[number] = plane_of(face.inside);
+  }
+
+  void write_counts(Index b, Index edges, Index shells, Index genus, bool convex, bool finite) {
+    out_.face_begin[b + 1] = begin_[b + 1].faces;
+    out_.vertex_begin[b + 1] = begin_[b + 1].vertices;
+    out_.edge_count[b] = edges;
+    out_.shell_count[b] = shells;
+    out_.genus[b] = genus;
+    out_.convex[b] = convex ? 1 : 0;
+    out_.finite[b] = finite ? 1 : 0;
   }
 
   // Fragments between a block and those of higher numbers are its own, so that blocks need not wait for each other.
   void write_interfaces() {
     std::vector<std::vector<BlockArrays::Interface>> found(chunks_);
+    std::vector<Index> place(complex_.block_count + 1,
+                             0);  // of each block's first; before: numbers
     for_each_chunk([&](Index k, Index begin, Index end) {
       std::vector<Contact> contacts;
-      for (Index b = begin; b < end; ++b) {
-        find_contacts(b, contacts);
+      for (Index r = begin; r < end; ++r) {
+        const auto before = found[k].size();
+        find_contacts(r, contacts);
         for (std::size_t i = 0; i < contacts.size(); ++i) {
           if (i > 0 && contacts[i - 1].key() == contacts[i].key())
             found[k].back().area += contacts[i].shared.area;
           else
             found[k].push_back(contacts[i].shared);
         }
+        place[order_.block[r] + 1] = static_cast<Index>(found[k].size() - before);
       }
     });
-    std::size_t all = 0;
-    for (const auto& part : found) all += part.size();
-    out_.interfaces.reserve(all);
-    for (auto& part : found) {
-      out_.interfaces.insert(out_.interfaces.end(), part.begin(), part.end());
-      part = {};
-    }
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    out_.interfaces.resize(place.back());
+    for_each_chunk([&](Index k, Index, Index) {
+      for (const auto& shared : found[k]) out_.interfaces[place[shared.block[0]]++] = shared;
+      found[k] = {};
+    });
   }
 
-  void find_contacts(Index b, std::vector<Contact>& contacts) const {
+  void find_contacts(Index rank, std::vector<Contact>& contacts) const {
     contacts.clear();
-    for (const Index i : areas_[b]) {
+    const Index b = order_.block[rank];
+    for (const Index i : areas_[rank]) {
       if (i >= sides_) break;
       const Fragment& f = complex_.fragments[i / 2];
       const Index other = i ^ 1, behind = complex_.cell_block[f.cell[other % 2]];
@@ -245,11 +283,12 @@ class SurfaceWriter {
   }
 
   const Complex& complex_;
+  const BlockOrder& order_;
   BlockArrays& out_;
   const Index sides_, chunks_;
-  Grouping areas_;
+  Grouping areas_;                              // by rank
   std::vector<SurfaceSize> begin_;              // [blocks + 1]
-  std::vector<std::vector<KeptSurface>> kept_;  // [chunks] by block
+  std::vector<std::vector<KeptSurface>> kept_;  // [chunks] by rank
   std::vector<Index> face_of_side_;             // [sides] of all faces; none = on no surface
 };
 
@@ -259,9 +298,10 @@ BlockArrays flatten_blocks(const Cutting& cutting, const Model& model) {
   const Complex& complex = *cutting.complex;
   BlockArrays out;
   out.origins = complex.origins;
-  add_bulk(complex, model, out);
+  const BlockOrder order(complex);
+  add_bulk(complex, order, model, out);
   add_dead_ends(complex, out);
-  SurfaceWriter(complex, out).run();
+  SurfaceWriter(complex, order, out).run();
   return out;
 }
 

@@ -7,12 +7,14 @@
 
 namespace rockfold {
 
-/// Whether the areas are those of such a block; then `origin` is that of each of its cell's faces.
+/// Whether the areas are those of such a block.
 bool is_plain_cell(const Complex& complex, const std::vector<BoundaryArea>& areas,
-                   std::vector<Index>& origin);
+                   std::vector<Index>& workspace);
 
-/// Its surface, written over `surface`, whose memory is used again. O(corners).
-void write_cell_surface(const Complex& complex, const std::vector<BoundaryArea>& areas,
-                        const std::vector<Index>& origin, BlockSurface& surface);
+/// Where a face thinner than rounding comes from, which has no area of its own: the first joint there; none if there is none.
+Index origin_of_thin_face(const Complex& complex, const ConvexCell::Face& face);
+
+/// The area of face_polygon(), without making it.
+Real area_from_above(const CellView& cell, const ConvexCell::Face& face);
 
 }  // namespace rockfold
