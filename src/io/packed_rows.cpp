@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t chunks_at_once = 32;
 /// So much of a chunk is packed first, to see what comes of it.
-constexpr std::int64_t sample_bytes = 64 * 1024;
+constexpr std::int64_t sample_bytes = 32 * 1024;
 /// A chunk of which less than a third would be saved is stored as it is.
 constexpr double worthwhile = 2.0 / 3;
 /// Bits of the filters to leave out, in the order in which the data set has them: shuffle, deflate.
