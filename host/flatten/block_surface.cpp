@@ -213,14 +213,25 @@ class SurfaceMerger {
 
   // Pairs the two uses of each edge. Where four or more faces meet along an edge, those that enclose rock belong together.
   void pair_edges() {
-    std::map<std::pair<Index, Index>, std::vector<EdgeUse>> uses;
+    struct Use {
+      std::pair<Index, Index> ends;
+      EdgeUse use;
+    };
+    std::vector<Use> uses;
+    uses.reserve(edges_.size());
     for (std::size_t l = 0; l < loops_.size(); ++l)
       for (std::size_t k = 0; k < loops_[l].vertex.size(); ++k) {
         const Index a = loops_[l].vertex[k],
                     b = loops_[l].vertex[(k + 1) % loops_[l].vertex.size()];
-        uses[std::minmax(a, b)].push_back({static_cast<Index>(l), static_cast<Index>(k)});
+        uses.push_back({std::minmax(a, b), {static_cast<Index>(l), static_cast<Index>(k)}});
       }
-    for (auto& [ends, list] : uses) {
+    std::stable_sort(uses.begin(), uses.end(),
+                     [](const Use& x, const Use& y) { return x.ends < y.ends; });
+    std::vector<EdgeUse> list;
+    for (auto begin = uses.begin(); begin != uses.end();) {
+      const auto ends = begin->ends;
+      list.clear();
+      for (; begin != uses.end() && begin->ends == ends; ++begin) list.push_back(begin->use);
       if (list.size() % 2 != 0)
         throw NotClosed("an edge has an odd number of faces", vertices_[ends.first]);
       if (list.size() > 2) sort_around(ends.first, ends.second, list);
