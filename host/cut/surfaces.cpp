@@ -7,6 +7,7 @@
 
 #include "host/cut/edge_planes.hpp"
 #include "host/cut/joint_patches_exact.hpp"
+#include "host/cut/part_planes_exact.hpp"
 #include "host/joints/place_joints_exact.hpp"
 #include "host/refuse.hpp"
 #include "host/shapes/shape_geometry_exact.hpp"
@@ -119,15 +120,12 @@ Index origin_of(const ShapeRegion& region, Index face) {
 }
 
 // The faces that a convex part has inside the enclosing box, with the edges between them.
-void add_convex(const ShapeRegion& region, const ConvexPart& part, const CellView& start,
-                Complex& complex) {
+void add_convex(const ShapeRegion& region, const ConvexPart& part,
+                std::vector<HalfSpaceId> half_spaces, const CellView& start, Complex& complex) {
   Body body;
   body.role = region.role;
   body.owner = region.owner;
-  for (const FacePlane& f : part.faces) {
-    const HalfSpaceId up = complex.planes.find_or_add(f.plane);
-    body.inside.push_back(f.inside_above ? up : up ^ 1);
-  }
+  body.inside = std::move(half_spaces);
   body.facet_begin = static_cast<Index>(complex.facets.size());
   const ConvexCell cell = clip(complex.planes, start, body.inside);
   for (const Vertex& v : cell.vertices) body.box.add(v.x);
@@ -252,8 +250,14 @@ CuttingInput make_surfaces(const Model& model) {
   add_origins(model, placed, regions, complex);
   std::vector<FlatPolygon> polygons;
   std::vector<Index> facet_of_polygon;
+  std::vector<const ConvexPart*> parts;
+  for (const ShapeRegion& region : regions)
+    for (const ConvexPart& part : region.geometry.parts) parts.push_back(&part);
+  auto half_spaces = part_half_spaces(parts, reach, complex.planes);
+  auto next = half_spaces.begin();
   for (const ShapeRegion& region : regions) {
-    for (const ConvexPart& part : region.geometry.parts) add_convex(region, part, start, complex);
+    for (const ConvexPart& part : region.geometry.parts)
+      add_convex(region, part, std::move(*next++), start, complex);
     if (!region.geometry.surface.face.empty())
       add_surface(region, complex, polygons, facet_of_polygon);
   }

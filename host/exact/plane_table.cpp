@@ -20,6 +20,7 @@ constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 constexpr Real relative_tolerance = 1e-10;  // DESIGN.md, rules 2 and 5
 constexpr Real rounding_tolerance = 1e-13;  // among exactly known planes: coordinates in doubles
 constexpr Real guard_sine = 1e-3;           // rule 5
+constexpr Real turned_factor = 10;          // planes of faces: docs/decisions/0006-polygons.md
 constexpr Real near_factor = 100;           // rule 5: what is reported as near
 constexpr Real far_factor = 1000;           // no vertex is moved by more than 1e-7·L
 // Below this determinant of the unit normals a vertex is computed exactly: above it the bound of `vertex` keeps
@@ -185,6 +186,24 @@ bool PlaneTable::is_near_another(Index plane) const {
   visit_near(normal_[plane], offset_[plane], near_factor,
              [&](Index id, bool) { found = found || id != plane; });
   return found;
+}
+
+HalfSpaceId PlaneTable::find_or_add(const ExactPlane& plane, const std::vector<Vec3>& corners) {
+  if (!corners.empty() && find(plane) == none) {
+    const UnitPlane unit = rounded(plane.n, plane.d - dot(plane.n, exact(centre_)));
+    HalfSpaceId best = none;
+    visit_near(unit.normal, unit.offset, turned_factor, [&](Index id, bool same_sense) {
+      const bool holds = std::all_of(corners.begin(), corners.end(), [&](const Vec3& x) {
+        return std::abs(dot(normal_[id], x) - offset_[id]) <= tolerance_;
+      });
+      if (holds && (best == none || id < plane_of(best))) best = half_space(id, same_sense);
+    });
+    if (best != none) {
+      loosen(plane_of(best));
+      return best;
+    }
+  }
+  return find_or_add(plane);
 }
 
 HalfSpaceId PlaneTable::find_or_add(const ExactPlane& plane, Known known) {

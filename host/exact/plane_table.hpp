@@ -65,6 +65,10 @@ class PlaneTable {
   /// The plane that coincides with `plane` to the tolerance, on either orientation, or none. O(log n).
   HalfSpaceId find(const ExactPlane& plane) const;
 
+  /// The half-space above `plane` as in find_or_add() below. A plane that is turned by less than 1e-9 and passes all of
+  /// `corners` (m, about the centre) within the tolerance coincides, too.
+  HalfSpaceId find_or_add(const ExactPlane& plane, const std::vector<Vec3>& corners);
+
   /// The half-space above `plane`, bounded by the plane that coincides with it or else by itself, added. A plane stays
   /// exactly known while all that coincide with it are exactly equal.
   HalfSpaceId find_or_add(const ExactPlane& plane, Known known = Known::nearly);
