@@ -173,8 +173,8 @@ class PlaneLabeller {
   }
 
   void add_part(const SharedArea& shared, Polygon polygon, Index joint, Index instance) {
+    if (!has_area(polygon, complex_.planes)) return;
     const Real area = polygon_moments(polygon).area;
-    if (!(area > 0)) return;
     result_.fragments.push_back({{shared.cell[0], shared.cell[1]},
                                  {shared.face[0], shared.face[1]},
                                  joint,
@@ -200,7 +200,7 @@ class PlaneLabeller {
       // Where no solid ends, the rules of intent have moved the neighbours of a joint's face aside by up to the tolerance:
       // a whole face stays the joint's, a sliver beside fragments is nothing.
       if (part.origin == none && whole) part.origin = first_joint();
-      if (!(area > 0) || part.origin == none) continue;
+      if (part.origin == none || !has_area(part.polygon, complex_.planes)) continue;
       result_.free_parts.push_back({open.cell, open.face, part.origin,
                                     whole ? none : static_cast<Index>(result_.polygons.size()),
                                     area});

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "host/exact/plane_exact.hpp"
+#include "src/base/vector.hpp"
 
 namespace rockfold {
 
@@ -29,23 +30,19 @@ struct AuxTree::Builder {
   const std::vector<const Patch*>& patches;
   std::vector<Node>& nodes;
 
-  const Box& box(Index i) const { return patches[i]->box; }
+  const Box& box(Index i) const { return patches[i]->corners; }
 
   // The half-space above the split. One of the model's own planes serves, whatever its sense: a second plane there would
   // hide what lies on the first.
   HalfSpaceId above_split(const Split& split) const {
     Vec3 normal{};
     normal[split.axis] = 1;
-    ExactPlane plane{exact(normal), Exact(split.at) + Exact(planes.centre()[split.axis])};
+    const ExactPlane plane{exact(normal), Exact(split.at)};
     return planes.find_or_add(plane, Known::exactly);
   }
 
-  bool is_below(Index i, const Split& s) const {
-    return box(i).low[s.axis] < s.at - planes.tolerance();
-  }
-  bool is_above_plane(Index i, const Split& s) const {
-    return box(i).high[s.axis] > s.at + planes.tolerance();
-  }
+  bool is_below(Index i, const Split& s) const { return box(i).low[s.axis] < s.at; }
+  bool is_above_plane(Index i, const Split& s) const { return box(i).high[s.axis] > s.at; }
 
   Split cut_off_empty(const Box& space, const Box& used) const {
     Split best;
@@ -132,7 +129,8 @@ AuxTree::AuxTree(PlaneTable& planes, const std::vector<const Patch*>& patches, c
     if (patches[i]->bounded() && patches[i]->box.meets(space, 0))
       list.push_back(static_cast<Index>(i));
   if (list.size() < least_polygons) return;
-  Builder{planes, patches, nodes_}.build(root, std::move(list), space, 0);
+  const Box given{space.low + planes.centre(), space.high + planes.centre()};
+  Builder{planes, patches, nodes_}.build(root, std::move(list), given, 0);
 }
 
 }  // namespace rockfold

@@ -145,7 +145,7 @@ class PlaneMatcher {
 
   void overlap(Loose& below, Loose& above) {
     Polygon common = clipper_.intersection(below.polygon, above.polygon.edge);
-    if (common.empty() || !(polygon_moments(common).area > 0)) return;
+    if (!has_area(common, planes_)) return;
     for (Loose* side : {&below, &above}) {
       if (!side->touched) side->rest = {side->polygon};
       side->touched = true;

@@ -237,7 +237,7 @@ ConvexCell make_box(PlaneTable& planes, const Vec3& min, const Vec3& max) {
       const Vec3& p = s == 0 ? min : max;
       ExactPlane plane{exact(n), 0};
       plane.d = Exact(p[d]) + Exact(planes.centre()[d]);
-      id[2 * d + s] = planes.add(plane);
+      id[2 * d + s] = planes.add(plane, Known::exactly);
     }
   ConvexCell box;
   for (int v = 0; v < 8; ++v)

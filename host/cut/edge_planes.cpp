@@ -12,7 +12,7 @@ namespace rockfold {
 namespace {
 
 constexpr Real guard_sine = 1e-3;  // DESIGN.md, rule 3
-// Of exactly known planes, which meet in the edge itself.
+// Of planes that meet in the edge itself, as those of a mesh's triangles do.
 constexpr Real exact_guard_sine = 1e-8;
 
 struct Edge {
@@ -83,11 +83,18 @@ class EdgePlanes {
     for (const Edge& e : edges_) {
       const FlatPolygon& polygon = polygons_[e.polygon];
       Real farthest = 0;  // the side that holds the polygon
+      const Vec3* far = nullptr;
       for (const Vec3& x : polygon.corner)
-        if (const Real d = distance(x, e.plane); std::abs(d) > std::abs(farthest)) farthest = d;
-      edges[e.polygon].push_back(half_space(e.plane, farthest > 0));
-      if (std::abs(farthest) <= planes_.tolerance(e.plane, polygon.plane))
-        on_a_line[e.polygon] = true;
+        if (const Real d = distance(x, e.plane); std::abs(d) > std::abs(farthest))
+          farthest = d, far = &x;
+      bool above = farthest > 0;
+      if (std::abs(farthest) <= planes_.tolerance()) {
+        if (planes_.exactly_known(e.plane) && planes_.exactly_known(polygon.plane))
+          above = planes_.exact_side(far ? *far : polygon.corner.front(), e.plane) > 0;
+        else
+          on_a_line[e.polygon] = true;
+      }
+      edges[e.polygon].push_back(half_space(e.plane, above));
     }
     // Nothing is on both sides of an edge: such a polygon cuts nothing.
     for (std::size_t p = 0; p < edges.size(); ++p)
@@ -113,12 +120,12 @@ class EdgePlanes {
   void offer(Edge& e, Index plane) const {
     const Index own = polygons_[e.polygon].plane;
     if (plane == own || plane == e.plane) return;
-    const Real tolerance = planes_.tolerance(plane, own);
+    const Real tolerance = planes_.tolerance();
     if (std::abs(distance(e.a, plane)) > tolerance || std::abs(distance(e.b, plane)) > tolerance)
       return;
+    const bool exactly = planes_.exact_side(e.a, plane) == 0 && planes_.exact_side(e.b, plane) == 0;
+    if (!exactly && planes_.exactly_known(own) && planes_.exactly_known(plane)) return;
     const Real sine = norm(cross(planes_.normal(plane), planes_.normal(own)));
-    const bool exactly =
-        planes_.known(own) == Known::exactly && planes_.known(plane) == Known::exactly;
     if (sine <= (exactly ? exact_guard_sine : guard_sine)) return;
     // The steeper plane crosses the polygon's better; of equally steep ones the first.
     if (e.plane != none && (sine < e.sine - 1e-9 || (sine <= e.sine + 1e-9 && plane > e.plane)))
@@ -133,7 +140,7 @@ class EdgePlanes {
     const ExactPlane plane =
         plane_along(a, {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, exact(planes_.normal(own)));
     // Edges of a needle lie on planes that nearly coincide and are not one.
-    if (planes_.known(own) == Known::exactly) return planes_.add(plane, Known::exactly);
+    if (planes_.exactly_known(own)) return planes_.add(plane, Known::exactly);
     return plane_of(planes_.find_or_add(plane));
   }
 

@@ -10,8 +10,7 @@ namespace rockfold {
 /// A convex polygon on a plane of the table.
 struct FlatPolygon {
   Index plane = none;
-  std::vector<Vec3>
-      corner;  ///< m, about the table's centre; counter-clockwise seen from above the plane
+  std::vector<Vec3> corner;  ///< m, as given; counter-clockwise seen from above the plane
 };
 
 /// The half-spaces that bound each polygon on its plane, edge i (from corner i to i + 1) first. An edge that lies on a

@@ -101,7 +101,7 @@ class JointPlanes {
         finite.push_back(id);
         continue;
       }
-      plane_[i] = find_or_add(joints_[i].plane, Known::nearly);
+      plane_[i] = find_or_add(joints_[i].plane);
       unbounded_.push_back(plane_[i]);
     }
     std::sort(unbounded_.begin(), unbounded_.end());
@@ -119,7 +119,7 @@ class JointPlanes {
       for (const Index other : larger[r]) offer(joint, plane_[finite[other]], plane);
       for (const Index other : unbounded_) offer(joint, other, plane);
       if (plane == none)
-        plane = find_or_add_own(joint);
+        plane = find_or_add(own_plane(joint));
       else
         ++identified_, planes_.loosen(plane);
     }
@@ -127,20 +127,11 @@ class JointPlanes {
   }
 
  private:
-  Index find_or_add(const ExactPlane& plane, Known known) {
+  Index find_or_add(const ExactPlane& plane) {
     const Index before = planes_.size();
-    const HalfSpaceId found = planes_.find_or_add(plane, known);
+    const HalfSpaceId found = planes_.find_or_add(plane);
     if (planes_.size() == before) ++identified_;
     return plane_of(found);
-  }
-
-  Index find_or_add_own(const OrderedJoint& joint) {
-    const ExactPlane plane = own_plane(joint);
-    const bool exactly = joint.joint->of_mesh &&
-                         std::all_of(joint.corner.begin(), joint.corner.end(), [&](const Vec3& x) {
-                           return dot(plane.n, exact(x)) == plane.d;
-                         });
-    return find_or_add(plane, exactly ? Known::exactly : Known::nearly);
   }
 
   void offer(const OrderedJoint& joint, Index other, Index& plane) const {
@@ -187,10 +178,11 @@ void add_polygon(const OrderedJoint& joint, JointPatch patch, Complex& complex,
   for (const ConvexPiece& piece : pieces) {
     FlatPolygon polygon;
     polygon.plane = patch.patch.plane;
-    patch.patch.box = {};
+    patch.patch.box = patch.patch.corners = {};
     for (const PieceEdge& edge : piece) {
       polygon.corner.push_back(c[edge.from]);
       patch.patch.box.add(c[edge.from] - complex.planes.centre());
+      patch.patch.corners.add(c[edge.from]);
     }
     // A convex polygon stays in its given sense, pieces run counter-clockwise in (u, v).
     const bool counter_clockwise = pieces.size() > 1 || area > 0;

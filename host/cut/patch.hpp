@@ -36,7 +36,8 @@ struct Box {
 struct Patch {
   Index plane = none;
   std::vector<HalfSpaceId> edges;
-  Box box = Box::everything();  ///< m, about the table's centre
+  Box box = Box::everything();      ///< m, about the table's centre
+  Box corners = Box::everything();  ///< m, of the corners as given, to the last digit
 
   bool bounded() const { return !edges.empty(); }
 };

@@ -1,5 +1,7 @@
 #include "host/cut/polygon.hpp"
 
+#include <algorithm>
+
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -44,6 +46,14 @@ PolygonMoments polygon_moments(const Polygon& polygon) {
   }
   m.centroid = m.area > 0 ? o + (1 / m.area) * first : o;
   return m;
+}
+
+bool has_area(const Polygon& polygon, const PlaneTable& planes) {
+  if (polygon.empty()) return false;
+  if (polygon_moments(polygon).area > 0) return true;
+  return planes.exactly_known(polygon.plane) &&
+         std::all_of(polygon.edge.begin(), polygon.edge.end(),
+                     [&](HalfSpaceId h) { return planes.exactly_known(plane_of(h)); });
 }
 
 void PolygonClipper::write_part(const Polygon& polygon, HalfSpaceId h, Polygon& part) const {

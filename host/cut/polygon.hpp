@@ -32,6 +32,9 @@ struct PolygonMoments {
 };
 PolygonMoments polygon_moments(const Polygon& polygon);
 
+/// Whether a polygon is more than a trace of planes that nearly meet: its area says so, or all of its planes are known exactly.
+bool has_area(const Polygon& polygon, const PlaneTable& planes);
+
 /// Clips polygons; keeps its workspace.
 class PolygonClipper {
  public:

@@ -136,8 +136,11 @@ void add_convex(const ShapeRegion& region, const ConvexPart& part,
     Facet facet;
     facet.patch.plane = polygon.plane;
     facet.patch.edges = polygon.edge;
-    facet.patch.box = {};
-    for (const Vertex& v : polygon.corner) facet.patch.box.add(v.x);
+    facet.patch.box = facet.patch.corners = {};
+    for (const Vertex& v : polygon.corner) {
+      facet.patch.box.add(v.x);
+      facet.patch.corners.add(v.x + complex.planes.centre());
+    }
     facet.inside = face.inside;
     facet.origin = origin_of(region, part.faces[found - body.inside.begin()].face);
     facet.body = static_cast<Index>(complex.bodies.size());
@@ -184,10 +187,11 @@ void add_surface(const ShapeRegion& region, Complex& complex, std::vector<FlatPo
     polygon.plane = plane_of(outward);
     Facet facet;
     facet.patch.plane = polygon.plane;
-    facet.patch.box = {};
+    facet.patch.box = facet.patch.corners = {};
     for (Index k = begin; k < end; ++k) {
       polygon.corner.push_back(surface.vertices[surface.corner[k]]);
       facet.patch.box.add(polygon.corner.back() - complex.planes.centre());
+      facet.patch.corners.add(polygon.corner.back());
     }
     if (!is_above(outward)) std::reverse(polygon.corner.begin(), polygon.corner.end());
     facet.inside = outward ^ 1;

@@ -18,7 +18,6 @@ namespace {
 
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 constexpr Real relative_tolerance = 1e-10;  // DESIGN.md, rules 2 and 5
-constexpr Real rounding_tolerance = 1e-13;  // among exactly known planes: coordinates in doubles
 constexpr Real guard_sine = 1e-3;           // rule 5
 constexpr Real turned_factor = 10;          // planes of faces: docs/decisions/0006-polygons.md
 constexpr Real near_factor = 100;           // rule 5: what is reported as near
@@ -207,23 +206,40 @@ HalfSpaceId PlaneTable::find_or_add(const ExactPlane& plane, const std::vector<V
 }
 
 HalfSpaceId PlaneTable::find_or_add(const ExactPlane& plane, Known known) {
+  if (known == Known::exactly) {
+    const HalfSpaceId found = find_exactly(plane);
+    return found != none ? found : half_space(add(plane, known), true);
+  }
   const HalfSpaceId found = find(plane);
   if (found == none) return half_space(add(plane, known), true);
-  const Index id = plane_of(found);
-  if (known_[id] == Known::exactly) {
-    const IntegerPlane &p = store_->plane[id],
-                       q = integers(plane.n, plane.d - dot(plane.n, exact(centre_)));
-    const int sense = is_above(found) ? 1 : -1;
-    const bool same = known == Known::exactly && p.d == sense * q.d && p.n[0] == sense * q.n[0] &&
-                      p.n[1] == sense * q.n[1] && p.n[2] == sense * q.n[2];
-    if (!same) loosen(id);
-  }
+  loosen(plane_of(found));
   return found;
 }
 
-Real PlaneTable::tolerance(Index p, Index q) const {
-  return known_[p] == Known::exactly && known_[q] == Known::exactly ? rounding_tolerance * size_
-                                                                    : tolerance_;
+// Of the planes that coincide with it the one that is exactly equal, or else one that is known nearly.
+HalfSpaceId PlaneTable::find_exactly(const ExactPlane& plane) const {
+  const Exact d = plane.d - dot(plane.n, exact(centre_));
+  const UnitPlane unit = rounded(plane.n, d);
+  const IntegerPlane q = integers(plane.n, d);
+  HalfSpaceId equal = none, nearly = none;
+  visit_near(unit.normal, unit.offset, 1, [&](Index id, bool same_sense) {
+    const IntegerPlane& p = store_->plane[id];
+    const int sense = same_sense ? 1 : -1;
+    HalfSpaceId& best = p.d == sense * q.d && p.n[0] == sense * q.n[0] &&
+                                p.n[1] == sense * q.n[1] && p.n[2] == sense * q.n[2]
+                            ? equal
+                            : nearly;
+    if (&best == &nearly && exactly_known(id)) return;
+    if (best == none || id < plane_of(best)) best = half_space(id, same_sense);
+  });
+  return equal != none ? equal : nearly;
+}
+
+int PlaneTable::exact_side(const Vec3& x, Index plane) const {
+  const IntegerPlane& p = store_->plane[plane];
+  Exact value = -Exact(p.d);
+  for (int i = 0; i < 3; ++i) value += Exact(p.n[i]) * (Exact(x[i]) - Exact(centre_[i]));
+  return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
 Vec3 PlaneTable::exact_position(const std::array<Index, 3>& p) const {
@@ -311,16 +327,20 @@ int PlaneTable::side(const Vertex& vertex, Index plane, IntentCount& intent) con
                                          std::abs(vertex.x[2]) + std::abs(offset_[plane]));
   if (magnitude > far_factor * tolerance_ + error) return sign;
 
+  if (exactly_known(p[0]) && exactly_known(p[1]) && exactly_known(p[2]) && exactly_known(plane)) {
+    if (magnitude > error) return sign;
+    const Real exact = exact_distance(vertex, plane);
+    return exact > 0 ? 1 : exact < 0 ? -1 : 0;
+  }
+
   // The least distance, so that the answer is the same whichever of the four is asked about: planes that all pass a
   // point within a quarter of the tolerance are concurrent however badly three of them define it. Where two of them are
   // nearly parallel the tolerance shrinks with their angle: what it takes for a point stays as small as elsewhere.
   const Real share = least_share(vertex, plane);
   const Real guard = guarded_sine(vertex, plane) / guard_sine;
-  const bool exactly = known_[plane] == Known::exactly && known_[p[0]] == Known::exactly &&
-                       known_[p[1]] == Known::exactly && known_[p[2]] == Known::exactly;
-  const Real allowed = guard * (exactly ? rounding_tolerance * size_ : tolerance_);
+  const Real allowed = guard * tolerance_;
   const Real least = magnitude * share, doubt = error * share;
-  if (!exactly && guard == 1 && magnitude > error && least * near_factor > allowed &&
+  if (guard == 1 && magnitude > error && least * near_factor > allowed &&
       least <= near_factor * allowed) {
     ++intent.near_decisions;
     intent.near_planes.push_back(plane);
@@ -329,8 +349,8 @@ int PlaneTable::side(const Vertex& vertex, Index plane, IntentCount& intent) con
   if (least > allowed - doubt) {
     const Real exact = exact_distance(vertex, plane);
     if (std::abs(exact) * share > allowed) return exact > 0 ? 1 : -1;
-    if (exact != 0 && !exactly) ++intent.vertices_identified;
-  } else if (magnitude > error && !exactly) {
+    if (exact != 0) ++intent.vertices_identified;
+  } else if (magnitude > error) {
     ++intent.vertices_identified;
   }
   return 0;

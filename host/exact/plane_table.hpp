@@ -69,11 +69,14 @@ class PlaneTable {
   /// `corners` (m, about the centre) within the tolerance coincides, too.
   HalfSpaceId find_or_add(const ExactPlane& plane, const std::vector<Vec3>& corners);
 
-  /// The half-space above `plane`, bounded by the plane that coincides with it or else by itself, added. A plane stays
-  /// exactly known while all that coincide with it are exactly equal.
+  /// The half-space above `plane`, bounded by the plane that coincides with it or else by itself, added. Planes known exactly
+  /// coincide where they are equal; one that a plane known nearly coincides with is so from then on.
   HalfSpaceId find_or_add(const ExactPlane& plane, Known known = Known::nearly);
 
   Known known(Index plane) const { return known_[plane]; }
+  bool exactly_known(Index plane) const { return known_[plane] == Known::exactly; }
+  /// −1, 0, +1: on which side of the plane the point (m, model coordinates) lies, exactly.
+  int exact_side(const Vec3& x, Index plane) const;
   /// From now on the plane stands for points that lie on it only nearly.
   void loosen(Index plane) { known_[plane] = Known::nearly; }
 
@@ -86,15 +89,12 @@ class PlaneTable {
   const Vec3& centre() const { return centre_; }
   Real model_size() const { return size_; }
   Real tolerance() const { return tolerance_; }
-  /// Of points on both planes, m: that of rounding where both are exactly known.
-  Real tolerance(Index p, Index q) const;
 
   /// The meeting of three planes that no line is parallel to. Throws std::logic_error if they have none.
   Vertex vertex(Index p, Index q, Index r) const;
 
   /// −1 below, 0 on, +1 above. On, too, where the four planes miss a common point by at most the tolerance,
-  /// measured by the least of their four distances (docs/decisions/0005-near-planes.md); where all four are exactly known
-  /// only rounding is forgiven.
+  /// measured by the least of their four distances (docs/decisions/0005-near-planes.md), unless all four are known exactly.
   int side(const Vertex& vertex, Index plane, IntentCount& intent) const;
 
   /// Signed distance of a vertex from a plane in double precision, m.
@@ -113,6 +113,7 @@ class PlaneTable {
   struct Store;  // exact coefficients
   template <class Visit>
   void visit_near(const Vec3& normal, Real offset, Real times, Visit visit) const;
+  HalfSpaceId find_exactly(const ExactPlane& plane) const;
   Real guarded_sine(const Vertex& vertex, Index s) const;
   Real least_share(const Vertex& vertex, Index s) const;
   Real exact_distance(const Vertex& vertex, Index plane) const;

@@ -22,6 +22,8 @@ struct DirectedEdge {
   Index from, to;  // vertices
   Index area;
   Index group;  // plane, side and origin
+  Vec3
+      along;  // the direction, whose length says nothing: that of the planes, since the ends may be as near as rounding
   Index face = none;
   bool operator<(const DirectedEdge& o) const {
     return std::tie(group, from, to, area) < std::tie(o.group, o.from, o.to, o.area);
@@ -53,6 +55,7 @@ class SurfaceMerger {
  private:
   struct Loop {
     std::vector<Index> vertex;  // corner k is vertex[k]; edge k runs to corner k + 1
+    std::vector<Vec3> along;    // of edge k
     Index face;
   };
   struct EdgeUse {
@@ -63,11 +66,11 @@ class SurfaceMerger {
     return complex_.cells[a.cell].faces[a.face].inside;
   }
 
-  Vec3 outward(Index face) const {
-    const HalfSpaceId h = surface_.faces[face].inside;
-    const Vec3& n = complex_.planes.normal(plane_of(h));
-    return is_above(h) ? -n : n;
+  Vec3 outward(HalfSpaceId inside) const {
+    const Vec3& n = complex_.planes.normal(plane_of(inside));
+    return is_above(inside) ? -n : n;
   }
+  Vec3 outward_of_face(Index face) const { return outward(surface_.faces[face].inside); }
 
   // The polygon of an area, counter-clockwise seen from outside.
   Polygon polygon(const BoundaryArea& a) const {
@@ -93,6 +96,7 @@ class SurfaceMerger {
     struct Side {
       Index from, to;
       Index plane, across;
+      Vec3 along;
       Index area;
     };
     std::vector<Side> sides;
@@ -102,18 +106,19 @@ class SurfaceMerger {
       std::vector<Index> id;
       for (const Vertex& v : p.corner) id.push_back(merger.add(v));
       for (std::size_t k = 0; k < id.size(); ++k)
-        sides.push_back(
-            {id[k], id[(k + 1) % id.size()], p.plane, plane_of(p.edge[k]), static_cast<Index>(i)});
+        sides.push_back({id[k], id[(k + 1) % id.size()], p.plane, plane_of(p.edge[k]),
+                         cross(-outward(p.edge[k]), outward(inside(areas_[i]))),
+                         static_cast<Index>(i)});
     }
     vertices_ = merger.take();
     const VertexFinder finder(complex_.planes, vertices_);
     for (const Side& s : sides) {
       Index from = s.from;
       for (const Index on : finder.between(s.from, s.to, s.plane, s.across)) {
-        edges_.push_back({from, on, s.area, group_[s.area]});
+        edges_.push_back({from, on, s.area, group_[s.area], s.along});
         from = on;
       }
-      edges_.push_back({from, s.to, s.area, group_[s.area]});
+      edges_.push_back({from, s.to, s.area, group_[s.area], s.along});
     }
     std::erase_if(edges_, [](const DirectedEdge& e) { return e.from == e.to; });
   }
@@ -123,8 +128,8 @@ class SurfaceMerger {
     std::sort(edges_.begin(), edges_.end());
     std::vector<DirectedEdge> outer;
     for (const DirectedEdge& e : edges_) {
-      const auto twin =
-          std::lower_bound(edges_.begin(), edges_.end(), DirectedEdge{e.to, e.from, none, e.group});
+      const auto twin = std::lower_bound(edges_.begin(), edges_.end(),
+                                         DirectedEdge{e.to, e.from, none, e.group, {}});
       if (twin != edges_.end() && twin->group == e.group && twin->from == e.to &&
           twin->to == e.from)
         area_parts_.join(e.area, twin->area);
@@ -162,11 +167,12 @@ class SurfaceMerger {
     std::vector<bool> used(edges_.size(), false);
     for (std::size_t start = 0; start < edges_.size(); ++start) {
       if (used[start]) continue;
-      Loop loop{{}, edges_[start].face};
+      Loop loop{{}, {}, edges_[start].face};
       std::size_t e = start;
       do {
         used[e] = true;
         loop.vertex.push_back(edges_[e].from);
+        loop.along.push_back(edges_[e].along);
         e = next_edge(e);
       } while (e != start && !used[e]);
       if (e != start) throw NotClosed("the edges of a face do not close", vertices_[edges_[e].to]);
@@ -189,21 +195,20 @@ class SurfaceMerger {
     auto best = it;
     Real best_angle = 7;
     for (; it != edges_.end() && it->face == face && it->from == at; ++it) {
-      const Real angle = clockwise_angle(edges_[e].from, at, it->to, outward(face));
+      const Real angle = clockwise_angle(-edges_[e].along, it->along, outward_of_face(face));
       if (angle < best_angle) best_angle = angle, best = it;
     }
     return static_cast<std::size_t>(best - edges_.begin());
   }
 
-  // From the direction at→from turning clockwise (seen against n) to at→to, in (0, 2π].
-  Real clockwise_angle(Index from, Index at, Index to, const Vec3& n) const {
-    const Vec3 a = vertices_[from].x - vertices_[at].x, b = vertices_[to].x - vertices_[at].x;
+  // From direction a turning clockwise (seen against n) to b, in (0, 2π].
+  static Real clockwise_angle(const Vec3& a, const Vec3& b, const Vec3& n) {
     const Real angle = std::atan2(dot(n, cross(b, a)), dot(a, b));
     return angle > 1e-12 ? angle : angle + 6.283185307179586;
   }
 
   Real loop_area(const Loop& loop) const {
-    const Vec3 n = outward(loop.face);
+    const Vec3 n = outward_of_face(loop.face);
     const Vec3 o = vertices_[loop.vertex.front()].x;
     Real area = 0;
     for (std::size_t k = 1; k + 1 < loop.vertex.size(); ++k)
@@ -234,14 +239,16 @@ class SurfaceMerger {
       for (; begin != uses.end() && begin->ends == ends; ++begin) list.push_back(begin->use);
       if (list.size() % 2 != 0)
         throw NotClosed("an edge has an odd number of faces", vertices_[ends.first]);
-      if (list.size() > 2) sort_around(ends.first, ends.second, list);
+      if (list.size() > 2) sort_around(ends.first, list);
       for (std::size_t i = 0; i < list.size(); i += 2) pairs_.emplace_back(list[i], list[i + 1]);
     }
   }
 
   // Orders the uses by angle about the edge so that 0–1, 2–3, … enclose rock.
-  void sort_around(Index a, Index b, std::vector<EdgeUse>& list) const {
-    const Vec3 axis = normalized(vertices_[b].x - vertices_[a].x);
+  void sort_around(Index a, std::vector<EdgeUse>& list) const {
+    const Loop& first = loops_[list.front().loop];
+    const Vec3 along = normalized(first.along[list.front().corner]);
+    const Vec3 axis = first.vertex[list.front().corner] == a ? along : -along;
     struct Placed {
       Real angle;
       bool rock_follows;  // turning counter-clockwise about the axis enters rock
@@ -250,9 +257,9 @@ class SurfaceMerger {
     std::vector<Placed> placed;
     Vec3 zero{};
     for (const EdgeUse& u : list) {
-      const Vec3 n = outward(loops_[u.loop].face);
-      const bool along = loops_[u.loop].vertex[u.corner] == a;
-      const Vec3 into_face = cross(n, along ? axis : -axis);
+      const Vec3 n = outward_of_face(loops_[u.loop].face);
+      const bool forward = loops_[u.loop].vertex[u.corner] == a;
+      const Vec3 into_face = cross(n, forward ? axis : -axis);
       if (placed.empty()) zero = into_face;
       const Real angle = std::atan2(dot(axis, cross(zero, into_face)), dot(zero, into_face));
       placed.push_back({angle < -1e-12 ? angle + 6.283185307179586 : angle,
@@ -313,9 +320,7 @@ class SurfaceMerger {
     const HalfSpaceId h1 = surface_.faces[l1.face].inside, h2 = surface_.faces[l2.face].inside;
     if (h1 == h2) return true;
     if (plane_of(h1) == plane_of(h2)) return false;
-    const Vec3 e = vertices_[l1.vertex[(one.corner + 1) % l1.vertex.size()]].x -
-                   vertices_[l1.vertex[one.corner]].x;
-    return dot(cross(outward(l1.face), outward(l2.face)), e) > 0;
+    return dot(cross(outward_of_face(l1.face), outward_of_face(l2.face)), l1.along[one.corner]) > 0;
   }
 
   // Vertices in the middle of a straight edge between the same two faces are none.

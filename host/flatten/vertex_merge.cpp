@@ -111,20 +111,37 @@ std::vector<Index> VertexFinder::between(Index from, Index to, Index p, Index q)
   const Vec3& a = vertices_[from].x;
   const Vec3 e = vertices_[to].x - a;
   const Real length2 = dot(e, e);
-  std::vector<std::pair<Real, Index>> on;
+  std::vector<OnEdge> on;
   IntentCount ignored;
   visit(0, order_.size(), {a, e}, 0, 1, [&](Index v) {
     if (v == from || v == to) return;
     const Vec3 r = vertices_[v].x - a;
     const Real t = dot(r, e) / length2;
-    if (!(t > 0 && t < 1) || norm(r - t * e) > 100 * planes_.tolerance()) return;
-    if (planes_.side(vertices_[v], p, ignored) == 0 && planes_.side(vertices_[v], q, ignored) == 0)
-      on.emplace_back(t, v);
+    if (norm(r - t * e) > 100 * planes_.tolerance() ||
+        planes_.side(vertices_[v], p, ignored) != 0 || planes_.side(vertices_[v], q, ignored) != 0)
+      return;
+    if (const Index across = plane_between(v, from, to); across != none)
+      on.push_back({v, across, t});
   });
-  std::sort(on.begin(), on.end());
+  const Real close = 100 * planes_.tolerance() / std::sqrt(length2);
+  std::sort(on.begin(), on.end(), [&](const OnEdge& x, const OnEdge& y) {
+    if (std::abs(x.t - y.t) > close) return x.t < y.t;
+    const int side = planes_.side(vertices_[y.vertex], x.across, ignored);
+    return side != 0 && side == planes_.side(vertices_[to], x.across, ignored);
+  });
   std::vector<Index> ids;
-  for (const auto& [t, v] : on) ids.push_back(v);
+  for (const OnEdge& x : on) ids.push_back(x.vertex);
   return ids;
+}
+
+// Of the planes that meet in v, all on one line with the ends, one that has the ends on either side; none if v is not between
+// them. Positions in doubles would not tell for ends as near as rounding.
+Index VertexFinder::plane_between(Index v, Index from, Index to) const {
+  IntentCount ignored;
+  for (const Index s : vertices_[v].plane)
+    if (planes_.side(vertices_[from], s, ignored) * planes_.side(vertices_[to], s, ignored) < 0)
+      return s;
+  return none;
 }
 
 }  // namespace rockfold

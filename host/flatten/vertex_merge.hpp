@@ -39,6 +39,11 @@ class VertexFinder {
   struct Line {
     Vec3 a, e;
   };
+  struct OnEdge {
+    Index vertex, across;  // across: a plane that separates the edge's ends there
+    Real t;
+  };
+  Index plane_between(Index v, Index from, Index to) const;
   void build(std::size_t begin, std::size_t end);
   template <class Visit>
   void visit(std::size_t begin, std::size_t end, const Line& line, Real from, Real to,

@@ -117,7 +117,6 @@ void place_mesh(const JointMesh& mesh, const RockBounds& rock, const std::string
                          mesh.file));
     one.origin = origin;
     one.within = mesh.within;
-    one.of_mesh = true;
     placed.joints.push_back(std::move(one));
   }
 }

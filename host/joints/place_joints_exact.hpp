@@ -17,7 +17,6 @@ struct PlacedJoint {
   std::vector<Vec3> polygon;
   Index origin = none;   ///< into PlacedJoints::origins
   Index within = none;   ///< into Model::solids
-  bool of_mesh = false;  ///< a triangle that shares its corners exactly with others of its mesh
 };
 
 struct JointOrigin {

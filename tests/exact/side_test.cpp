@@ -188,8 +188,8 @@ TEST_F(Side, CountsWhatIntentDecided) {
   EXPECT_EQ(ask(1.1e-8), std::pair(0, 0));
 }
 
-// Among planes known exactly nearness is an accident: rounding alone is forgiven.
-TEST_F(Side, OfExactlyKnownPlanesIsTheExactSignBeyondRounding) {
+// Among planes known exactly nearness is an accident.
+TEST_F(Side, OfExactlyKnownPlanesIsTheExactSign) {
   const auto ask = [](Real miss, Known last) {
     PlaneTable table({}, 1);
     for (int d = 0; d < 3; ++d) {
@@ -204,24 +204,31 @@ TEST_F(Side, OfExactlyKnownPlanesIsTheExactSignBeyondRounding) {
   };
   EXPECT_EQ(ask(0.5e-10, Known::nearly), std::tuple(0, 1, 1));
   EXPECT_EQ(ask(0.5e-10, Known::exactly), std::tuple(-1, 0, 0));
-  EXPECT_EQ(ask(2e-13, Known::exactly), std::tuple(-1, 0, 0));
-  EXPECT_EQ(ask(0.5e-13, Known::exactly), std::tuple(0, 0, 0));
+  EXPECT_EQ(ask(1e-20, Known::exactly), std::tuple(-1, 0, 0));
+  EXPECT_EQ(ask(-1e-20, Known::exactly), std::tuple(1, 0, 0));
+  EXPECT_EQ(ask(0, Known::exactly), std::tuple(0, 0, 0));
 }
 
-// A plane that stands for another one besides itself is known only nearly.
-TEST(KnownPlanes, AreExactWhileAllThatCoincideAreEqual) {
-  const auto after = [](const ExactPlane& second, Known known) {
+// A plane that also stands for one known nearly is known only nearly; planes known exactly are one only where they are equal.
+TEST(KnownPlanes, CoincideWhereTheyAreEqual) {
+  const ExactPlane first = plane_through({1, 2, 3}, {1, 1, 1});
+  const auto after = [&](const ExactPlane& second, Known known) {
     PlaneTable table({0.5, 0.25, 0}, 1);
-    const Index id =
-        plane_of(table.find_or_add(plane_through({1, 2, 3}, {1, 1, 1}), Known::exactly));
-    EXPECT_EQ(plane_of(table.find_or_add(second, known)), id);
-    return table.known(id);
+    const Index id = plane_of(table.find_or_add(first, Known::exactly));
+    const bool same = plane_of(table.find_or_add(second, known)) == id;
+    return std::pair{same, table.known(id)};
   };
-  const ExactPlane same = plane_through({2, 4, 6}, {1, 1, 1});
-  EXPECT_EQ(after(same, Known::exactly), Known::exactly);
-  EXPECT_EQ(after(opposite(same), Known::exactly), Known::exactly);
-  EXPECT_EQ(after(same, Known::nearly), Known::nearly);
-  EXPECT_EQ(after(plane_through({1, 2, 3}, {1, 1, 1 + 1e-11}), Known::exactly), Known::nearly);
+  const ExactPlane equal = plane_through({2, 4, 6}, {1, 1, 1});
+  const ExactPlane near = plane_through({1, 2, 3}, {1, 1, 1 + 1e-11});
+  EXPECT_EQ(after(equal, Known::exactly), std::pair(true, Known::exactly));
+  EXPECT_EQ(after(opposite(equal), Known::exactly), std::pair(true, Known::exactly));
+  EXPECT_EQ(after(near, Known::exactly), std::pair(false, Known::exactly));
+  EXPECT_EQ(after(equal, Known::nearly), std::pair(true, Known::nearly));
+  EXPECT_EQ(after(near, Known::nearly), std::pair(true, Known::nearly));
+
+  PlaneTable table({}, 1);
+  const HalfSpaceId nearly = table.find_or_add(near, Known::nearly);
+  EXPECT_EQ(table.find_or_add(first, Known::exactly), nearly);
 }
 
 }  // namespace
