@@ -78,8 +78,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   PhaseClock clock(terminal);
   const Model model = load_model(options, terminal);
   const std::string path = result_path(options);
-  check_result_path(path, model.path);
-  check_export_paths(options, path, model.path);
+  check_output_paths(options, model);
 
   const Cutting cutting = clock.measure("cut", [&] { return cut_blocks(model, terminal); });
   const BlockArrays blocks =

@@ -137,6 +137,67 @@ class Outputs(ProgramTest):
         before = path.read_text(encoding="utf-8")
         self.assertIn("overwrite the model", self.run_program("cut", "wedge.toml", "-o", "./wedge.toml", status=2).stderr)
         self.assertEqual(path.read_text(encoding="utf-8"), before)
+        path = path.rename(self.folder / "wedge.xdmf")
+        message = self.run_program("cut", "wedge.xdmf", status=2).stderr
+        self.assertIn("the .xdmf file that goes with the result would overwrite the model", message)
+        self.assertEqual(path.read_text(encoding="utf-8"), before)
+
+    MODEL_WITH_FILES = """
+[[solid]]
+name = "rock"
+shape = "mesh"
+file = "rock.obj"
+[[solid]]
+name = "ground"
+operation = "subtract"
+shape = "terrain"
+file = "ground.xyz"
+base = -1
+[[joint_mesh]]
+name = "fault"
+file = "fault.obj"
+[[joint_table]]
+name = "discs"
+file = "discs.csv"
+"""
+    FILES = {
+        "rock.obj": "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n",
+        "ground.xyz": "9 9 0\n10 9 0\n10 10 0\n9 10 0\n",
+        "fault.obj": "v 1 1 0\nv 2 1 0\nv 1 1 1\nf 1 2 3\n",
+        "discs.csv": "dip,dip_direction,x,y,z,radius\n30,90,1,1,1,0.5\n",
+    }
+
+    def test_never_overwrite_a_file_that_the_model_reads(self):
+        (self.folder / "in").mkdir()
+        self.write("in/m.toml", self.MODEL_WITH_FILES)
+        for name, text in self.FILES.items():
+            self.write(f"in/{name}", text)
+        (self.folder / "symbolic.obj").symlink_to("in/rock.obj")
+        os.link(self.folder / "in" / "fault.obj", self.folder / "hard.obj")
+        os.link(self.folder / "in" / "discs.csv", self.folder / "in" / "m.xdmf")
+        (self.folder / "beside").symlink_to("in")
+        model = "in/m.toml"
+        for name, arguments in {
+                "in/rock.obj": ["--export", "in/rock.obj", "-o", "a.vtkhdf"], "in/ground.xyz": ["-o", "in/../beside/ground.xyz"],
+                "in/fault.obj": ["--export", "hard.obj", "-o", "a.vtkhdf"], "in/discs.csv": ["-o", "in/discs.csv"],
+        }.items():
+            message = self.run_program("cut", model, *arguments, status=2).stderr
+            self.assertIn(f"would overwrite '{name}', which the model reads", message)
+        self.assertIn("overwrite 'in/rock.obj'",
+                      self.run_program("cut", model, "-o", "a.vtkhdf", "--export", "symbolic.obj", status=2).stderr)
+        self.assertIn("the .xdmf file that goes with the result would overwrite 'in/discs.csv'",
+                      self.run_program("cut", model, status=2).stderr)
+        for name, text in self.FILES.items():
+            self.assertEqual((self.folder / "in" / name).read_text(encoding="utf-8"), text)
+        (self.folder / "in" / "m.xdmf").unlink()
+        self.run_program("cut", model, "--export", "blocks.obj")
+
+    def test_never_overwrite_each_other(self):
+        self.copy_case("wedge")
+        message = self.run_program("cut", "wedge.toml", "-o", "a.xdmf", status=2).stderr
+        self.assertIn("a.xdmf: the .xdmf file that goes with the result would overwrite the result", message)
+        self.assertIn("ends in .vtkhdf", message)
+        self.assertEqual(self.files(), ["wedge.toml"])
 
     def test_quiet_prints_nothing(self):
         self.copy_case("wedge")
