@@ -248,10 +248,10 @@ TEST(ResultInfo, SurvivesEveryWrongByte) {
   const std::string whole = file_bytes(folder / "a.vtkhdf");
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < whole.size(); i += whole.size() / 100) places.push_back(i);
-  for (const std::string structure : {"BTHD", "BTLF", "FRHP", "FHDB", "FSHD", "OHDR", "TREE"})
+  for (const std::string structure : {"BTLF", "FHDB"})
     for (auto at = whole.find(structure); at != std::string::npos;
          at = whole.find(structure, at + 1))
-      for (const std::size_t offset : {12, 30}) places.push_back(at + offset);
+      for (const std::size_t offset : {12, 50, 161, 300}) places.push_back(at + offset);
   int refused = 0;
   for (const std::size_t place : places) {
     if (place >= whole.size()) continue;
