@@ -74,12 +74,12 @@ class PlaneLabeller {
     return inside(shared.cell[0]) || inside(shared.cell[1]);
   }
 
-  // Merging makes all intact; an excavation's boundary is a free face to be, whatever joint lies there; of joints the
-  // first listed wins where they overlap; what no joint covers is a solid's interface or glue.
+  // An excavation's boundary is a free face to be, whatever lies there; merging makes all else intact; of joints the first
+  // listed wins where they overlap; what no joint covers is a solid's interface or glue.
   void label(SharedArea& shared) {
     const Zone &below = zone(shared.cell[0]), &above = zone(shared.cell[1]);
-    if (have_common(below.merges, above.merges)) return add_whole(shared, none, none);
     if (below.stage != above.stage) return add_whole(shared, excavation_origin(shared), none);
+    if (have_common(below.merges, above.merges)) return add_whole(shared, none, none);
     const Index rest = interface_between(below, above);
     usable_.clear();
     for (const Index j : joints_near(shared))

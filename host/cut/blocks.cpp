@@ -39,21 +39,38 @@ Index cell_at(const Complex& complex, const Vec3& point) {
   return best;
 }
 
-// Joints between and inside the blocks that hold the points become virtual.
+// Joints between and inside the blocks that hold the points become virtual. Throws Error(model) where that leaves the blocks
+// apart.
 void merge_blocks(Complex& complex, const Merge::Blocks& merge, const Place& place) {
   const std::vector<Index> part = components(complex);
   std::vector<bool> joined(complex.cells.size(), false);  // [parts]
+  std::vector<Index> part_of_point;
   for (const Vec3& point : merge.points) {
     const Index cell = cell_at(complex, point);
     if (cell == none)
       refuse(place, place.key + ".points",
              fmt::format("({:g}, {:g}, {:g}) is not in the rock", point[0], point[1], point[2]));
     joined[part[cell]] = true;
+    part_of_point.push_back(part[cell]);
   }
-  for (Fragment& f : complex.fragments)
-    if (f.joint != none && joined[part[f.cell[0]]] && joined[part[f.cell[1]]] &&
-        complex.zone(f.cell[0]).stage == complex.zone(f.cell[1]).stage)
-      f.joint = f.instance = none;
+  UnionFind blocks(complex.cells.size());
+  for (Fragment& f : complex.fragments) {
+    const Index one = part[f.cell[0]], two = part[f.cell[1]];
+    if (f.joint == none || !joined[one] || !joined[two] ||
+        complex.zone(f.cell[0]).stage != complex.zone(f.cell[1]).stage)
+      continue;
+    f.joint = f.instance = none;
+    blocks.join(one, two);
+  }
+  for (std::size_t i = 1; i < part_of_point.size(); ++i)
+    if (blocks.find(part_of_point[i]) != blocks.find(part_of_point[0])) {
+      const Vec3 &a = merge.points[0], &b = merge.points[i];
+      refuse(place, place.key + ".points",
+             fmt::format(
+                 "the blocks at ({:g}, {:g}, {:g}) and ({:g}, {:g}, {:g}) cannot become one: no "
+                 "joint between the blocks of the points leads from one to the other",
+                 a[0], a[1], a[2], b[0], b[1], b[2]));
+    }
 }
 
 }  // namespace

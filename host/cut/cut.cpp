@@ -210,7 +210,7 @@ CutTotals totals_of(const Complex& complex, const Rock& rock) {
 
 Cutting cut_blocks(const Model& model, Progress& progress) {
   CuttingInput input = make_surfaces(model);
-  IntentCount intent;
+  IntentCount intent = std::move(input.intent);
   CellStore cells = cut_by_shapes(input, model, intent);
   auto complex = std::make_shared<Complex>(std::move(input.complex));
   Cutting cutting;

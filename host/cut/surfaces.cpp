@@ -223,6 +223,15 @@ void add_edges(const std::vector<Index>& facet_of_polygon, std::vector<FlatPolyg
     complex.joints[joints.patch[i - facets]].patch.edges = std::move(edges[i]);
 }
 
+// Of planes that the user gave; triangles of one surface may be as nearly coplanar as they like.
+void count_near_planes(const PlaneTable& planes, IntentCount& intent) {
+  for (Index p = 0; p < planes.size(); ++p) {
+    if (planes.known(p) == Known::exactly || !planes.is_near_another(p)) continue;
+    ++intent.near_decisions;
+    intent.near_planes.push_back(p);
+  }
+}
+
 }  // namespace
 
 CuttingInput make_surfaces(const Model& model) {
@@ -234,7 +243,7 @@ CuttingInput make_surfaces(const Model& model) {
   for (const Vec3& x : rock.corners) box.add(x);
   const Vec3 centre = 0.5 * (box.low + box.high);
   const Real size = norm(box.high - box.low);
-  CuttingInput input{Complex(PlaneTable(centre, size)), {}, 0};
+  CuttingInput input{Complex(PlaneTable(centre, size)), {}, 0, {}};
   Complex& complex = input.complex;
   const Vec3 reach = 0.5 * (box.high - box.low) + 0.125 * size * Vec3{1, 1, 1};
   const ConvexCell start = make_box(complex.planes, -reach, reach);
@@ -249,6 +258,7 @@ CuttingInput make_surfaces(const Model& model) {
       add_surface(region, complex, polygons, facet_of_polygon);
   }
   const JointPolygons joints = add_joints(placed, input);
+  count_near_planes(complex.planes, input.intent);
   add_edges(facet_of_polygon, std::move(polygons), joints, complex);
   complex.facets_by_plane = ByPlane::sort(complex.facets, complex.planes.size());
   complex.joints_by_plane = ByPlane::sort(complex.joints, complex.planes.size());

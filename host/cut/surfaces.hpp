@@ -11,6 +11,7 @@ struct CuttingInput {
   Complex complex;  ///< planes, origins, bodies, facets and joints; no cells yet
   CellStore start;  ///< one box around all rock, none of whose planes is one of the model's
   Index planes_identified = 0;
+  IntentCount intent;  ///< planes nearly coincident
 };
 
 /// Throws Error(model) for solids without volume or bounds, and joints that are absurdly many.

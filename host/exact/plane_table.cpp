@@ -156,24 +156,35 @@ Index PlaneTable::add(const ExactPlane& plane, Known known) {
   return id;
 }
 
+// The planes that differ from the given one by less than so many times the tolerances: visit(id, same sense).
+template <class Visit>
+void PlaneTable::visit_near(const Vec3& normal, Real offset, Real times, Visit visit) const {
+  const Real key = search_key({normal, offset}, size_);
+  const auto& map = store_->by_key;
+  for (auto it = map.lower_bound(key - 3 * times * tolerance_);
+       it != map.end() && it->first <= key + 3 * times * tolerance_; ++it) {
+    const Vec3& n = normal_[it->second];
+    const Real sense = dot(n, normal) < 0 ? -1 : 1;
+    const bool same_angle = norm(cross(n, normal)) <= times * relative_tolerance;
+    const bool same_place = std::abs(offset - sense * offset_[it->second]) <= times * tolerance_;
+    if (same_angle && same_place) visit(it->second, sense > 0);
+  }
+}
+
 HalfSpaceId PlaneTable::find(const ExactPlane& plane) const {
   const UnitPlane unit = rounded(plane.n, plane.d - dot(plane.n, exact(centre_)));
-  const Real key = search_key(unit, size_);
-  const auto& map = store_->by_key;
-  Index best = none;
-  bool same_sense = true;
-  for (auto it = map.lower_bound(key - 3 * tolerance_);
-       it != map.end() && it->first <= key + 3 * tolerance_; ++it) {
-    const Vec3& n = normal_[it->second];
-    const Real sense = dot(n, unit.normal) < 0 ? -1 : 1;
-    const bool same_angle = norm(cross(n, unit.normal)) <= relative_tolerance;
-    const bool same_place = std::abs(unit.offset - sense * offset_[it->second]) <= tolerance_;
-    if (same_angle && same_place && (best == none || it->second < best)) {
-      best = it->second;
-      same_sense = sense > 0;
-    }
-  }
-  return best == none ? none : half_space(best, same_sense);
+  HalfSpaceId best = none;
+  visit_near(unit.normal, unit.offset, 1, [&](Index id, bool same_sense) {
+    if (best == none || id < plane_of(best)) best = half_space(id, same_sense);
+  });
+  return best;
+}
+
+bool PlaneTable::is_near_another(Index plane) const {
+  bool found = false;
+  visit_near(normal_[plane], offset_[plane], near_factor,
+             [&](Index id, bool) { found = found || id != plane; });
+  return found;
 }
 
 HalfSpaceId PlaneTable::find_or_add(const ExactPlane& plane, Known known) {

@@ -73,6 +73,9 @@ class PlaneTable {
   /// From now on the plane stands for points that lie on it only nearly.
   void loosen(Index plane) { known_[plane] = Known::nearly; }
 
+  /// Whether another plane is within a factor 100 of coinciding with this one. O(log n).
+  bool is_near_another(Index plane) const;
+
   Index size() const { return static_cast<Index>(normal_.size()); }
   const Vec3& normal(Index plane) const { return normal_[plane]; }  ///< unit
   Real offset(Index plane) const { return offset_[plane]; }  ///< m, n·x of the centred plane
@@ -104,6 +107,8 @@ class PlaneTable {
 
  private:
   struct Store;  // exact coefficients
+  template <class Visit>
+  void visit_near(const Vec3& normal, Real offset, Real times, Visit visit) const;
   Real guarded_sine(const Vertex& vertex, Index s) const;
   Real least_share(const Vertex& vertex, Index s) const;
   Real exact_distance(const Vertex& vertex, Index plane) const;

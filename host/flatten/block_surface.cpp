@@ -290,8 +290,7 @@ class SurfaceMerger {
                        2 * static_cast<Index>(surface_.faces.size()) -
                        static_cast<Index>(loops_.size());
     surface_.genus = surface_.shell_count - euler / 2;
-    surface_.convex = surface_.convex && surface_.shell_count == 1 && surface_.genus == 0 &&
-                      loops_.size() == surface_.faces.size();
+    surface_.convex = surface_.convex && surface_.shell_count == 1 && surface_.genus == 0;
     const std::vector<bool> straight = straight_vertices(vertex_of, vertex_count);
     surface_.edge_count = static_cast<Index>(pairs_.size()) -
                           static_cast<Index>(std::count(straight.begin(), straight.end(), true));

@@ -1,6 +1,8 @@
 #include "host/measure/parts.hpp"
 
 #include <algorithm>
+#include <compare>
+#include <iterator>
 #include <numeric>
 
 #include "host/cut/complex.hpp"
@@ -10,28 +12,52 @@ namespace rockfold {
 
 namespace {
 
-/// Convex blocks with one face a plane: each face is then convex and has one loop.
-std::vector<std::uint8_t> whole_parts(const BlockArrays& blocks) {
-  std::vector<std::uint8_t> whole(blocks.convex);
-  std::vector<Index> plane;
-  for (Index b = 0; b < blocks.block_count(); ++b) {
-    plane.assign(blocks.face_plane.begin() + blocks.face_begin[b],
-                 blocks.face_plane.begin() + blocks.face_begin[b + 1]);
-    std::sort(plane.begin(), plane.end());
-    if (std::adjacent_find(plane.begin(), plane.end()) != plane.end()) whole[b] = 0;
-  }
-  return whole;
+struct Edge {
+  Index plane, from, to;
+  auto operator<=>(const Edge&) const = default;
+};
+
+/// The edges of a convex block's faces without those between faces in one plane, by plane and first vertex.
+std::vector<Edge> outline_edges(const BlockArrays& blocks, Index b) {
+  std::vector<Edge> edges, outline;
+  for (Index f = blocks.face_begin[b]; f < blocks.face_begin[b + 1]; ++f)
+    for (Index l = blocks.loop_begin[f]; l < blocks.loop_begin[f + 1]; ++l) {
+      const Index begin = blocks.corner_begin[l], end = blocks.corner_begin[l + 1];
+      for (Index c = begin; c < end; ++c)
+        edges.push_back({blocks.face_plane[f], blocks.corner_vertex[c],
+                         blocks.corner_vertex[c + 1 < end ? c + 1 : begin]});
+    }
+  std::sort(edges.begin(), edges.end());
+  std::copy_if(edges.begin(), edges.end(), std::back_inserter(outline), [&](const Edge& e) {
+    return !std::binary_search(edges.begin(), edges.end(), Edge{e.plane, e.to, e.from});
+  });
+  return outline;
 }
 
+/// One face a plane, whatever origins share it, and the vertices where three planes meet.
 void add_block(const BlockArrays& blocks, Index b, PartArrays& out) {
-  const Index shift = static_cast<Index>(out.vertex.size()) - blocks.vertex_begin[b];
-  out.vertex.insert(out.vertex.end(), blocks.vertex.begin() + blocks.vertex_begin[b],
-                    blocks.vertex.begin() + blocks.vertex_begin[b + 1]);
-  const Index last = blocks.loop_begin[blocks.face_begin[b + 1]];
-  for (Index l = blocks.loop_begin[blocks.face_begin[b]]; l < last; ++l) {
-    for (Index c = blocks.corner_begin[l]; c < blocks.corner_begin[l + 1]; ++c)
-      out.corner_vertex.push_back(blocks.corner_vertex[c] + shift);
+  std::vector<Edge> edges = outline_edges(blocks, b);
+  const Index first = blocks.vertex_begin[b];
+  std::vector<Index> planes_at(blocks.vertex_begin[b + 1] - first, 0),
+      number(planes_at.size(), none);
+  for (const Edge& e : edges) ++planes_at[e.from - first];  // a plane's outline passes once
+  for (auto begin = edges.begin(); begin != edges.end();) {
+    const auto end =
+        std::find_if(begin, edges.end(), [&](const Edge& e) { return e.plane != begin->plane; });
+    auto e = begin;
+    do {
+      const Index v = e->from - first;
+      if (planes_at[v] > 2) {
+        if (number[v] == none) {
+          number[v] = static_cast<Index>(out.vertex.size());
+          out.vertex.push_back(blocks.vertex[e->from]);
+        }
+        out.corner_vertex.push_back(number[v]);
+      }
+      e = std::lower_bound(begin, end, Edge{begin->plane, e->to, none});
+    } while (e != begin);
     out.corner_begin.push_back(static_cast<Index>(out.corner_vertex.size()));
+    begin = end;
   }
 }
 
@@ -53,7 +79,6 @@ PartArrays convex_parts(const Cutting& cutting, const BlockArrays& blocks) {
   std::iota(cell.begin(), cell.end(), 0);
   std::stable_sort(cell.begin(), cell.end(),
                    [&](Index a, Index b) { return complex.cell_block[a] < complex.cell_block[b]; });
-  const std::vector<std::uint8_t> whole = whole_parts(blocks);
   PartArrays out;
   out.face_begin = out.corner_begin = {0};
   const auto end_part = [&](Index b) {
@@ -62,7 +87,7 @@ PartArrays convex_parts(const Cutting& cutting, const BlockArrays& blocks) {
   };
   for (const Index c : cell) {
     const Index b = complex.cell_block[c];
-    if (whole[b] != 0) {
+    if (blocks.convex[b] != 0) {
       if (!out.block.empty() && out.block.back() == b) continue;
       add_block(blocks, b, out);
     } else {

@@ -7,8 +7,7 @@
 
 namespace rockfold {
 
-/// A convex block is one part, with the faces of `blocks` (unless faces of two origins share a plane of it); any other
-/// block has the cells that the cutting left of it.
+/// A convex block is one part, with one face a plane; any other block has the cells that the cutting left of it.
 PartArrays convex_parts(const Cutting& cutting, const BlockArrays& blocks);
 
 }  // namespace rockfold

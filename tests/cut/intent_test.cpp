@@ -227,5 +227,20 @@ TEST(RotatedMirrorPlanes, AreTwentyFourTetrahedraOrFortyEight) {
   }
 }
 
+// Two joints nearly in one plane cut a plate; whether it is meant only the user can say.
+TEST(NearPlanes, AreReported) {
+  const auto near_of = [](Real apart) {
+    Model model = box_model({0, 0, 0}, {10, 10, 10});
+    add_joint(model, Vec3{1, 0, 0}, {5, 0, 0});
+    add_joint(model, Vec3{1, 0, 0}, {5 + apart, 0, 0});
+    const Blocks blocks = cut(model);
+    EXPECT_EQ(blocks.arrays.block_count(), apart > 1e-9 ? 3 : 2);
+    return blocks.cutting.totals.intent.near_planes;
+  };
+  EXPECT_TRUE(near_of(1e-12).empty());
+  EXPECT_EQ(near_of(3e-9), (std::vector<std::string>{"F1", "F2"}));
+  EXPECT_TRUE(near_of(3e-7).empty());
+}
+
 }  // namespace
 }  // namespace rockfold::test

@@ -105,11 +105,29 @@ TEST(Merge, JoinsTheBlocksThatHoldGivenPoints) {
   Model model = box_model({0, 0, 0}, {4, 4, 4});
   for (const Real at : {1.0, 2.0, 3.0}) add_joint(model, Vec3{1, 0, 0}, {at, 0, 0});
   model.merges.emplace_back();
-  model.merges[0].region = Merge::Blocks{{{0.5, 1, 1}, {1.5, 2, 2}, {3.5, 1, 1}}};
+  model.merges[0].region = Merge::Blocks{{{0.5, 1, 1}, {1.5, 2, 2}}};
   const Blocks blocks = checked_cut(model);
-  ASSERT_EQ(blocks.arrays.block_count(), 3);  // the last one touches none of the others
+  ASSERT_EQ(blocks.arrays.block_count(), 3);
   EXPECT_DOUBLE_EQ(blocks.cutting.totals.joint_area, 32);
-  model.merges[0].region = Merge::Blocks{{{0.5, 1, 1}, {9, 2, 2}}};
+  // Outside the rock; not touching the others.
+  for (const Vec3& third : {Vec3{9, 2, 2}, Vec3{3.5, 1, 1}}) {
+    model.merges[0].region = Merge::Blocks{{{0.5, 1, 1}, {1.5, 2, 2}, third}};
+    EXPECT_THROW(cut(model), Error);
+  }
+}
+
+TEST(Merge, LeavesTheWallsOfExcavations) {
+  Model model = box_model({0, 0, 0}, {10, 10, 10});
+  add_joint(model, Vec3{0, 0, 1}, {0, 0, 8});
+  model.excavations.push_back(excavation_of("drift", 1, BoxShape{{4, 0, 4}, {6, 10, 6}}));
+  add_merge(model, {0, 0, 0}, {10, 10, 9});
+  Blocks blocks = checked_cut(model);
+  ASSERT_EQ(blocks.arrays.block_count(), 2);
+  EXPECT_EQ(blocks.cutting.totals.joint_area, 0);
+  const Index drift = blocks.arrays.stage[0] == 1 ? 0 : 1;
+  EXPECT_DOUBLE_EQ(blocks.arrays.volume[drift], 40);
+  EXPECT_EQ(blocks.arrays.stage[1 - drift], 0);
+  model.merges[0].region = Merge::Blocks{{{1, 1, 1}, {5, 5, 5}}};
   EXPECT_THROW(cut(model), Error);
 }
 

@@ -148,6 +148,29 @@ Real volume_of_part(const PartArrays& parts, Index p) {
   return volume;
 }
 
+/// Faces that two origins share: a disc in a joint's plane, a face with a hole that another solid's face fills.
+TEST(ConvexParts, OfAConvexBlockAreOneWithOneFaceAPlane) {
+  Model disc = box_model({0, 0, 0}, {4, 4, 4});
+  add_joint(disc, Vec3{0, 0, 1}, {2, 2, 2});
+  disc.joints.push_back(disc.joints[0]);
+  disc.joints[0].polygon = {{1, 1, 2}, {3, 1, 2}, {2, 3, 2}};
+  Model hole = box_model({0, 0, 0}, {4, 4, 4});
+  hole.solids.push_back(box_solid("filling", {1, 1, 2}, {3, 3, 4}));
+  for (const Model& model : {disc, hole}) {
+    const Blocks blocks = cut(model);
+    const PartArrays parts = convex_parts(blocks.cutting, blocks.arrays);
+    ASSERT_EQ(parts.part_count(), blocks.arrays.block_count());
+    for (Index b = 0; b < parts.part_count(); ++b) {
+      EXPECT_GT(face_count(blocks.arrays, b), 6);
+      EXPECT_EQ(blocks.arrays.convex[b], 1);
+      EXPECT_EQ(parts.face_begin[b + 1] - parts.face_begin[b], 6);
+      EXPECT_NEAR(volume_of_part(parts, b), blocks.arrays.volume[b], 1e-12 * 64);
+    }
+    EXPECT_EQ(parts.vertex.size(), 8 * parts.block.size());
+    EXPECT_EQ(parts.corner_vertex.size(), 24 * parts.block.size());
+  }
+}
+
 /// A cube with a square through-hole, cut once: concave blocks by their cells, convex ones whole.
 TEST(ConvexParts, MakeUpTheBlocks) {
   Model model = box_model({0, 0, 0}, {4, 4, 4});
