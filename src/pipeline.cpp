@@ -124,8 +124,9 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   }
   clock.measure("output", [&] { writer.finish(); });
 
-  print_answer({options, model, cutting.totals, blocks, measures ? &*measures : nullptr, keyblocks ? &*keyblocks : nullptr,
-                rock ? &rock->covering.arrays : nullptr, run ? &*run : nullptr, path},
+  print_answer({options, model, cutting.totals, blocks, measures ? &*measures : nullptr,
+                keyblocks ? &*keyblocks : nullptr, rock ? &rock->covering.arrays : nullptr,
+                run ? &*run : nullptr, path},
                terminal, clock.seconds());
   return interrupted_status();
 }
@@ -133,6 +134,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
 int check_model(const Options& options) {
   Model model = read_model(options.input, options.overrides, Purpose::check);
   load_files(model);
+  check_cutting(model);
   print_check(options, model);
   return 0;
 }

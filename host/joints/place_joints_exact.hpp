@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/exact/plane_exact.hpp"
+#include "host/joints/cell_limit.hpp"
 #include "host/joints/intensity.hpp"
 #include "src/model/model.hpp"
 
@@ -16,8 +17,8 @@ struct PlacedJoint {
   /// m, model coordinates: a simple polygon (may be concave, either sense) whose corners lie on the plane to rounding;
   /// empty = through-going.
   std::vector<Vec3> polygon;
-  Index origin = none;  ///< into PlacedJoints::origins
-  Index within = none;  ///< into Model::solids
+  Index origin = none;   ///< into PlacedJoints::origins
+  Index within = none;   ///< into Model::solids
   bool of_mesh = false;  ///< a triangle that shares its corners exactly with others of its mesh
 };
 
@@ -31,6 +32,7 @@ struct PlacedJoints {
   /// origin for each material that a table's rows use).
   std::vector<JointOrigin> origins;
   std::vector<PlacedJoint> joints;
+  std::vector<PlaneSet> plane_sets;  ///< the joint sets of through-going planes
 };
 
 /// The rock before joints cut it, as far as placing joints needs it.
@@ -40,7 +42,7 @@ struct RockBounds {
   std::vector<std::vector<Vec3>> solid_corners;
 };
 
-/// Throws Error(model) for sets that would make absurdly many joints or more than model.cut.max_cells cells.
+/// Throws Error(model) for sets that would make absurdly many joints or cells, and for joints without area.
 PlacedJoints place_joints(const Model& model, const RockBounds& rock);
 
 /// The same in double precision, in the same order, for measure_intensities().

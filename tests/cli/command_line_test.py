@@ -99,6 +99,23 @@ class ModelErrors(ProgramTest):
         done = self.run_program("run", "free_fall.toml", "--set", "monitor.1.point=[5, 5, 5]", status=2)
         self.assertIn("monitor[1].point: (5, 5, 5) of monitor centre is not in the rock", done.stderr)
 
+    def test_of_shapes_and_joints_are_found_by_check_as_by_cut(self):
+        rock = "[[solid]]\nname = 'rock'\nshape = 'box'\nmin = [0, 0, 0]\nmax = [10, 10, 10]\n"
+        planes = "[[joint_set]]\nnormal = [%s]\nspacing = 0.01\n"
+        for text, message in {
+                "[[joint]]\ndip = 0\ndip_direction = 0\npoint = [5, 5, 5]\nradius = 1e-12\n": "joint[1].radius: a disc of",
+                "[[merge]]\npoints = [[1, 1, 1], [100, 1, 1]]\n": "merge[1].points: (100, 1, 1) is not in the rock",
+                rock.replace("'rock'", "'hole'\noperation = 'subtract'"): "leave no rock",
+                "".join(planes % normal for normal in ("1, 0, 0", "0, 1, 0", "0, 0, 1")):
+                    "cut.max_cells: the model makes about 1e+09 cells",
+                "[[joint_set]]\ndip = 9\ndip_direction = 9\nradius = 1\n[joint_set.random]\np32 = 1e9\n": "random.p32: asks for about",
+        }.items():
+            self.write("wrong.toml", rock + text)
+            for command in ("check", "cut"):
+                error = self.run_program(command, "wrong.toml", status=2).stderr
+                self.assertRegex(error, r"^wrong\.toml:6:1: ")
+                self.assertIn(message, error)
+
     def test_a_missing_model_has_status_3(self):
         self.assertIn("missing.toml", self.run_program("check", "missing.toml", status=3).stderr)
         self.assertEqual(self.json_of("run", "missing.toml", status=3)["error"]["kind"], "io")

@@ -158,6 +158,8 @@ TEST_F(CompleteCutting, HasItsMergesAndExcavations) {
 
 TEST_F(CompleteCutting, HasItsLimitsAndScanlines) {
   EXPECT_EQ(model.cut.max_cells, 1'000'000);
+  EXPECT_EQ(model.cut.place_of_max_cells.key, "cut.max_cells");
+  EXPECT_GT(model.cut.place_of_max_cells.line, 0);
   EXPECT_EQ(model.cut.min_volume, 1e-3);
   EXPECT_EQ(model.cut.max_aspect_ratio, 12.5);
   ASSERT_EQ(model.scanlines.size(), 1u);
@@ -180,6 +182,7 @@ TEST(SmallCutting, HasDefaults) {
   EXPECT_EQ(model.joint_sets[0].random->seed, 1u);
   EXPECT_EQ(model.joint_sets[0].random->spacing->max, infinity);
   EXPECT_EQ(model.cut.max_cells, 20'000'000);
+  EXPECT_TRUE(model.cut.place_of_max_cells.file.empty());
   EXPECT_FALSE(model.cut.min_volume || model.cut.max_aspect_ratio);
 }
 
