@@ -49,6 +49,7 @@ class Loader {
       attempt(terrain->file, entry, [&](const Place& place) {
         auto ground = load_terrain(place);
         check_above(*ground, terrain->base, place);
+        check_fine_posts(*ground, terrain->base, place);
         terrain->ground = std::move(ground);
       });
   }
