@@ -120,6 +120,15 @@ class ModelErrors(ProgramTest):
         self.assertIn("missing.toml", self.run_program("check", "missing.toml", status=3).stderr)
         self.assertEqual(self.json_of("run", "missing.toml", status=3)["error"]["kind"], "io")
 
+    def test_a_missing_file_of_a_right_model_has_status_3(self):
+        text = (CASES / "cube" / "model.toml").read_text(encoding="utf-8")
+        self.write("files.toml", text + "\n[[joint_mesh]]\nfile = \"no.stl\"\n")
+        for command in ("check", "cut"):
+            self.assertRegex(self.run_program(command, "files.toml", status=3).stderr,
+                             r"^files.toml:\d+:8: joint_mesh\[1\].file: there is no file")
+        self.write("files.toml", text + "\n[[joint_mesh]]\nfile = \"no.stl\"\nfiel = 1\n")
+        self.assertIn("2 errors", self.run_program("check", "files.toml", status=2).stderr)
+
 
 class Outputs(ProgramTest):
     def test_go_beside_the_model_by_default(self):

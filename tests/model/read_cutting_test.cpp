@@ -187,6 +187,15 @@ TEST(SmallCutting, HasDefaults) {
 }
 
 /// The opening of an arched tunnel given by its radius: half the width, and the height of a circle.
+TEST(RandomSpacing, MayBeLimitedByTheSetsCount) {
+  const auto model = parse_model(
+      ROCK
+      "[[joint_set]]\ndip = 0\ndip_direction = 0\ncount = 3\n[joint_set.random]\nspacing = 2\n",
+      "m.toml");
+  EXPECT_EQ(model.joint_sets[0].count, 3);
+  EXPECT_FALSE(model.joint_sets[0].random->count);
+}
+
 TEST(Tunnel, MayBeGivenByItsRadius) {
   for (const char* kind : {"d_shape", "horseshoe"}) {
     const auto section_of = [&](const std::string& size) {
@@ -250,6 +259,21 @@ TEST_F(ModelWithFiles, NamesThoseThatAreMissing) {
     EXPECT_NE(error.diagnostics()[1].message.find("is a folder"), std::string::npos);
     EXPECT_NE(error.diagnostics()[2].message.find("found \"\""), std::string::npos);
   }
+}
+
+TEST_F(ModelWithFiles, IsRightItselfWhereNothingButFilesIsMissing) {
+  const auto kind_of = [&](const std::string& text) {
+    try {
+      read_model(write("m.toml", text));
+    } catch (const Error& error) {
+      return error.kind();
+    }
+    return ErrorKind::analysis;
+  };
+  const std::string missing =
+      ROCK "[[joint_mesh]]\nfile = 'no.stl'\n[[joint_table]]\nfile = 'data'\n";
+  EXPECT_EQ(kind_of(missing), ErrorKind::io);
+  EXPECT_EQ(kind_of(missing + "sides = 2\n"), ErrorKind::model);
 }
 
 TEST_F(ModelWithFiles, TakesItsSeedsFromTheCommandLine) {
