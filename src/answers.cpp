@@ -27,7 +27,14 @@ Json answer_document(const Answer& answer) {
                           answer.options.seed};
   if (answer.run) return run_document(head, run_report(answer));
   if (answer.keyblocks) return support_document(head, answer.blocks, *answer.keyblocks);
-  return cut_document(head, answer.model, answer.totals, answer.blocks, *answer.measures);
+  return cut_document_without_blocks(head, answer.totals, answer.blocks, *answer.measures);
+}
+
+LongList long_list(const Answer& answer) {
+  if (answer.run || answer.keyblocks) return {};
+  return {"blocks", answer.blocks.block_count(), [&](Index b) {
+            return block_json(answer.model, answer.blocks, answer.measures->blocks, b);
+          }};
 }
 
 std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
@@ -47,9 +54,9 @@ std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
 }
 
 void print_document(Json document, const std::vector<std::string>& warnings,
-                    const PhaseSeconds& seconds) {
+                    const PhaseSeconds& seconds, const LongList& list = {}) {
   finish_document(document, warnings, seconds);
-  write_document(stdout, document);
+  write_document(stdout, document, list);
 }
 
 void put(const std::string& text) {
@@ -86,7 +93,7 @@ std::vector<std::string> write_example(const Example& example) {
 
 void print_answer(const Answer& answer, Terminal& terminal, const PhaseSeconds& seconds) {
   if (answer.options.json)
-    print_document(answer_document(answer), terminal.warnings(), seconds);
+    print_document(answer_document(answer), terminal.warnings(), seconds, long_list(answer));
   else if (!answer.options.quiet)
     put(answer_text(answer, seconds));
 }

@@ -110,7 +110,8 @@ void warn_of_cutting(const IntentReport& intent, Terminal& terminal) {
   std::string names;
   for (const auto& name : intent.near_planes) names += (names.empty() ? "" : ", ") + name;
   terminal.warn(fmt::format(
-      "{} distances between planes and corners are so small (about 1e-10 of the model's size) that "
+      "{} distances of planes from each other or from corners are so small (about 1e-10 of the "
+      "model's size) that "
       "another rounding of the input could give other blocks; planes: {}",
       intent.near_decisions, names));
 }

@@ -13,6 +13,7 @@
 #include "kernels/device/device.hpp"
 #include "src/answers.hpp"
 #include "src/io/exports/export.hpp"
+#include "src/memory.hpp"
 #include "src/model/read_model.hpp"
 #include "src/needs.hpp"
 #include "src/output_path.hpp"
@@ -62,14 +63,17 @@ RunResult analyse(const CoveredRock& rock, const Model& model, const BlockArrays
   }
 }
 
+/// Whether an export needs blocks as convex parts.
+bool wants_parts(const Options& options) {
+  return std::any_of(options.exports.begin(), options.exports.end(), [](const auto& path) {
+    return export_format(path) == ExportFormat::three_dec;
+  });
+}
+
 void write_exports(const Options& options, const Model& model, const Cutting& cutting,
                    const BlockArrays& blocks) {
-  const auto three_dec = [](const auto& path) {
-    return export_format(path) == ExportFormat::three_dec;
-  };
   PartArrays parts;
-  if (std::any_of(options.exports.begin(), options.exports.end(), three_dec))
-    parts = convex_parts(cutting, blocks);
+  if (wants_parts(options)) parts = convex_parts(cutting, blocks);
   for (const auto& path : options.exports) export_blocks({blocks, parts, model.title}, path);
 }
 
@@ -80,7 +84,8 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   const std::string path = result_path(options);
   check_output_paths(options, model);
 
-  const Cutting cutting = clock.measure("cut", [&] { return cut_blocks(model, terminal); });
+  Cutting cutting = clock.measure("cut", [&] { return cut_blocks(model, terminal); });
+  return_free_memory();
   const BlockArrays blocks =
       clock.measure("cut", "joining blocks", [&] { return flatten_blocks(cutting, model); });
   warn_of_cutting(cutting.totals.intent, terminal);
@@ -101,6 +106,10 @@ int analyse_rock(const Options& options, Terminal& terminal) {
     warn_of_missing_contact(model, blocks, terminal);
     rock = clock.measure("cover", [&] { return cover_rock(cutting, model, blocks, terminal); });
   }
+
+  // From here on the flat arrays say all, but for those exports.
+  if (!wants_parts(options)) cutting.complex.reset();
+  return_free_memory();
 
   remember_interrupts();
   ResultWriter writer(path, model, result_header(options));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -101,7 +102,9 @@ void find_blocks(Complex& complex, const Model& model) {
   struct Placed {
     std::array<Real, 3> key;
     Index block;
-    auto operator<=>(const Placed&) const = default;
+    bool operator<(const Placed& o) const {
+      return std::tie(key, block) < std::tie(o.key, o.block);
+    }
   };
   std::vector<Placed> order(sum.size());
   for (std::size_t b = 0; b < sum.size(); ++b) {

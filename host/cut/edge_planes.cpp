@@ -12,6 +12,8 @@ namespace rockfold {
 namespace {
 
 constexpr Real guard_sine = 1e-3;  // DESIGN.md, rule 3
+// Of exactly known planes, which meet in the edge itself.
+constexpr Real exact_guard_sine = 1e-8;
 
 struct Edge {
   Index polygon, side;
@@ -77,12 +79,19 @@ class EdgePlanes {
 
   std::vector<std::vector<HalfSpaceId>> result() const {
     std::vector<std::vector<HalfSpaceId>> edges(polygons_.size());
+    std::vector<bool> on_a_line(polygons_.size(), false);
     for (const Edge& e : edges_) {
+      const FlatPolygon& polygon = polygons_[e.polygon];
       Real farthest = 0;  // the side that holds the polygon
-      for (const Vec3& x : polygons_[e.polygon].corner)
+      for (const Vec3& x : polygon.corner)
         if (const Real d = distance(x, e.plane); std::abs(d) > std::abs(farthest)) farthest = d;
       edges[e.polygon].push_back(half_space(e.plane, farthest > 0));
+      if (std::abs(farthest) <= planes_.tolerance(e.plane, polygon.plane))
+        on_a_line[e.polygon] = true;
     }
+    // Nothing is on both sides of an edge: such a polygon cuts nothing.
+    for (std::size_t p = 0; p < edges.size(); ++p)
+      if (on_a_line[p]) edges[p] = {edges[p].front(), edges[p].front() ^ 1};
     return edges;
   }
 
@@ -108,7 +117,9 @@ class EdgePlanes {
     if (std::abs(distance(e.a, plane)) > tolerance || std::abs(distance(e.b, plane)) > tolerance)
       return;
     const Real sine = norm(cross(planes_.normal(plane), planes_.normal(own)));
-    if (sine <= guard_sine) return;
+    const bool exactly =
+        planes_.known(own) == Known::exactly && planes_.known(plane) == Known::exactly;
+    if (sine <= (exactly ? exact_guard_sine : guard_sine)) return;
     // The steeper plane crosses the polygon's better; of equally steep ones the first.
     if (e.plane != none && (sine < e.sine - 1e-9 || (sine <= e.sine + 1e-9 && plane > e.plane)))
       return;
@@ -121,7 +132,9 @@ class EdgePlanes {
     const Index own = polygons_[e.polygon].plane;
     const ExactPlane plane =
         plane_along(a, {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, exact(planes_.normal(own)));
-    return plane_of(planes_.find_or_add(plane, planes_.known(own)));
+    // Edges of a needle lie on planes that nearly coincide and are not one.
+    if (planes_.known(own) == Known::exactly) return planes_.add(plane, Known::exactly);
+    return plane_of(planes_.find_or_add(plane));
   }
 
   PlaneTable& planes_;

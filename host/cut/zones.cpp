@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -23,16 +24,16 @@ bool lies_inside(const CellView& cell, const Box& box, const Body& body, const P
   return true;
 }
 
-[[noreturn]] void refuse_surface(const LeakingSurface& leak, const Body& body, const Model& model) {
+// At the entry whose surface the body is.
+[[noreturn]] void refuse_surface(const Body& body, const Model& model, const std::string& where) {
   const bool is_solid = body.role == Body::Role::solid;
   const Place& place = is_solid                              ? model.solids[body.owner].place
                        : body.role == Body::Role::excavation ? model.excavations[body.owner].place
                                                              : model.merges[body.owner].place;
   refuse(place, place.key,
-         fmt::format("the surface does not separate inside from outside near ({:.6g}, {:.6g}, "
-                     "{:.6g}): it has triangles there that nearly coincide, or that are too small "
-                     "beside the model",
-                     leak.near[0], leak.near[1], leak.near[2]));
+         fmt::format("the surface does not separate inside from outside{}: it has triangles that "
+                     "nearly coincide, or that are too small beside the model",
+                     where));
 }
 
 // The bodies that hold each cell, ascending.
@@ -43,7 +44,13 @@ std::vector<std::vector<Index>> bodies_of_cells(const Complex& complex, const Ce
   try {
     inside = cells_inside_surfaces(complex, cells);
   } catch (const LeakingSurface& leak) {
-    refuse_surface(leak, complex.bodies[leak.body], model);
+    refuse_surface(
+        complex.bodies[leak.body], model,
+        fmt::format(" near ({:.6g}, {:.6g}, {:.6g})", leak.near[0], leak.near[1], leak.near[2]));
+  } catch (const std::logic_error&) {  // areas whose edges do not meet: smaller than the tolerance
+    for (const Body& body : complex.bodies)
+      if (body.inside.empty()) refuse_surface(body, model, "");
+    throw;
   }
   for (std::size_t b = 0; b < inside.size(); ++b)
     for (const Index c : inside[b]) bodies[c].push_back(static_cast<Index>(b));

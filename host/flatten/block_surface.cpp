@@ -213,14 +213,25 @@ class SurfaceMerger {
 
   // Pairs the two uses of each edge. Where four or more faces meet along an edge, those that enclose rock belong together.
   void pair_edges() {
-    std::map<std::pair<Index, Index>, std::vector<EdgeUse>> uses;
+    struct Use {
+      std::pair<Index, Index> ends;
+      EdgeUse use;
+    };
+    std::vector<Use> uses;
+    uses.reserve(edges_.size());
     for (std::size_t l = 0; l < loops_.size(); ++l)
       for (std::size_t k = 0; k < loops_[l].vertex.size(); ++k) {
         const Index a = loops_[l].vertex[k],
                     b = loops_[l].vertex[(k + 1) % loops_[l].vertex.size()];
-        uses[std::minmax(a, b)].push_back({static_cast<Index>(l), static_cast<Index>(k)});
+        uses.push_back({std::minmax(a, b), {static_cast<Index>(l), static_cast<Index>(k)}});
       }
-    for (auto& [ends, list] : uses) {
+    std::stable_sort(uses.begin(), uses.end(),
+                     [](const Use& x, const Use& y) { return x.ends < y.ends; });
+    std::vector<EdgeUse> list;
+    for (auto begin = uses.begin(); begin != uses.end();) {
+      const auto ends = begin->ends;
+      list.clear();
+      for (; begin != uses.end() && begin->ends == ends; ++begin) list.push_back(begin->use);
       if (list.size() % 2 != 0)
         throw NotClosed("an edge has an odd number of faces", vertices_[ends.first]);
       if (list.size() > 2) sort_around(ends.first, ends.second, list);
@@ -356,47 +367,9 @@ class SurfaceMerger {
   BlockSurface surface_;
 };
 
-// Whether the block is one cell and each face of it has one origin.
-bool is_plain_cell(const Complex& complex, const CellView& cell,
-                   const std::vector<BoundaryArea>& areas, std::vector<Index>& origin) {
-  origin.assign(cell.faces.size(), none);
-  for (const BoundaryArea& a : areas) {
-    if (a.cell != areas.front().cell || (origin[a.face] != none && origin[a.face] != a.origin))
-      return false;
-    origin[a.face] = a.origin;
-  }
-  // A face thinner than rounding may have no area of its own.
-  for (std::size_t f = 0; f < origin.size(); ++f) {
-    const auto joints = complex.joints_by_plane.on(plane_of(cell.faces[f].inside));
-    if (origin[f] == none && !joints.empty()) origin[f] = complex.joints[joints.front()].origin;
-  }
-  return std::find(origin.begin(), origin.end(), none) == origin.end();
-}
-
-BlockSurface cell_surface(const CellView& cell, const std::vector<BoundaryArea>& areas,
-                          const std::vector<Index>& origin) {
-  BlockSurface s;
-  for (std::size_t f = 0; f < cell.faces.size(); ++f) {
-    const auto& face = cell.faces[f];
-    s.faces.push_back({face.inside, origin[f], polygon_moments(face_polygon(cell, face)).area});
-    for (const auto& corner : cell.corners.subspan(face.begin, face.count))
-      s.corner_vertex.push_back(corner.vertex);
-    s.corner_begin.push_back(static_cast<Index>(s.corner_vertex.size()));
-    s.loop_begin.push_back(static_cast<Index>(f) + 1);
-  }
-  for (const Vertex& v : cell.vertices) s.vertices.push_back(v.x);
-  for (const BoundaryArea& a : areas) s.face_of_area.push_back(a.face);
-  s.edge_count = static_cast<Index>(cell.corners.size() / 2);
-  s.shell_count = 1;
-  return s;
-}
-
 }  // namespace
 
 BlockSurface make_block_surface(const Complex& complex, const std::vector<BoundaryArea>& areas) {
-  const CellView cell = complex.cells[areas.front().cell];
-  std::vector<Index> origin;
-  if (is_plain_cell(complex, cell, areas, origin)) return cell_surface(cell, areas, origin);
   try {
     return SurfaceMerger(complex, areas).run();
   } catch (const NotClosed& error) {

@@ -35,8 +35,7 @@ struct BlockSurface {
   bool convex = true;
 };
 
-/// Merges the areas of one block. A block of one cell whose faces have one origin each is the cell itself: O(corners).
-/// Otherwise O(n^5/3) at worst in the number of vertices, n log n where they are spread.
+/// Merges the areas of one block. O(n^5/3) at worst in the number of vertices, n log n where they are spread.
 BlockSurface make_block_surface(const Complex& complex, const std::vector<BoundaryArea>& areas);
 
 }  // namespace rockfold

@@ -1,10 +1,16 @@
 #include "host/flatten/flatten.hpp"
 
 #include <algorithm>
-#include <map>
+#include <functional>
+#include <numeric>
+#include <tuple>
 
 #include "host/cut/complex.hpp"
+#include "host/flatten/block_order.hpp"
 #include "host/flatten/block_surface.hpp"
+#include "host/flatten/bulk.hpp"
+#include "host/flatten/grouping.hpp"
+#include "host/flatten/plain_cell.hpp"
 #include "host/parallel.hpp"
 #include "src/base/vector.hpp"
 
@@ -12,149 +18,290 @@ namespace rockfold {
 
 namespace {
 
-// The boundary areas of each block: free parts, and joint fragments with another block behind them.
-std::vector<std::vector<BoundaryArea>> areas_by_block(const Complex& complex) {
-  std::vector<std::vector<BoundaryArea>> areas(complex.block_count);
-  for (std::size_t i = 0; i < complex.fragments.size(); ++i) {
-    const Fragment& f = complex.fragments[i];
-    if (f.joint == none || complex.cell_block[f.cell[0]] == complex.cell_block[f.cell[1]]) continue;
-    for (int s = 0; s < 2; ++s)
-      areas[complex.cell_block[f.cell[s]]].push_back(
-          {f.cell[s], f.face[s], f.joint, static_cast<Index>(i), none});
-  }
-  for (std::size_t i = 0; i < complex.free_parts.size(); ++i) {
-    const FreePart& f = complex.free_parts[i];
-    areas[complex.cell_block[f.cell]].push_back(
-        {f.cell, f.face, f.origin, none, static_cast<Index>(i)});
-  }
-  return areas;
+constexpr Index chunk = 1024;  // blocks that a thread takes at a time
+
+// Numbers of faces, loops, corners and vertices: of a block's surface, or of all blocks before it.
+struct SurfaceSize {
+  Index faces = 0, loops = 0, corners = 0, vertices = 0;
+};
+
+SurfaceSize size_of(const CellView& cell) {
+  const auto faces = static_cast<Index>(cell.faces.size());
+  return {faces, faces, static_cast<Index>(cell.corners.size()),
+          static_cast<Index>(cell.vertices.size())};
 }
 
-void append_surface(const BlockSurface& s, const Complex& complex, BlockArrays& out) {
-  const auto loops = static_cast<Index>(out.corner_begin.size()) - 1;
-  const auto corners = static_cast<Index>(out.corner_vertex.size());
-  const auto vertices = static_cast<Index>(out.vertex.size());
-  bool finite = true;
-  for (const auto& f : s.faces) {
-    const Vec3& n = complex.planes.normal(plane_of(f.inside));
-    out.face_normal.push_back(is_above(f.inside) ? -n : n);
-    out.face_area.push_back(f.area);
-    out.face_origin.push_back(f.origin);
-    out.face_up.push_back(is_above(f.inside) ? 0 : 1);
-    out.face_plane.push_back(plane_of(f.inside));
-    finite = finite && !complex.origins[f.origin].continues;
-  }
-  for (std::size_t i = 1; i < s.loop_begin.size(); ++i)
-    out.loop_begin.push_back(loops + s.loop_begin[i]);
-  for (std::size_t i = 1; i < s.corner_begin.size(); ++i)
-    out.corner_begin.push_back(corners + s.corner_begin[i]);
-  for (const Index v : s.corner_vertex) out.corner_vertex.push_back(vertices + v);
-  for (const Vec3& x : s.vertices) out.vertex.push_back(x + complex.planes.centre());
-  out.face_begin.push_back(static_cast<Index>(out.face_normal.size()));
-  out.vertex_begin.push_back(static_cast<Index>(out.vertex.size()));
-  out.edge_count.push_back(s.edge_count);
-  out.shell_count.push_back(s.shell_count);
-  out.genus.push_back(s.genus);
-  out.convex.push_back(s.convex);
-  out.finite.push_back(finite);
+SurfaceSize size_of(const BlockSurface& s) {
+  return {static_cast<Index>(s.faces.size()), static_cast<Index>(s.corner_begin.size()) - 1,
+          static_cast<Index>(s.corner_vertex.size()), static_cast<Index>(s.vertices.size())};
 }
 
-// Joints that end inside a block: convex polygons, as seen from above their planes.
-void add_dead_ends(const Complex& complex, BlockArrays& out) {
-  out.dead_end_area.assign(complex.block_count, 0);
-  out.dead_end_corner_begin = {0};
-  for (const Fragment& f : complex.fragments) {
-    const Index block = complex.cell_block[f.cell[0]];
-    if (f.joint == none || block != complex.cell_block[f.cell[1]]) continue;
-    out.dead_end_area[block] += f.area;
-    out.dead_end_block.push_back(block);
-    out.dead_end_origin.push_back(f.joint);
-    for (const Vertex& v : complex.polygon_of(f).corner)
-      out.dead_end_vertex.push_back(v.x + complex.planes.centre());
-    out.dead_end_corner_begin.push_back(static_cast<Index>(out.dead_end_vertex.size()));
-  }
-}
+// Surfaces are measured first and written second, each block to its place in the arrays. A block that is one cell is
+// cheap to do twice; the surfaces of others are kept in between. Blocks are visited by rank (BlockOrder).
+class SurfaceWriter {
+ public:
+  SurfaceWriter(const Complex& complex, const BlockOrder& order, BlockArrays& out)
+      : complex_(complex),
+        order_(order),
+        out_(out),
+        sides_(2 * static_cast<Index>(complex.fragments.size())),
+        chunks_((complex.block_count + chunk - 1) / chunk) {}
 
-void add_bulk(const Complex& complex, const Model& model, BlockArrays& out) {
-  std::vector<Vec3> first(complex.block_count);
-  std::vector<std::map<Index, Real>> by_material(complex.block_count);
-  out.volume.assign(complex.block_count, 0);
-  out.mass.assign(complex.block_count, 0);
-  out.stage.assign(complex.block_count, 0);
-  for (Index c = 0; c < complex.cells.size(); ++c) {
-    const Index b = complex.cell_block[c];
-    out.volume[b] += complex.moments[c].volume;
-    out.stage[b] = complex.zone(c).stage;  // one for all cells of a block
-    first[b] += complex.moments[c].first;
-    const Index material = model.solids[complex.zone(c).solid].material;
-    by_material[b][material] += complex.moments[c].volume;
-    if (material != none && material < static_cast<Index>(model.materials.size()))
-      out.mass[b] += model.materials[material].density * complex.moments[c].volume;
+  void run() {
+    group_areas();
+    measure();
+    make_room();
+    for_each_chunk([&](Index k, Index begin, Index end) { write_chunk(k, begin, end); });
+    write_interfaces();
   }
-  for (Index b = 0; b < complex.block_count; ++b) {
-    out.centroid.push_back((1 / out.volume[b]) * first[b] + complex.planes.centre());
-    const auto largest =
-        std::max_element(by_material[b].begin(), by_material[b].end(),
-                         [](const auto& x, const auto& y) { return x.second < y.second; });
-    out.material.push_back(largest->first);
-  }
-}
 
-void add_interfaces(const Complex& complex, const std::vector<std::vector<BoundaryArea>>& areas,
-                    const std::vector<BlockSurface>& surfaces, BlockArrays& out) {
-  std::vector<std::array<Index, 2>> face_of_fragment(complex.fragments.size(), {none, none});
-  for (std::size_t b = 0; b < areas.size(); ++b)
-    for (std::size_t i = 0; i < areas[b].size(); ++i) {
-      const BoundaryArea& a = areas[b][i];
-      if (a.fragment == none) continue;
-      const int side = complex.fragments[a.fragment].cell[0] == a.cell ? 0 : 1;
-      face_of_fragment[a.fragment][side] = out.face_begin[b] + surfaces[b].face_of_area[i];
-    }
-  for (std::size_t i = 0; i < complex.fragments.size(); ++i) {
-    if (face_of_fragment[i][0] == none) continue;
-    BlockArrays::Interface shared;
-    for (int s = 0; s < 2; ++s) {
-      shared.block[s] = complex.cell_block[complex.fragments[i].cell[s]];
-      shared.face[s] = face_of_fragment[i][s];
-    }
-    if (shared.block[0] > shared.block[1]) {
-      std::swap(shared.block[0], shared.block[1]);
-      std::swap(shared.face[0], shared.face[1]);
-    }
-    shared.area = complex.fragments[i].area;
-    out.interfaces.push_back(shared);
-  }
-  const auto key = [](const BlockArrays::Interface& i) {
-    return std::tie(i.block[0], i.face[0], i.block[1], i.face[1]);
+ private:
+  struct KeptSurface {
+    Index rank;
+    BlockSurface surface;
   };
-  std::stable_sort(out.interfaces.begin(), out.interfaces.end(),
-                   [&](const auto& a, const auto& b) { return key(a) < key(b); });
-  std::vector<BlockArrays::Interface> merged;
-  for (const auto& i : out.interfaces) {
-    if (!merged.empty() && key(merged.back()) == key(i))
-      merged.back().area += i.area;
-    else
-      merged.push_back(i);
+  // Of one fragment; those of one pair of faces become one.
+  struct Contact {
+    BlockArrays::Interface shared;
+    Index fragment;
+    auto key() const {
+      return std::tie(shared.block[0], shared.face[0], shared.block[1], shared.face[1]);
+    }
+    bool operator<(const Contact& o) const {
+      return std::tuple_cat(key(), std::tie(fragment)) <
+             std::tuple_cat(o.key(), std::tie(o.fragment));
+    }
+  };
+
+  template <class Function>
+  void for_each_chunk(const Function& f) const {
+    parallel_for(chunks_, 1, [&](std::int64_t k) {
+      const auto begin = static_cast<Index>(k * chunk);
+      f(static_cast<Index>(k), begin, std::min(begin + chunk, complex_.block_count));
+    });
   }
-  out.interfaces = std::move(merged);
-}
+
+  // The boundary areas of each block: the sides of joint fragments with another block behind them, then free parts.
+  // Items are numbered so: fragment i has the sides 2 i and 2 i + 1.
+  void group_areas() {
+    const auto& rank = order_.rank_of_cell;
+    const auto rank_of_item = [&](Index i) {
+      if (i >= sides_) return rank[complex_.free_parts[i - sides_].cell];
+      const Fragment& f = complex_.fragments[i / 2];
+      if (f.joint == none || rank[f.cell[0]] == rank[f.cell[1]]) return none;
+      return rank[f.cell[i % 2]];
+    };
+    areas_ = group_items(sides_ + static_cast<Index>(complex_.free_parts.size()),
+                         complex_.block_count, rank_of_item);
+  }
+
+  void find_areas(Index rank, std::vector<BoundaryArea>& areas) const {
+    areas.clear();
+    for (const Index i : areas_[rank]) {
+      if (i < sides_) {
+        const Fragment& f = complex_.fragments[i / 2];
+        areas.push_back({f.cell[i % 2], f.face[i % 2], f.joint, i / 2, none});
+      } else {
+        const FreePart& f = complex_.free_parts[i - sides_];
+        areas.push_back({f.cell, f.face, f.origin, none, i - sides_});
+      }
+    }
+  }
+
+  void measure() {
+    begin_.resize(complex_.block_count + 1);
+    kept_.resize(chunks_);
+    for_each_chunk([&](Index k, Index begin, Index end) {
+      std::vector<BoundaryArea> areas;
+      std::vector<Index> workspace;
+      for (Index r = begin; r < end; ++r) {
+        SurfaceSize& size = begin_[order_.block[r] + 1];
+        find_areas(r, areas);
+        if (is_plain_cell(complex_, areas, workspace)) {
+          size = size_of(complex_.cells[areas.front().cell]);
+        } else {
+          kept_[k].push_back({r, make_block_surface(complex_, areas)});
+          size = size_of(kept_[k].back().surface);
+        }
+      }
+    });
+    for (Index b = 0; b < complex_.block_count; ++b) {
+      SurfaceSize& next = begin_[b + 1];
+      next.faces += begin_[b].faces;
+      next.loops += begin_[b].loops;
+      next.corners += begin_[b].corners;
+      next.vertices += begin_[b].vertices;
+    }
+  }
+
+  // Each array by one thread: the first to write to new memory is slow.
+  void make_room() {
+    const auto blocks = static_cast<std::size_t>(complex_.block_count);
+    const SurfaceSize& all = begin_.back();
+    const std::vector<std::function<void()>> tasks = {
+        [&] { out_.vertex.resize(all.vertices); },
+        [&] { out_.face_normal.resize(all.faces); },
+        [&] { out_.corner_vertex.resize(all.corners); },
+        [&] { out_.face_area.resize(all.faces); },
+        [&] { out_.face_origin.resize(all.faces, none); },
+        [&] { out_.face_plane.resize(all.faces); },
+        [&] { out_.loop_begin.resize(all.faces + 1); },
+        [&] { out_.corner_begin.resize(all.loops + 1); },
+        [&] { face_of_side_.resize(sides_, none); },
+        [&] {
+          out_.face_up.resize(all.faces);
+          for (auto* array : {&out_.edge_count, &out_.shell_count, &out_.genus})
+            array->resize(blocks);
+          for (auto* array : {&out_.face_begin, &out_.vertex_begin}) array->resize(blocks + 1);
+          for (auto* array : {&out_.convex, &out_.finite}) array->resize(blocks);
+        }};
+    parallel_for(
+        static_cast<std::int64_t>(tasks.size()), 1, [&](std::int64_t i) { tasks[i](); },
+        blocks > chunk);
+  }
+
+  void write_chunk(Index k, Index begin, Index end) {
+    std::vector<BoundaryArea> areas;
+    auto kept = kept_[k].begin();
+    for (Index r = begin; r < end; ++r) {
+      find_areas(r, areas);
+      if (kept != kept_[k].end() && kept->rank == r)
+        write_surface(r, (kept++)->surface);
+      else
+        write_cell(r, areas);
+    }
+    kept_[k] = {};
+  }
+
+  void write_surface(Index rank, const BlockSurface& s) {
+    const Index b = order_.block[rank];
+    const SurfaceSize at = begin_[b];
+    bool finite = true;
+    for (std::size_t f = 0; f < s.faces.size(); ++f) {
+      write_face(at.faces + static_cast<Index>(f), s.faces[f]);
+      finite = finite && !complex_.origins[s.faces[f].origin].continues;
+      out_.loop_begin[at.faces + f + 1] = at.loops + s.loop_begin[f + 1];
+    }
+    for (std::size_t i = 1; i < s.corner_begin.size(); ++i)
+      out_.corner_begin[at.loops + i] = at.corners + s.corner_begin[i];
+    for (std::size_t i = 0; i < s.corner_vertex.size(); ++i)
+      out_.corner_vertex[at.corners + i] = at.vertices + s.corner_vertex[i];
+    for (std::size_t i = 0; i < s.vertices.size(); ++i)
+      out_.vertex[at.vertices + i] = s.vertices[i] + complex_.planes.centre();
+    write_counts(b, s.edge_count, s.shell_count, s.genus, s.convex, finite);
+    const auto items = areas_[rank];
+    for (std::size_t i = 0; i < items.size() && items[i] < sides_; ++i)
+      face_of_side_[items[i]] = at.faces + s.face_of_area[i];
+  }
+
+  // A plain cell, from where it lies to where it belongs.
+  void write_cell(Index rank, const std::vector<BoundaryArea>& areas) {
+    const Index b = order_.block[rank];
+    const SurfaceSize at = begin_[b];
+    const CellView cell = complex_.cells[areas.front().cell];
+    const auto items = areas_[rank];
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      out_.face_origin[at.faces + areas[i].face] = areas[i].origin;
+      if (items[i] < sides_) face_of_side_[items[i]] = at.faces + areas[i].face;
+    }
+    bool finite = true;
+    Index corner = at.corners;
+    for (std::size_t f = 0; f < cell.faces.size(); ++f) {
+      const auto& face = cell.faces[f];
+      const Index number = at.faces + static_cast<Index>(f);
+      Index origin = out_.face_origin[number];
+      if (origin == none) origin = origin_of_thin_face(complex_, face);
+      write_face(number, {face.inside, origin, area_from_above(cell, face)});
+      finite = finite && !complex_.origins[origin].continues;
+      for (const auto& of_face : cell.corners.subspan(face.begin, face.count))
+        out_.corner_vertex[corner++] = at.vertices + of_face.vertex;
+      out_.corner_begin[at.loops + f + 1] = corner;
+      out_.loop_begin[number + 1] = at.loops + static_cast<Index>(f) + 1;
+    }
+    for (std::size_t v = 0; v < cell.vertices.size(); ++v)
+      out_.vertex[at.vertices + v] = cell.vertices[v].x + complex_.planes.centre();
+    write_counts(b, static_cast<Index>(cell.corners.size() / 2), 1, 0, true, finite);
+  }
+
+  void write_face(Index number, const BlockSurface::Face& face) {
+    const Vec3& n = complex_.planes.normal(plane_of(face.inside));
+    out_.face_normal[number] = is_above(face.inside) ? -n : n;
+    out_.face_area[number] = face.area;
+    out_.face_origin[number] = face.origin;
+    out_.face_up[number] = is_above(face.inside) ? 0 : 1;
+    out_.face_plane[number] = plane_of(face.inside);
+  }
+
+  void write_counts(Index b, Index edges, Index shells, Index genus, bool convex, bool finite) {
+    out_.face_begin[b + 1] = begin_[b + 1].faces;
+    out_.vertex_begin[b + 1] = begin_[b + 1].vertices;
+    out_.edge_count[b] = edges;
+    out_.shell_count[b] = shells;
+    out_.genus[b] = genus;
+    out_.convex[b] = convex ? 1 : 0;
+    out_.finite[b] = finite ? 1 : 0;
+  }
+
+  // Fragments between a block and those of higher numbers are its own, so that blocks need not wait for each other.
+  void write_interfaces() {
+    std::vector<std::vector<BlockArrays::Interface>> found(chunks_);
+    std::vector<Index> place(complex_.block_count + 1,
+                             0);  // of each block's first; before: numbers
+    for_each_chunk([&](Index k, Index begin, Index end) {
+      std::vector<Contact> contacts;
+      for (Index r = begin; r < end; ++r) {
+        const auto before = found[k].size();
+        find_contacts(r, contacts);
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+          if (i > 0 && contacts[i - 1].key() == contacts[i].key())
+            found[k].back().area += contacts[i].shared.area;
+          else
+            found[k].push_back(contacts[i].shared);
+        }
+        place[order_.block[r] + 1] = static_cast<Index>(found[k].size() - before);
+      }
+    });
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    out_.interfaces.resize(place.back());
+    for_each_chunk([&](Index k, Index, Index) {
+      for (const auto& shared : found[k]) out_.interfaces[place[shared.block[0]]++] = shared;
+      found[k] = {};
+    });
+  }
+
+  void find_contacts(Index rank, std::vector<Contact>& contacts) const {
+    contacts.clear();
+    const Index b = order_.block[rank];
+    for (const Index i : areas_[rank]) {
+      if (i >= sides_) break;
+      const Fragment& f = complex_.fragments[i / 2];
+      const Index other = i ^ 1, behind = complex_.cell_block[f.cell[other % 2]];
+      if (behind < b) continue;
+      contacts.push_back({{{b, behind}, {face_of_side_[i], face_of_side_[other]}, f.area}, i / 2});
+    }
+    std::sort(contacts.begin(), contacts.end());
+  }
+
+  const Complex& complex_;
+  const BlockOrder& order_;
+  BlockArrays& out_;
+  const Index sides_, chunks_;
+  Grouping areas_;                              // by rank
+  std::vector<SurfaceSize> begin_;              // [blocks + 1]
+  std::vector<std::vector<KeptSurface>> kept_;  // [chunks] by rank
+  std::vector<Index> face_of_side_;             // [sides] of all faces; none = on no surface
+};
 
 }  // namespace
 
 BlockArrays flatten_blocks(const Cutting& cutting, const Model& model) {
   const Complex& complex = *cutting.complex;
-  const auto areas = areas_by_block(complex);
-  std::vector<BlockSurface> surfaces(areas.size());
-  parallel_for(static_cast<std::int64_t>(areas.size()), 64,
-               [&](std::int64_t b) { surfaces[b] = make_block_surface(complex, areas[b]); });
-
   BlockArrays out;
   out.origins = complex.origins;
-  out.face_begin = out.vertex_begin = out.loop_begin = out.corner_begin = {0};
-  add_bulk(complex, model, out);
+  const BlockOrder order(complex);
+  add_bulk(complex, order, model, out);
   add_dead_ends(complex, out);
-  for (const BlockSurface& s : surfaces) append_surface(s, complex, out);
-  add_interfaces(complex, areas, surfaces, out);
+  SurfaceWriter(complex, order, out).run();
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "host/cut/patch.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -12,6 +13,7 @@ namespace {
 
 // Cells far larger than the error of any position, far smaller than any distance worth modelling.
 constexpr Real relative_cell = 1e-8;
+constexpr std::size_t leaf_size = 8;
 
 std::uint64_t cell_key(std::int64_t i, std::int64_t j, std::int64_t k) {
   auto h = static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15u;
@@ -54,45 +56,71 @@ Index VertexMerger::add(const Vertex& vertex) {
 }
 
 VertexFinder::VertexFinder(const PlaneTable& planes, const std::vector<Vertex>& vertices)
-    : planes_(planes), vertices_(vertices) {
-  for (int d = 0; d < 3; ++d) {
-    along_[d].resize(vertices.size());
-    std::iota(along_[d].begin(), along_[d].end(), 0);
-    std::sort(along_[d].begin(), along_[d].end(), [&](Index a, Index b) {
-      return vertices[a].x[d] != vertices[b].x[d] ? vertices[a].x[d] < vertices[b].x[d] : a < b;
-    });
+    : planes_(planes), vertices_(vertices), order_(vertices.size()), axis_(vertices.size(), 0) {
+  std::iota(order_.begin(), order_.end(), 0);
+  build(0, order_.size());
+}
+
+void VertexFinder::build(std::size_t begin, std::size_t end) {
+  if (end - begin <= leaf_size) return;
+  Box box;
+  for (std::size_t i = begin; i < end; ++i) box.add(vertices_[order_[i]].x);
+  int axis = 0;
+  for (int d = 1; d < 3; ++d)
+    if (box.high[d] - box.low[d] > box.high[axis] - box.low[axis]) axis = d;
+  const std::size_t middle = begin + (end - begin) / 2;
+  const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(at(begin), at(middle), at(end), [&](Index a, Index b) {
+    return std::pair{vertices_[a].x[axis], a} < std::pair{vertices_[b].x[axis], b};
+  });
+  axis_[middle] = static_cast<std::uint8_t>(axis);
+  build(begin, middle);
+  build(middle + 1, end);
+}
+
+// Visits what may lie near the part of the line a + t·e with t in [from, to].
+template <class Visit>
+void VertexFinder::visit(std::size_t begin, std::size_t end, const Line& line, Real from, Real to,
+                         const Visit& found) const {
+  if (end - begin <= leaf_size) {
+    for (std::size_t i = begin; i < end; ++i) found(order_[i]);
+    return;
+  }
+  const std::size_t middle = begin + (end - begin) / 2;
+  found(order_[middle]);
+  const int d = axis_[middle];
+  const Real split = vertices_[order_[middle]].x[d], slack = planes_.tolerance();
+  const Real step = line.e[d], start = line.a[d] + from * step, stop = line.a[d] + to * step;
+  // Where the line leaves the one half and enters the other.
+  const auto cut = [&](Real at) { return std::clamp((at - line.a[d]) / step, from, to); };
+  if (std::min(start, stop) <= split + slack) {
+    Real first = from, last = to;
+    if (start > split + slack) first = cut(split + slack);
+    if (stop > split + slack) last = cut(split + slack);
+    visit(begin, middle, line, first, last, found);
+  }
+  if (std::max(start, stop) >= split - slack) {
+    Real first = from, last = to;
+    if (start < split - slack) first = cut(split - slack);
+    if (stop < split - slack) last = cut(split - slack);
+    visit(middle + 1, end, line, first, last, found);
   }
 }
 
 std::vector<Index> VertexFinder::between(Index from, Index to, Index p, Index q) const {
-  const Vec3 &a = vertices_[from].x, &b = vertices_[to].x;
-  const Real slack = planes_.tolerance();
-  const Index *first = nullptr, *last = nullptr;
-  for (int d = 0; d < 3; ++d) {
-    const auto value = [&](Index v) { return vertices_[v].x[d]; };
-    const auto lo = std::partition_point(along_[d].begin(), along_[d].end(), [&](Index v) {
-      return value(v) < std::min(a[d], b[d]) - slack;
-    });
-    const auto hi = std::partition_point(
-        lo, along_[d].end(), [&](Index v) { return value(v) <= std::max(a[d], b[d]) + slack; });
-    if (first == nullptr || hi - lo < last - first) {
-      first = along_[d].data() + (lo - along_[d].begin());
-      last = along_[d].data() + (hi - along_[d].begin());
-    }
-  }
-  const Vec3 e = b - a;
+  const Vec3& a = vertices_[from].x;
+  const Vec3 e = vertices_[to].x - a;
   const Real length2 = dot(e, e);
   std::vector<std::pair<Real, Index>> on;
   IntentCount ignored;
-  for (; first != last; ++first) {
-    const Index v = *first;
-    if (v == from || v == to) continue;
+  visit(0, order_.size(), {a, e}, 0, 1, [&](Index v) {
+    if (v == from || v == to) return;
     const Vec3 r = vertices_[v].x - a;
     const Real t = dot(r, e) / length2;
-    if (!(t > 0 && t < 1) || norm(r - t * e) > 100 * slack) continue;
+    if (!(t > 0 && t < 1) || norm(r - t * e) > 100 * planes_.tolerance()) return;
     if (planes_.side(vertices_[v], p, ignored) == 0 && planes_.side(vertices_[v], q, ignored) == 0)
       on.emplace_back(t, v);
-  }
+  });
   std::sort(on.begin(), on.end());
   std::vector<Index> ids;
   for (const auto& [t, v] : on) ids.push_back(v);

@@ -1,7 +1,8 @@
 // Vertices that are one point although they were made by different planes, and vertices that lie on an edge.
 #pragma once
 
-#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <unordered_map>
 #include <vector>
 
@@ -26,7 +27,7 @@ class VertexMerger {
   std::unordered_multimap<std::uint64_t, Index> by_cell_;
 };
 
-/// Finds the vertices in the interior of an edge by their order along the axes.
+/// Finds the vertices in the interior of an edge by a tree of halves. O(log n) an edge and what is near it.
 class VertexFinder {
  public:
   VertexFinder(const PlaneTable& planes, const std::vector<Vertex>& vertices);
@@ -35,9 +36,18 @@ class VertexFinder {
   std::vector<Index> between(Index from, Index to, Index p, Index q) const;
 
  private:
+  struct Line {
+    Vec3 a, e;
+  };
+  void build(std::size_t begin, std::size_t end);
+  template <class Visit>
+  void visit(std::size_t begin, std::size_t end, const Line& line, Real from, Real to,
+             const Visit& found) const;
+
   const PlaneTable& planes_;
   const std::vector<Vertex>& vertices_;
-  std::array<std::vector<Index>, 3> along_;  // vertices sorted by x, y, z
+  std::vector<Index> order_;        // a range is divided at its middle
+  std::vector<std::uint8_t> axis_;  // that the range with this middle is divided along
 };
 
 }  // namespace rockfold

@@ -114,20 +114,4 @@ PlacedJoints place_joints(const Model& model, const RockBounds& rock) {
   return placed;
 }
 
-std::vector<FlatJoint> flat_joints(const PlacedJoints& placed) {
-  std::vector<FlatJoint> flat;
-  flat.reserve(placed.joints.size());
-  for (const PlacedJoint& joint : placed.joints) {
-    const ExactVec3& n = joint.plane.n;
-    // Scaled by the largest component first, so that normals of any length neither overflow nor vanish.
-    const Exact largest = std::max({Exact(abs(n[0])), Exact(abs(n[1])), Exact(abs(n[2]))});
-    Vec3 m;
-    for (int d = 0; d < 3; ++d) m[d] = CGAL::to_double(Exact(n[d] / largest));
-    const Real length = norm(m);
-    flat.push_back({(1 / length) * m, CGAL::to_double(Exact(joint.plane.d / largest)) / length,
-                    joint.polygon});
-  }
-  return flat;
-}
-
 }  // namespace rockfold

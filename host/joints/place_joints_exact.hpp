@@ -7,7 +7,6 @@
 
 #include "host/exact/plane_exact.hpp"
 #include "host/joints/cell_limit.hpp"
-#include "host/joints/intensity.hpp"
 #include "src/model/model.hpp"
 
 namespace rockfold {
@@ -44,8 +43,5 @@ struct RockBounds {
 
 /// Throws Error(model) for sets that would make absurdly many joints or cells, and for joints without area.
 PlacedJoints place_joints(const Model& model, const RockBounds& rock);
-
-/// The same in double precision, in the same order, for measure_intensities().
-std::vector<FlatJoint> flat_joints(const PlacedJoints& placed);
 
 }  // namespace rockfold

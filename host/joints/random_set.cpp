@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "host/exact/orientation.hpp"
-#include "host/joints/intensity.hpp"
+#include "host/joints/area_in_box.hpp"
 #include "host/joints/radius_near_box.hpp"
 #include "host/joints/random_stream.hpp"
 #include "host/refuse.hpp"

@@ -37,10 +37,11 @@ struct Keyblock {
 };
 
 struct KeyblockReport {
-  std::vector<BlockClass> block_class;  ///< [B] key, excavated, or the class once all key blocks are gone
-  std::vector<Index> batch;             ///< [B] 0 = not a key block
-  std::vector<Keyblock> keyblocks;      ///< ordered by batch, then block
-  std::vector<Index> batches;           ///< key blocks in each batch
+  std::vector<BlockClass>
+      block_class;           ///< [B] key, excavated, or the class once all key blocks are gone
+  std::vector<Index> batch;  ///< [B] 0 = not a key block
+  std::vector<Keyblock> keyblocks;  ///< ordered by batch, then block
+  std::vector<Index> batches;       ///< key blocks in each batch
   /// Blocks that would move without friction and cohesion but are held, once all key blocks are
   /// gone; by block. Their sliding_force is ≤ 0, their batch 0; support_force > 0 where the factor
   /// of safety is below the target.

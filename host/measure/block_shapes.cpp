@@ -30,21 +30,38 @@ Frame frame_of(const BlockArrays& blocks, Index b) {
   return frame;
 }
 
-/// Evenly spaced vertices of a block, at most most_chord_vertices.
-std::vector<Vec3> chord_vertices(const BlockArrays& blocks, Index b, const Frame& frame) {
-  const std::int64_t first = blocks.vertex_begin[b], n = blocks.vertex_begin[b + 1] - first;
-  const std::int64_t taken = std::min<std::int64_t>(n, most_chord_vertices);
-  std::vector<Vec3> points;
-  points.reserve(taken);
-  for (std::int64_t i = 0; i < taken; ++i)
-    points.push_back((1 / frame.unit) * (blocks.vertex[first + i * n / taken] - frame.origin));
-  return points;
-}
-
+/// Between two vertices.
 struct Chord {
   Real length;
-  Vec3 along;
+  Index along;  ///< into Workspace::along
 };
+
+/// What one thread works in, block after block.
+struct Workspace {
+  std::vector<Vec3> points;
+  std::vector<Vec3> along;
+  std::vector<Chord> chords;
+};
+
+/// Evenly spaced vertices of a block, at most most_chord_vertices.
+void find_chord_vertices(const BlockArrays& blocks, Index b, const Frame& frame,
+                         std::vector<Vec3>& points) {
+  const std::int64_t first = blocks.vertex_begin[b], n = blocks.vertex_begin[b + 1] - first;
+  const std::int64_t taken = std::min<std::int64_t>(n, most_chord_vertices);
+  points.clear();
+  for (std::int64_t i = 0; i < taken; ++i)
+    points.push_back((1 / frame.unit) * (blocks.vertex[first + i * n / taken] - frame.origin));
+}
+
+void find_chords(Workspace& my) {
+  my.along.clear();
+  my.chords.clear();
+  for (std::size_t i = 0; i < my.points.size(); ++i)
+    for (std::size_t j = i + 1; j < my.points.size(); ++j) {
+      my.along.push_back(my.points[j] - my.points[i]);
+      my.chords.push_back({norm(my.along.back()), static_cast<Index>(my.chords.size())});
+    }
+}
 
 Real mean_length(const std::vector<Chord>& chords) {
   Real sum = 0;
@@ -53,7 +70,8 @@ Real mean_length(const std::vector<Chord>& chords) {
 }
 
 /// Σ_ab (a·b)² is the squared Frobenius norm of Σ_a a aᵀ, so that no pairs are visited.
-Real beta_of(std::vector<Chord>& chords) {
+Real beta_of(Workspace& my) {
+  std::vector<Chord>& chords = my.chords;
   const auto middle = static_cast<std::ptrdiff_t>(chords.size() / 2);
   const auto shorter = [](const Chord& a, const Chord& b) { return a.length < b.length; };
   std::nth_element(chords.begin(), chords.begin() + middle, chords.end(), shorter);
@@ -67,7 +85,8 @@ Real beta_of(std::vector<Chord>& chords) {
   Real trace = 0;
   for (const Chord& c : chords) {
     if (c.length < least) continue;
-    for (int i = 0; i < 3; ++i) m[i] += c.along[i] * c.along;
+    const Vec3& along = my.along[c.along];
+    for (int i = 0; i < 3; ++i) m[i] += along[i] * along;
     trace += c.length * c.length;
   }
   const Real correlated = dot(m[0], m[0]) + dot(m[1], m[1]) + dot(m[2], m[2]);
@@ -109,24 +128,18 @@ Real aspect_ratio_of(const BlockArrays& blocks, Index b, const Frame& frame) {
   return std::sqrt(most / least);
 }
 
-BlockShape shape_of(const BlockArrays& blocks, Index b) {
+BlockShape shape_of(const BlockArrays& blocks, Index b, Workspace& my) {
   BlockShape shape;
   for (Index f = blocks.face_begin[b]; f < blocks.face_begin[b + 1]; ++f)
     shape.surface_area += blocks.face_area[f];
   const Frame frame = frame_of(blocks, b);
-  const std::vector<Vec3> points = chord_vertices(blocks, b, frame);
-  thread_local std::vector<Chord> chords;  // a workspace: most blocks have few vertices
-  chords.clear();
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = i + 1; j < points.size(); ++j) {
-      const Vec3 along = points[j] - points[i];
-      chords.push_back({norm(along), along});
-    }
+  find_chord_vertices(blocks, b, frame, my.points);
+  find_chords(my);
   shape.alpha =
-      shape.surface_area * frame.unit * mean_length(chords) / (cube_factor * blocks.volume[b]);
+      shape.surface_area * frame.unit * mean_length(my.chords) / (cube_factor * blocks.volume[b]);
   // A sliver whose corners coincide in doubles has no shape left: as thin as can be.
   if (!(shape.alpha < greatest_ratio)) shape.alpha = greatest_ratio;
-  const Real beta = beta_of(chords);
+  const Real beta = beta_of(my);
   shape.beta = beta >= 0 ? beta : 10;
   shape.aspect_ratio = aspect_ratio_of(blocks, b, frame);
   return shape;
@@ -142,9 +155,15 @@ ShapeClass shape_class(Real alpha, Real beta) {
 }
 
 std::vector<BlockShape> block_shapes(const BlockArrays& blocks) {
-  std::vector<BlockShape> shapes(blocks.block_count());
-  parallel_for(blocks.block_count(), 64,
-               [&](std::int64_t b) { shapes[b] = shape_of(blocks, static_cast<Index>(b)); });
+  constexpr Index chunk = 64;
+  const Index count = blocks.block_count();
+  std::vector<BlockShape> shapes(count);
+  parallel_for((count + chunk - 1) / chunk, 1, [&](std::int64_t k) {
+    Workspace workspace;
+    const auto begin = static_cast<Index>(k * chunk);
+    for (Index b = begin; b < std::min(begin + chunk, count); ++b)
+      shapes[b] = shape_of(blocks, b, workspace);
+  });
   return shapes;
 }
 

@@ -184,13 +184,22 @@ Vec3 RockBox::centre() const {
 
 RockBox rock_box(const Complex& complex) {
   constexpr Real huge = std::numeric_limits<Real>::infinity();
-  RockBox box{{huge, huge, huge}, {-huge, -huge, -huge}};
-  for (Index c = 0; c < complex.cells.size(); ++c)
-    for (const Vertex& v : complex.cells[c].vertices)
-      for (int d = 0; d < 3; ++d) {
-        box.min[d] = std::min(box.min[d], v.x[d]);
-        box.max[d] = std::max(box.max[d], v.x[d]);
-      }
+  const RockBox nothing{{huge, huge, huge}, {-huge, -huge, -huge}};
+  const auto add = [](RockBox& box, const Vec3& low, const Vec3& high) {
+    for (int d = 0; d < 3; ++d) {
+      box.min[d] = std::min(box.min[d], low[d]);
+      box.max[d] = std::max(box.max[d], high[d]);
+    }
+  };
+  const Index chunks = (complex.cells.size() + chunk - 1) / chunk;
+  std::vector<RockBox> parts(chunks, nothing);
+  parallel_for(chunks, 1, [&](std::int64_t k) {
+    const auto begin = static_cast<Index>(k * chunk);
+    for (Index c = begin; c < std::min(begin + chunk, complex.cells.size()); ++c)
+      for (const Vertex& v : complex.cells[c].vertices) add(parts[k], v.x, v.x);
+  });
+  RockBox box = nothing;
+  for (const RockBox& part : parts) add(box, part.min, part.max);
   box.min += complex.planes.centre();
   box.max += complex.planes.centre();
   return box;

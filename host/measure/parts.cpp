@@ -1,9 +1,9 @@
 #include "host/measure/parts.hpp"
 
 #include <algorithm>
-#include <compare>
 #include <iterator>
 #include <numeric>
+#include <tuple>
 
 #include "host/cut/complex.hpp"
 #include "src/base/vector.hpp"
@@ -14,7 +14,9 @@ namespace {
 
 struct Edge {
   Index plane, from, to;
-  auto operator<=>(const Edge&) const = default;
+  bool operator<(const Edge& o) const {
+    return std::tie(plane, from, to) < std::tie(o.plane, o.from, o.to);
+  }
 };
 
 /// The edges of a convex block's faces without those between faces in one plane, by plane and first vertex.

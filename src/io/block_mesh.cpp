@@ -11,25 +11,39 @@ void add_polygon(PolygonMesh& mesh, Loop corners, Index face) {
   mesh.polygon_face.push_back(face);
 }
 
+Loop loop(const BlockArrays& blocks, Index l) {
+  return Loop(blocks.corner_vertex)
+      .subspan(blocks.corner_begin[l], blocks.corner_begin[l + 1] - blocks.corner_begin[l]);
+}
+
 std::vector<Loop> loops_of_face(const BlockArrays& blocks, Index face) {
   std::vector<Loop> loops;
   for (Index l = blocks.loop_begin[face]; l < blocks.loop_begin[face + 1]; ++l)
-    loops.emplace_back(blocks.corner_vertex.begin() + blocks.corner_begin[l],
-                       blocks.corner_vertex.begin() + blocks.corner_begin[l + 1]);
+    loops.push_back(loop(blocks, l));
   return loops;
 }
 
 }  // namespace
 
 PolygonMesh face_polygons(const BlockArrays& blocks) {
+  const auto faces = static_cast<Index>(blocks.face_area.size());
+  std::vector<std::uint8_t> as_it_is(faces);  // one convex loop
+#pragma omp parallel for schedule(static) if (faces > 10000)
+  for (Index f = 0; f < faces; ++f)
+    as_it_is[f] =
+        blocks.loop_begin[f + 1] - blocks.loop_begin[f] == 1 &&
+        is_convex(loop(blocks, blocks.loop_begin[f]), blocks.vertex, blocks.face_normal[f]);
   PolygonMesh mesh;
+  mesh.polygon_begin.reserve(faces + 1);
+  mesh.polygon_face.reserve(faces);
+  mesh.polygon_vertex.reserve(blocks.corner_vertex.size());
   mesh.polygon_begin.push_back(0);
-  for (Index f = 0; f < static_cast<Index>(blocks.face_area.size()); ++f) {
-    const std::vector<Loop> loops = loops_of_face(blocks, f);
-    if (loops.size() == 1 && is_convex(loops[0], blocks.vertex, blocks.face_normal[f])) {
-      add_polygon(mesh, loops[0], f);
+  for (Index f = 0; f < faces; ++f) {
+    if (as_it_is[f]) {
+      add_polygon(mesh, loop(blocks, blocks.loop_begin[f]), f);
     } else {
-      for (const auto& triangle : triangulate(loops, blocks.vertex, blocks.face_normal[f]))
+      for (const auto& triangle :
+           triangulate(loops_of_face(blocks, f), blocks.vertex, blocks.face_normal[f]))
         add_polygon(mesh, triangle, f);
     }
   }

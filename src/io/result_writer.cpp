@@ -50,6 +50,11 @@ std::vector<To> gather(const std::vector<From>& values, const std::vector<Index>
   return out;
 }
 
+std::vector<Index> from_one(std::vector<Index> ids) {
+  for (Index& id : ids) ++id;
+  return ids;
+}
+
 /// Bytes on their way to the disk survive a crash of the machine after this.
 void synchronize(const std::string& path, const std::string& shown_as) {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -127,8 +132,7 @@ void ResultWriter::Implementation::write_block_grid(File& file, const BlockArray
   Grid grid = vtkhdf::write_polygons(file, "Blocks", static_cast<int>(grids.size()), blocks.vertex,
                                      faces.polygon_begin, faces.polygon_vertex);
   const std::vector<Index> block = gather<Index>(block_of_face(blocks), faces.polygon_face);
-  vtkhdf::write_cell_field(file, grid, "block",
-                           gather<Index>(block_of_face(blocks), faces.polygon_face, 1));
+  vtkhdf::write_cell_field(file, grid, "block", from_one(block));
   vtkhdf::write_cell_field(file, grid, "origin",
                            gather<Index>(blocks.face_origin, faces.polygon_face, 1));
   vtkhdf::write_cell_field(file, grid, "material", gather<Index>(blocks.material, block, 1));
@@ -166,6 +170,7 @@ void ResultWriter::Implementation::write_joint_grid(File& file, const BlockArray
     connectivity.push_back(point[v]);
   }
   std::vector<Vec3> points;
+  points.reserve(joint_vertex.size());
   for (const Index v : joint_vertex) points.push_back(blocks.vertex[v]);
   Grid grid = vtkhdf::write_polygons(file, "Joints", static_cast<int>(grids.size()), points,
                                      joints.polygon_begin, connectivity);
@@ -183,10 +188,6 @@ void ResultWriter::Implementation::write_dead_end_grid(File& file, const BlockAr
   Grid grid =
       vtkhdf::write_polygons(file, "DeadEnds", static_cast<int>(grids.size()),
                              blocks.dead_end_vertex, blocks.dead_end_corner_begin, connectivity);
-  const auto from_one = [](std::vector<Index> ids) {
-    for (Index& id : ids) ++id;
-    return ids;
-  };
   vtkhdf::write_cell_field(file, grid, "joint", from_one(blocks.dead_end_origin));
   vtkhdf::write_cell_field(file, grid, "block", from_one(blocks.dead_end_block));
   grids.push_back(std::move(grid));
@@ -238,10 +239,6 @@ void ResultWriter::write_elements(const CoverArrays& covers) {
   if (!my.mesh.tetrahedron.empty()) {
     Grid grid =
         vtkhdf::write_tetrahedra(file, "Elements", static_cast<int>(my.grids.size()), my.mesh);
-    const auto from_one = [](std::vector<Index> ids) {
-      for (Index& id : ids) ++id;
-      return ids;
-    };
     vtkhdf::write_cell_field(file, grid, "element", from_one(my.mesh.element));
     vtkhdf::write_cell_field(file, grid, "block", from_one(my.mesh.block));
     vtkhdf::write_cell_field(file, grid, "material", from_one(my.mesh.material));

@@ -40,41 +40,47 @@ Json material_name(const Model& model, Index material) {
   return material == none ? Json() : Json(model.materials[material].name);
 }
 
+}  // namespace
+
 Json block_json(const Model& model, const BlockArrays& blocks, const BlockStatistics& statistics,
                 Index b) {
   const BlockShape& shape = statistics.shape[b];
   Json json{{"id", b + 1},
-          {"volume", blocks.volume[b]},
-          {"centroid", blocks.centroid[b]},
-          {"faces", count_of(blocks.face_begin, b)},
-          {"edges", blocks.edge_count[b]},
-          {"vertices", count_of(blocks.vertex_begin, b)},
-          {"convex", bool(blocks.convex[b])},
-          {"shells", blocks.shell_count[b]},
-          {"genus", blocks.genus[b]},
-          {"finite", bool(blocks.finite[b])},
-          {"material", material_name(model, blocks.material[b])},
-          {"dead_end_area", blocks.dead_end_area.empty() ? 0.0 : blocks.dead_end_area[b]},
-          {"stage", blocks.stage.empty() ? 0 : blocks.stage[b]},
-          {"surface_area", shape.surface_area},
-          {"alpha", shape.alpha},
-          {"beta", shape.beta},
-          {"aspect_ratio", shape.aspect_ratio}};
+            {"volume", blocks.volume[b]},
+            {"centroid", blocks.centroid[b]},
+            {"faces", count_of(blocks.face_begin, b)},
+            {"edges", blocks.edge_count[b]},
+            {"vertices", count_of(blocks.vertex_begin, b)},
+            {"convex", bool(blocks.convex[b])},
+            {"shells", blocks.shell_count[b]},
+            {"genus", blocks.genus[b]},
+            {"finite", bool(blocks.finite[b])},
+            {"material", material_name(model, blocks.material[b])},
+            {"dead_end_area", blocks.dead_end_area.empty() ? 0.0 : blocks.dead_end_area[b]},
+            {"stage", blocks.stage.empty() ? 0 : blocks.stage[b]},
+            {"surface_area", shape.surface_area},
+            {"alpha", shape.alpha},
+            {"beta", shape.beta},
+            {"aspect_ratio", shape.aspect_ratio}};
   if (!statistics.flags.empty()) json["flags"] = flags_json(statistics.flags[b]);
   return json;
 }
 
-}  // namespace
-
-Json cut_document(const DocumentHead& head, const Model& model, const CutTotals& totals,
-                  const BlockArrays& blocks, const RockMeasures& measures) {
+Json cut_document_without_blocks(const DocumentHead& head, const CutTotals& totals,
+                                 const BlockArrays& blocks, const RockMeasures& measures) {
   Json document = head_json(head);
   document["totals"] = totals_json(totals, blocks);
   document["intent"] = intent_json(totals.intent);
   add_measures(document, measures);
-  auto& list = document["blocks"] = Json::array();
+  document["blocks"] = Json::array();
+  return document;
+}
+
+Json cut_document(const DocumentHead& head, const Model& model, const CutTotals& totals,
+                  const BlockArrays& blocks, const RockMeasures& measures) {
+  Json document = cut_document_without_blocks(head, totals, blocks, measures);
   for (Index b = 0; b < blocks.block_count(); ++b)
-    list.push_back(block_json(model, blocks, measures.blocks, b));
+    document["blocks"].push_back(block_json(model, blocks, measures.blocks, b));
   return document;
 }
 

@@ -97,19 +97,23 @@ void finish_document(Json& document, const std::vector<std::string>& warnings,
   for (const auto& [phase, s] : seconds) document["seconds"][phase] = s;
 }
 
-void write_document(std::FILE* stream, const Json& document) {
+void write_document(std::FILE* stream, const Json& document, const LongList& list) {
   const char* before = "{\n";
   for (const auto& [key, value] : document.items()) {
     std::fprintf(stream, "%s%s: ", before, line(key).c_str());
     before = ",\n";
-    if (!value.is_array() || value.empty() || !value.front().is_structured()) {
-      std::fputs(line(value).c_str(), stream);
-      continue;
-    }
     const char* comma = "[\n";
-    for (const auto& entry : value) {
+    const auto write_entry = [&](const Json& entry) {
       std::fprintf(stream, "%s%s", comma, line(entry).c_str());
       comma = ",\n";
+    };
+    if (list.size > 0 && key == list.key) {
+      for (Index i = 0; i < list.size; ++i) write_entry(list.entry(i));
+    } else if (value.is_array() && !value.empty() && value.front().is_structured()) {
+      for (const auto& entry : value) write_entry(entry);
+    } else {
+      std::fputs(line(value).c_str(), stream);
+      continue;
     }
     std::fputs("\n]", stream);
   }

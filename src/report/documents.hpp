@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdio>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,6 +49,11 @@ Json head_json(const DocumentHead& head);
 
 Json cut_document(const DocumentHead& head, const Model& model, const CutTotals& totals,
                   const BlockArrays& blocks, const RockMeasures& measures);
+/// The same with an empty list of "blocks", and one entry of it: a million at once fill gigabytes.
+Json cut_document_without_blocks(const DocumentHead& head, const CutTotals& totals,
+                                 const BlockArrays& blocks, const RockMeasures& measures);
+Json block_json(const Model& model, const BlockArrays& blocks, const BlockStatistics& statistics,
+                Index b);
 Json support_document(const DocumentHead& head, const BlockArrays& blocks,
                       const KeyblockReport& report);
 /// With "support", as support_document has it, where there are key blocks to tell of.
@@ -60,8 +66,15 @@ Json error_document(const Error& error);
 void finish_document(Json& document, const std::vector<std::string>& warnings,
                      const PhaseSeconds& seconds);
 
+/// A top-level list of a document whose entries are made one by one, as they are written.
+struct LongList {
+  std::string key;
+  Index size = 0;
+  std::function<Json(Index)> entry;
+};
+
 /// Writes a document for people and programs alike: each top-level key, and each entry of a
-/// top-level list, on a line of its own.
-void write_document(std::FILE* stream, const Json& document);
+/// top-level list, on a line of its own. `list` stands in place of the empty list of its key.
+void write_document(std::FILE* stream, const Json& document, const LongList& list = {});
 
 }  // namespace rockfold

@@ -86,7 +86,7 @@ TEST(Refusals, SurfacesTooSmallBesideTheModel) {
                                            {{0, 0, 11}, {e, 0, 11}, {0, e, 11}, {0, 0, 12}},
                                            {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}})};
   model.solids.push_back(solid);
-  expect_refusal(model, "does not separate inside from outside near", "solid[2]");
+  expect_refusal(model, "too small beside the model", "solid[2]");
 }
 
 TEST(Refusals, MoreJointsThanAnyoneMeant) {

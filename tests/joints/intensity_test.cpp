@@ -1,11 +1,12 @@
 // Measured intensities against numbers that can be worked out by hand.
-#include "host/joints/intensity.hpp"
+#include "tests/joints/intensity.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "host/joints/area_in_box.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold::test {

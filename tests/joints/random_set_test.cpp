@@ -6,8 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "host/joints/intensity.hpp"
+#include "host/joints/area_in_box.hpp"
 #include "host/joints/random_stream.hpp"
+#include "tests/joints/intensity.hpp"
 #include "tests/joints/placing.hpp"
 #include "tests/joints/statistics.hpp"
 

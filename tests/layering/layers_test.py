@@ -16,6 +16,7 @@ LIBRARIES = [
     ("GMP or MPFR", r"gmp|mpfr", r"host/.*(\.cpp|_exact\.hpp)$"),
     ("Eigen", r"Eigen/", r"(host|kernels)/.*(\.cpp|_exact\.hpp|_kernel\.hpp)$"),
     ("HDF5", r"hdf5|H5", r"src/io/[^/]*\.cpp$"),
+    ("zlib", r"zlib", r"src/io/[^/]*\.cpp$"),
     ("toml++", r"toml\+\+/|toml\.hpp|toml\.h$", r"src/model/[^/]*\.cpp$"),
     ("CLI11", r"CLI/", r"src/[^/]*\.(cpp|hpp)$"),
     ("nlohmann-json", r"nlohmann/", r"src/(io/|io/exports/|report/|run/)?[^/]*\.(cpp|hpp)$"),

@@ -1,38 +1,14 @@
-#include "host/joints/intensity.hpp"
+#include "tests/joints/intensity.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "host/joints/area_in_box.hpp"
 #include "src/base/vector.hpp"
 
-namespace rockfold {
+namespace rockfold::test {
 
 namespace {
-
-// The part with sign·(x_axis − at) ≤ 0 (Sutherland and Hodgman, 1974). What is concave may come out with edges that run
-// back on themselves: they enclose no area.
-void clip(std::vector<Vec3>& polygon, std::vector<Vec3>& scratch, int axis, Real at, Real sign) {
-  scratch.clear();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const Real from = sign * (a[axis] - at), to = sign * (b[axis] - at);
-    if (from <= 0) scratch.push_back(a);
-    if ((from < 0 && to > 0) || (from > 0 && to < 0)) {
-      scratch.push_back(a + (from / (from - to)) * (b - a));
-      scratch.back()[axis] = at;
-    }
-  }
-  polygon.swap(scratch);
-}
-
-std::vector<Vec3> part_in_box(std::vector<Vec3> polygon, const Extent& box) {
-  std::vector<Vec3> scratch;
-  for (int axis = 0; axis < 3 && !polygon.empty(); ++axis) {
-    clip(polygon, scratch, axis, box.min[axis], -1);
-    clip(polygon, scratch, axis, box.max[axis], 1);
-  }
-  return polygon;
-}
 
 // Twice the area, along the normal.
 Vec3 twice_area(const std::vector<Vec3>& polygon) {
@@ -155,8 +131,20 @@ bool holds(const Extent& box, const Vec3& x) {
 
 }  // namespace
 
-Real area_in_box(const std::vector<Vec3>& polygon, const Extent& box) {
-  return 0.5 * norm(twice_area(part_in_box(polygon, box)));
+std::vector<FlatJoint> flat_joints(const PlacedJoints& placed) {
+  std::vector<FlatJoint> flat;
+  flat.reserve(placed.joints.size());
+  for (const PlacedJoint& joint : placed.joints) {
+    const ExactVec3& n = joint.plane.n;
+    // Scaled by the largest component first, so that normals of any length neither overflow nor vanish.
+    const Exact largest = std::max({Exact(abs(n[0])), Exact(abs(n[1])), Exact(abs(n[2]))});
+    Vec3 m;
+    for (int d = 0; d < 3; ++d) m[d] = CGAL::to_double(Exact(n[d] / largest));
+    const Real length = norm(m);
+    flat.push_back({(1 / length) * m, CGAL::to_double(Exact(joint.plane.d / largest)) / length,
+                    joint.polygon});
+  }
+  return flat;
 }
 
 Index crossings(const std::vector<FlatJoint>& joints, const Vec3& from, const Vec3& to) {
@@ -185,4 +173,4 @@ Intensities measure_intensities(const std::vector<FlatJoint>& joints, const Exte
           traces.length / window, centres / volume, area / volume};
 }
 
-}  // namespace rockfold
+}  // namespace rockfold::test

@@ -1,14 +1,16 @@
 // How densely joints lie in a region: P10, P20, P21, P30, P32 (Dershowitz and Herda, 1992; docs/random_joints.md),
-// measured in double precision on the placed polygons. What a joint's `within` leaves out is counted all the same.
+// measured in double precision on the placed polygons, whole: the oracle of the tests of random sets. CGAL's numbers: include in
+// .cpp only.
 #pragma once
 
 #include <array>
 #include <vector>
 
 #include "host/joints/disc.hpp"
+#include "host/joints/place_joints_exact.hpp"
 #include "src/base/types.hpp"
 
-namespace rockfold {
+namespace rockfold::test {
 
 /// A placed joint in double precision.
 struct FlatJoint {
@@ -16,6 +18,9 @@ struct FlatJoint {
   Real offset = 0;            ///< m; the plane is normal·x = offset
   std::vector<Vec3> polygon;  ///< m; simple, may be concave, either sense; empty = through-going
 };
+
+/// In the order of placing.
+std::vector<FlatJoint> flat_joints(const PlacedJoints& placed);
 
 /// A rectangle: corner + s·u + t·v for s and t from 0 to 1; u and v at right angles.
 struct SamplingRectangle {
@@ -41,7 +46,4 @@ Intensities measure_intensities(const std::vector<FlatJoint>& joints, const Exte
 /// the crossings of two lines end to end are those of the whole.
 Index crossings(const std::vector<FlatJoint>& joints, const Vec3& from, const Vec3& to);
 
-/// m², of the part of a planar polygon (simple, may be concave) that lies in the box.
-Real area_in_box(const std::vector<Vec3>& polygon, const Extent& box);
-
-}  // namespace rockfold
+}  // namespace rockfold::test

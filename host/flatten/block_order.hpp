@@ -1,0 +1,30 @@
+// An order in which to visit blocks: neighbours in it are neighbours in memory too.
+#pragma once
+
+#include <vector>
+
+#include "host/cut/complex.hpp"
+
+namespace rockfold {
+
+/// Blocks by their first cells. Cells and areas lie in the order of the cutting, so that a visit in this order reads
+/// them nearly in sequence; block numbers, by height, would jump through all of memory.
+struct BlockOrder {
+  std::vector<Index> block;         ///< [ranks] the block of each rank
+  std::vector<Index> rank_of_cell;  ///< [cells]
+
+  explicit BlockOrder(const Complex& complex) {
+    std::vector<Index> rank(complex.block_count, none);
+    block.reserve(complex.block_count);
+    rank_of_cell.reserve(complex.cell_block.size());
+    for (const Index b : complex.cell_block) {
+      if (rank[b] == none) {
+        rank[b] = static_cast<Index>(block.size());
+        block.push_back(b);
+      }
+      rank_of_cell.push_back(rank[b]);
+    }
+  }
+};
+
+}  // namespace rockfold
