@@ -18,11 +18,14 @@ constexpr std::array<CommandHelp, 7> helps{{
      "  rockfold demo\n"
      "      prints a summary; open rockfold_demo.vtkhdf in ParaView\n"},
     {Command::check, "check", "MODEL.toml", "validate a model and stop",
-     "Reads the model and tells all of its errors at once, each with file:line:column, the key, "
-     "what is\n"
-     "wrong and what would be right. Nothing is computed or written.\n",
+     "Reads the model and the files that it names and tells all of their errors at once, each "
+     "with\n"
+     "file:line:column, the key, what is wrong and what would be right. If there are none, it "
+     "builds\n"
+     "the solids and places the joints, as cut does before joints cut the rock. Nothing is "
+     "written.\n",
      "  rockfold check slope.toml\n"
-     "      exit status 0 if the model is right, 2 if not\n"},
+     "      exit status 0 if the model is right, 2 if not, 3 if a file cannot be read\n"},
     {Command::cut, "cut", "MODEL.toml", "cut the rock into blocks",
      "Cuts the model's solids by its joints, exactly, and writes the blocks to a result file. "
      "Tells "

@@ -3,13 +3,14 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <set>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "host/files/load_files.hpp"
 #include "src/base/error.hpp"
+#include "src/io/result_file.hpp"
 
 namespace fs = std::filesystem;
 
@@ -41,21 +42,47 @@ void write_new_file(const std::string& path, const std::string& text) {
   }
 }
 
-}  // namespace
+// A file that is read: `what` stands in messages.
+struct InputFile {
+  std::string path, what;
+};
+// A file that will be written; `remedy`: what to do if it must not be.
+struct OutputFile {
+  std::string path, what, remedy;
+};
 
-std::string result_path(const Options& options) {
-  if (!options.output.empty()) return options.output;
-  if (options.command == Command::demo) return "rockfold_demo.vtkhdf";
-  return fs::path(options.input).replace_extension(".vtkhdf").string();
+std::vector<InputFile> inputs_of(const Options& options, const Model& model) {
+  std::vector<InputFile> inputs;
+  if (!options.input.empty()) inputs.push_back({options.input, "the model"});
+  for (const std::string& file : files_named_by(model))
+    inputs.push_back({file, fmt::format("'{}', which the model reads", file)});
+  return inputs;
 }
 
-void check_result_path(const std::string& path, const std::string& model_path) {
+std::vector<OutputFile> outputs_of(const Options& options) {
+  const std::string result = result_path(options);
+  const std::string of_result = "name another file with -o, one that ends in .vtkhdf";
+  std::vector<OutputFile> outputs{
+      {result, "the result", of_result},
+      {xdmf_path(result), "the .xdmf file that goes with the result", of_result}};
+  for (const std::string& path : options.exports)
+    outputs.push_back({path, "the export", "give each --export a name of its own"});
+  return outputs;
+}
+
+// By any of its names: relative, through links, or of a file that is not there yet.
+bool same_file(const std::string& a, const std::string& b) {
   std::error_code ignored;
-  if (fs::equivalent(path, model_path, ignored))
-    fail(ErrorKind::usage, path, "the result would overwrite the model; name another file with -o");
+  if (fs::equivalent(a, b, ignored)) return true;
+  return fs::weakly_canonical(fs::absolute(a, ignored), ignored) ==
+         fs::weakly_canonical(fs::absolute(b, ignored), ignored);
+}
+
+void check_writable(const std::string& path) {
+  std::error_code ignored;
   if (fs::is_directory(path, ignored))
-    fail(ErrorKind::io, path, "cannot be written: it is a folder; -o takes the name of a file");
-  // The whole result is renamed to its final name, which would put a file in the place of a device.
+    fail(ErrorKind::io, path, "cannot be written: it is a folder; the name of a file is needed");
+  // The whole file is renamed to its final name, which would put a file in the place of a device.
   if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
     fail(ErrorKind::io, path, "cannot be written: it is there already and no regular file");
   const auto parent = fs::path(path).parent_path();
@@ -66,16 +93,29 @@ void check_result_path(const std::string& path, const std::string& model_path) {
     fail(ErrorKind::io, path, fmt::format("cannot be written: folder '{}': {}", folder, reason()));
 }
 
-void check_export_paths(const Options& options, const std::string& result,
-                        const std::string& model_path) {
-  const auto whole_name = [](const std::string& name) {
-    return fs::weakly_canonical(fs::absolute(name));
-  };
-  std::set<fs::path> taken{whole_name(result)};
-  for (const auto& path : options.exports) {
-    check_result_path(path, model_path);
-    if (!taken.insert(whole_name(path)).second)
-      fail(ErrorKind::usage, path, "is named for two files; give each --export a name of its own");
+}  // namespace
+
+std::string result_path(const Options& options) {
+  if (!options.output.empty()) return options.output;
+  if (options.command == Command::demo) return "rockfold_demo.vtkhdf";
+  return fs::path(options.input).replace_extension(".vtkhdf").string();
+}
+
+void check_output_paths(const Options& options, const Model& model) {
+  const std::vector<OutputFile> outputs = outputs_of(options);
+  const std::vector<InputFile> inputs = inputs_of(options, model);
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const OutputFile& output = outputs[i];
+    for (const InputFile& input : inputs)
+      if (same_file(output.path, input.path))
+        fail(ErrorKind::usage, output.path,
+             fmt::format("{} would overwrite {}; {}", output.what, input.what, output.remedy));
+    for (std::size_t j = 0; j < i; ++j)
+      if (same_file(output.path, outputs[j].path))
+        fail(ErrorKind::usage, output.path,
+             fmt::format("{} would overwrite {} '{}': two files of one name; {}", output.what,
+                         outputs[j].what, outputs[j].path, output.remedy));
+    check_writable(output.path);
   }
 }
 

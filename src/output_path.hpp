@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/command_line.hpp"
+#include "src/model/model.hpp"
 
 namespace rockfold {
 
@@ -13,14 +14,10 @@ namespace rockfold {
 /// rockfold_demo.vtkhdf in the current folder.
 std::string result_path(const Options& options);
 
-/// Throws Error where a result file cannot be written as `path`: it is the model itself (usage), a
-/// folder, or its folder is missing or closed to us (io). An older result file there will be
-/// replaced, when the new one is whole.
-void check_result_path(const std::string& path, const std::string& model_path);
-
-/// check_result_path for each export; two files of one name, or an export named as the result, are a usage error.
-void check_export_paths(const Options& options, const std::string& result,
-                        const std::string& model_path);
+/// Throws Error where an output of the command (the result, the .xdmf beside it, each export) cannot be written: it is the
+/// model, a file that the model reads or another output, by any of its names (usage); it is a folder, or its folder is
+/// missing or closed to us (io). Older outputs will be replaced, when the new ones are whole.
+void check_output_paths(const Options& options, const Model& model);
 
 /// Writes new text files, given by path and text: all or none. Throws Error(io), also where a file
 /// of such a name is there already.

@@ -82,8 +82,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   PhaseClock clock(terminal);
   const Model model = load_model(options, terminal);
   const std::string path = result_path(options);
-  check_result_path(path, model.path);
-  check_export_paths(options, path, model.path);
+  check_output_paths(options, model);
 
   Cutting cutting = clock.measure("cut", [&] { return cut_blocks(model, terminal); });
   return_free_memory();
@@ -134,8 +133,9 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   }
   clock.measure("output", [&] { writer.finish(); });
 
-  print_answer({options, model, cutting.totals, blocks, measures ? &*measures : nullptr, keyblocks ? &*keyblocks : nullptr,
-                rock ? &rock->covering.arrays : nullptr, run ? &*run : nullptr, path},
+  print_answer({options, model, cutting.totals, blocks, measures ? &*measures : nullptr,
+                keyblocks ? &*keyblocks : nullptr, rock ? &rock->covering.arrays : nullptr,
+                run ? &*run : nullptr, path},
                terminal, clock.seconds());
   return interrupted_status();
 }
@@ -143,6 +143,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
 int check_model(const Options& options) {
   Model model = read_model(options.input, options.overrides, Purpose::check);
   load_files(model);
+  check_cutting(model);
   print_check(options, model);
   return 0;
 }

@@ -22,21 +22,25 @@ std::vector<Index> components(const Complex& complex) {
   return parts.components();
 }
 
-// The cell that holds a point, deepest inside if it lies on a boundary; none outside of all.
-Index cell_at(const Complex& complex, const Vec3& point) {
-  const Vec3 x = point - complex.planes.centre();
+// The cell that holds a point of a merge, deepest inside if it lies on a boundary. Throws Error(model) outside of all.
+Index cell_at(const CellStore& cells, const PlaneTable& planes, const Vec3& point,
+              const Place& place) {
+  const Vec3 x = point - planes.centre();
   Index best = none;
-  Real deepest = -complex.planes.tolerance();
-  for (Index c = 0; c < complex.cells.size(); ++c) {
+  Real deepest = -planes.tolerance();
+  for (Index c = 0; c < cells.size(); ++c) {
     Real depth = Box::infinity;
-    for (const auto& face : complex.cells[c].faces) {
+    for (const auto& face : cells[c].faces) {
       const Index plane = plane_of(face.inside);
-      const Real d = dot(complex.planes.normal(plane), x) - complex.planes.offset(plane);
+      const Real d = dot(planes.normal(plane), x) - planes.offset(plane);
       depth = std::min(depth, is_above(face.inside) ? d : -d);
       if (depth <= deepest) break;
     }
     if (depth > deepest) best = c, deepest = depth;
   }
+  if (best == none)
+    refuse(place, place.key + ".points",
+           fmt::format("({:g}, {:g}, {:g}) is not in the rock", point[0], point[1], point[2]));
   return best;
 }
 
@@ -47,10 +51,7 @@ void merge_blocks(Complex& complex, const Merge::Blocks& merge, const Place& pla
   std::vector<bool> joined(complex.cells.size(), false);  // [parts]
   std::vector<Index> part_of_point;
   for (const Vec3& point : merge.points) {
-    const Index cell = cell_at(complex, point);
-    if (cell == none)
-      refuse(place, place.key + ".points",
-             fmt::format("({:g}, {:g}, {:g}) is not in the rock", point[0], point[1], point[2]));
+    const Index cell = cell_at(complex.cells, complex.planes, point, place);
     joined[part[cell]] = true;
     part_of_point.push_back(part[cell]);
   }
@@ -75,6 +76,12 @@ void merge_blocks(Complex& complex, const Merge::Blocks& merge, const Place& pla
 }
 
 }  // namespace
+
+void check_merge_points(const CellStore& cells, const PlaneTable& planes, const Model& model) {
+  for (const Merge& merge : model.merges)
+    if (const auto* blocks = std::get_if<Merge::Blocks>(&merge.region))
+      for (const Vec3& point : blocks->points) cell_at(cells, planes, point, merge.place);
+}
 
 // Coordinates are compared in units of 1e-9 of the model's size, so that rounding does not shuffle a regular pattern.
 void find_blocks(Complex& complex, const Model& model) {

@@ -10,4 +10,7 @@ namespace rockfold {
 /// points joins become virtual. Throws Error(model) for such a point outside of the rock.
 void find_blocks(Complex& complex, const Model& model);
 
+/// Throws the same for points outside of all cells.
+void check_merge_points(const CellStore& cells, const PlaneTable& planes, const Model& model);
+
 }  // namespace rockfold

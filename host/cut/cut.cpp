@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <set>
+#include <variant>
+
+#include <fmt/format.h>
 
 #include "host/cut/adjacency.hpp"
 #include "host/cut/blocks.hpp"
@@ -64,6 +67,9 @@ AuxTree make_tree(PlaneTable& planes, const std::vector<CuttingSurface>& surface
   return {planes, patches, space};
 }
 
+// More than that many beyond the limit are not even counted.
+constexpr std::int64_t counted_beyond = 100'000;
+
 // Everything inside the enclosing box, rock and void, cut by the boundaries of all shapes.
 CellStore cut_by_shapes(CuttingInput& input, const Model& model, IntentCount& intent) {
   Complex& complex = input.complex;
@@ -71,10 +77,18 @@ CellStore cut_by_shapes(CuttingInput& input, const Model& model, IntentCount& in
   Box space;
   for (const Vertex& v : input.start[0].vertices) space.add(v.x);
   const AuxTree tree = make_tree(complex.planes, surfaces, space);
+  // The void is cut too, but only the rock's cells count; the limit here is for the memory.
+  const std::int64_t most = std::max(model.cut.max_cells, CutSpec{}.max_cells);
   Progress silent;
-  Subdivision cut = subdivide(
-      {complex.planes, input.start, {0}, std::move(surfaces), tree, {}, model.cut.max_cells},
-      silent);
+  Subdivision cut;
+  try {
+    cut =
+        subdivide({complex.planes, input.start, {0}, std::move(surfaces), tree, {}, most}, silent);
+  } catch (const TooManyCells&) {
+    refuse_cells(model, fmt::format("the shapes cut rock and void into more than {} convex parts; "
+                                    "use simpler shapes or a larger cut.max_cells",
+                                    most));
+  }
   intent.add(cut.intent);
   std::vector<const CellStore*> stores;
   std::vector<std::vector<Index>> all;
@@ -160,11 +174,54 @@ IntentCount cut_by_joints(const Rock& rock, const Model& model, Complex& complex
     const auto& solids = complex.zones[rock.zone[cell]].within;
     return std::binary_search(solids.begin(), solids.end(), within);
   };
-  Subdivision cut = subdivide({complex.planes, rock.cells, rock.of_rock, std::move(surfaces), tree,
-                               applies, model.cut.max_cells},
-                              progress);
+  const std::int64_t most = model.cut.max_cells + counted_beyond;
+  Subdivision cut;
+  try {
+    cut = subdivide(
+        {complex.planes, rock.cells, rock.of_rock, std::move(surfaces), tree, applies, most},
+        progress);
+  } catch (const TooManyCells&) {
+    refuse_cell_count(model, fmt::format("more than {}", most));
+  }
   cut.intent.near_decisions += take_cells(cut, rock, complex);
+  if (complex.cells.size() > model.cut.max_cells)
+    refuse_cell_count(model, fmt::format("{}", complex.cells.size()));
   return std::move(cut.intent);
+}
+
+// What can be told before joints cut the rock, which may take long.
+void refuse_hopeless(const CuttingInput& input, const Rock& rock, const Complex& complex,
+                     const Model& model) {
+  const CellEstimate cells =
+      estimate_cells(input.plane_sets, rock.volume, complex.planes.model_size());
+  constexpr Real above_rounding = 1 + 1e-6;
+  if (cells.least > above_rounding * static_cast<Real>(model.cut.max_cells))
+    refuse_cell_count(model, about_cells(cells.about));
+  const auto by_points = [](const Merge& merge) {
+    return std::holds_alternative<Merge::Blocks>(merge.region);
+  };
+  if (std::any_of(model.merges.begin(), model.merges.end(), by_points))
+    check_merge_points(CellStore::join({&rock.cells}, {rock.of_rock}), complex.planes, model);
+}
+
+// The rock before joints cut it.
+struct Uncut {
+  std::shared_ptr<Complex> complex;
+  Rock rock;
+  IntentCount intent;
+  Index planes_identified = 0;
+};
+
+Uncut shape_rock(const Model& model) {
+  CuttingInput input = make_surfaces(model);
+  Uncut uncut;
+  uncut.intent = std::move(input.intent);
+  uncut.planes_identified = input.planes_identified;
+  CellStore cells = cut_by_shapes(input, model, uncut.intent);
+  uncut.complex = std::make_shared<Complex>(std::move(input.complex));
+  uncut.rock = find_rock(std::move(cells), *uncut.complex, model);
+  refuse_hopeless(input, uncut.rock, *uncut.complex, model);
+  return uncut;
 }
 
 IntentReport intent_report(const Complex& complex, const IntentCount& count,
@@ -208,21 +265,24 @@ CutTotals totals_of(const Complex& complex, const Rock& rock) {
 
 }  // namespace
 
+void check_cutting(const Model& model) {
+  shape_rock(model);
+}
+
 Cutting cut_blocks(const Model& model, Progress& progress) {
-  CuttingInput input = make_surfaces(model);
-  IntentCount intent = std::move(input.intent);
-  CellStore cells = cut_by_shapes(input, model, intent);
-  auto complex = std::make_shared<Complex>(std::move(input.complex));
   Cutting cutting;
+  Uncut uncut = shape_rock(model);
+  const auto complex = std::move(uncut.complex);
+  IntentCount intent = std::move(uncut.intent);
   {
-    const Rock rock = find_rock(std::move(cells), *complex, model);
+    const Rock rock = std::move(uncut.rock);
     intent.add(cut_by_joints(rock, model, *complex, progress));
     intent.add(find_adjacency(*complex));
     find_blocks(*complex, model);
     cutting.totals = totals_of(*complex, rock);
   }
-  cutting.totals.intent = intent_report(*complex, intent, input.planes_identified);
-  cutting.complex = std::move(complex);
+  cutting.totals.intent = intent_report(*complex, intent, uncut.planes_identified);
+  cutting.complex = complex;
   return cutting;
 }
 

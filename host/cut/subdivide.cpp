@@ -212,11 +212,7 @@ class Cutter {
 
   void count(std::atomic<std::int64_t>& made) const {
     const auto n = made.fetch_add(1, std::memory_order_relaxed) + 1;
-    if (n > job_.max_cells)
-      throw Error(ErrorKind::model,
-                  fmt::format("the joints make more than {} cells; use larger spacings or fewer "
-                              "joints, or raise cut.max_cells",
-                              job_.max_cells));
+    if (n > job_.max_cells) throw TooManyCells();
     if (n % 1024 == 0 && interrupt_signal != 0)
       throw Error(ErrorKind::analysis, "interrupted while cutting; nothing was written");
   }

@@ -22,8 +22,11 @@ struct CuttingJob {
   std::vector<CuttingSurface> surfaces;
   const AuxTree& tree;
   std::function<bool(Index cell, Index within)> applies;
-  std::int64_t max_cells = 0;
+  std::int64_t max_cells = 0;  ///< where cutting is given up
 };
+
+/// What is thrown for more than CuttingJob::max_cells.
+struct TooManyCells {};
 
 struct Subdivision {
   std::vector<CellStore> parts;             ///< of independent subtrees, in a fixed order
@@ -33,7 +36,7 @@ struct Subdivision {
 
 /// Cuts each of the cells by the surfaces whose interior meets its section. The order of the result depends on the
 /// surfaces' order but not on the number of threads. O(cells made · log(surfaces)) for sets of parallel planes in
-/// bisecting order.
+/// bisecting order. Throws TooManyCells.
 Subdivision subdivide(const CuttingJob& job, Progress& progress);
 
 }  // namespace rockfold

@@ -5,11 +5,8 @@
 #include <numbers>
 #include <queue>
 
-#include <fmt/format.h>
-
 #include "host/cut/contacts.hpp"
 #include "host/cut/patch_finder.hpp"
-#include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -197,13 +194,7 @@ class Flood {
   }
 
   [[noreturn]] void leak(Index body, Index cell) const {
-    const Vec3 x = bounding_ball(cells_[cell]).centre + complex_.planes.centre();
-    const Index origin = complex_.facets[complex_.bodies[body].facet_begin].origin;
-    throw Error(ErrorKind::analysis,
-                fmt::format("the surface of {} does not separate inside from outside near ({:.6g}, "
-                            "{:.6g}, {:.6g}); its triangles nearly coincide there",
-                            origin == none ? "a merge region" : complex_.origins[origin].name, x[0],
-                            x[1], x[2]));
+    throw LeakingSurface{body, bounding_ball(cells_[cell]).centre + complex_.planes.centre()};
   }
 
   const Complex& complex_;

@@ -7,8 +7,13 @@
 
 namespace rockfold {
 
-/// [bodies] the cells inside each body that is a closed surface, ascending; empty for the others. Throws
-/// Error(analysis) with the place where a way leads from the inner to the outer side.
+/// What is thrown where a way leads from the inner to the outer side of a body's surface.
+struct LeakingSurface {
+  Index body;
+  Vec3 near;  ///< m, model coordinates
+};
+
+/// [bodies] the cells inside each body that is a closed surface, ascending; empty for the others. Throws LeakingSurface.
 std::vector<std::vector<Index>> cells_inside_surfaces(const Complex& complex,
                                                       const CellStore& cells);
 

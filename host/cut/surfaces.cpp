@@ -239,13 +239,13 @@ void count_near_planes(const PlaneTable& planes, IntentCount& intent) {
 CuttingInput make_surfaces(const Model& model) {
   std::vector<ShapeRegion> regions = make_regions(model);
   const RockBounds rock = rock_bounds(model, regions);
-  const PlacedJoints placed = place_joints(model, rock);
+  PlacedJoints placed = place_joints(model, rock);
 
   Box box;
   for (const Vec3& x : rock.corners) box.add(x);
   const Vec3 centre = 0.5 * (box.low + box.high);
   const Real size = norm(box.high - box.low);
-  CuttingInput input{Complex(PlaneTable(centre, size)), {}, 0, {}};
+  CuttingInput input{Complex(PlaneTable(centre, size)), {}, 0, {}, std::move(placed.plane_sets)};
   Complex& complex = input.complex;
   const Vec3 reach = 0.5 * (box.high - box.low) + 0.125 * size * Vec3{1, 1, 1};
   const ConvexCell start = make_box(complex.planes, -reach, reach);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "host/cut/complex.hpp"
+#include "host/joints/cell_limit.hpp"
 #include "src/model/model.hpp"
 
 namespace rockfold {
@@ -12,6 +13,7 @@ struct CuttingInput {
   CellStore start;  ///< one box around all rock, none of whose planes is one of the model's
   Index planes_identified = 0;
   IntentCount intent;  ///< planes nearly coincident
+  std::vector<PlaneSet> plane_sets;
 };
 
 /// Throws Error(model) for solids without volume or bounds, and joints that are absurdly many.

@@ -49,6 +49,7 @@ class Loader {
       attempt(terrain->file, entry, [&](const Place& place) {
         auto ground = load_terrain(place);
         check_above(*ground, terrain->base, place);
+        check_fine_posts(*ground, terrain->base, place);
         terrain->ground = std::move(ground);
       });
   }
@@ -97,6 +98,19 @@ class Loader {
 
 void load_files(Model& model) {
   Loader(model).run();
+}
+
+std::vector<std::string> files_named_by(const Model& model) {
+  std::vector<std::string> files;
+  const auto add_shape = [&](const Shape& shape) {
+    if (const auto* mesh = std::get_if<MeshShape>(&shape)) files.push_back(mesh->file);
+    if (const auto* terrain = std::get_if<TerrainShape>(&shape)) files.push_back(terrain->file);
+  };
+  for (const auto& solid : model.solids) add_shape(solid.shape);
+  for (const auto& excavation : model.excavations) add_shape(excavation.shape);
+  for (const auto& mesh : model.joint_meshes) files.push_back(mesh.file);
+  for (const auto& table : model.joint_tables) files.push_back(table.file);
+  return files;
 }
 
 }  // namespace rockfold

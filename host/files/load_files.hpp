@@ -11,4 +11,7 @@ namespace rockfold {
 /// open, self-intersecting or inside out and where).
 void load_files(Model& model);
 
+/// The files that load_files reads, each as often as the model names it.
+std::vector<std::string> files_named_by(const Model& model);
+
 }  // namespace rockfold

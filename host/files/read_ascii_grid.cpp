@@ -3,13 +3,16 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "host/files/read_terrain.hpp"
 #include "host/files/terrain_surface.hpp"
 #include "host/files/text.hpp"
+#include "src/base/vector.hpp"
 #include "src/model/nearest.hpp"
 
 namespace rockfold {
@@ -21,6 +24,7 @@ struct Header {
   std::optional<Real> x_corner, x_center, y_corner, y_center;  ///< m
   std::optional<Real> dx, dy;                                  ///< m
   Real no_data = -9999;
+  std::map<std::string, int> line_of_key;
 
   std::int64_t values() const { return columns * rows; }
 };
@@ -41,10 +45,29 @@ class GridReader {
     grid.x = places(header_.x_corner, header_.x_center, *header_.dx, columns, "x");
     grid.y = places(header_.y_corner, header_.y_center, *header_.dy, rows, "y");
     faults_.throw_if_any();
+    check_steps(grid);
     return grid;
   }
 
  private:
+  void check_steps(const PostGrid& grid) {
+    Real low = std::numeric_limits<Real>::infinity(), high = -low;
+    for (const Real z : grid.z)
+      if (!std::isnan(z)) low = std::min(low, z), high = std::max(high, z);
+    const Real least =
+        least_post_distance({grid.x.back() - grid.x.front(), grid.y.back() - grid.y.front(),
+                             std::max(0.0, high - low)});
+    const auto check = [&](const char* key, Real step, std::size_t count) {
+      if (count > 1 && step < least)
+        faults_.fail(line_of_step(key), 0,
+                     fmt::format("the cell size {} m is too small for this ground; posts nearer "
+                                 "than {:.2g} m cannot be told apart",
+                                 step, least));
+    };
+    check("dx", *header_.dx, grid.x.size());
+    check("dy", *header_.dy, grid.y.size());
+  }
+
   /// The words of all lines one after another; "" at the end.
   std::string_view next() {
     auto word = words_.next();
@@ -89,6 +112,7 @@ class GridReader {
                       suggestion(key, {keys.begin(), keys.end()}, "keys")));
       faults_.throw_if_any();  // what follows cannot be told apart
     }
+    check_repeated(key);
     const auto word = next();
     if (word.empty())
       faults_.fail(lines_.number(), 0, fmt::format("ends where the value of {} must follow", key));
@@ -117,6 +141,33 @@ class GridReader {
     if (value && !(number > 0)) add(fmt::format("{} must be > 0 (m), is {}", key, quoted(word)));
     if (key != "dy") header_.dx = number;
     if (key != "dx") header_.dy = number;
+  }
+
+  /// Each key once, and no two that say the same.
+  void check_repeated(const std::string& key) {
+    constexpr std::array<std::pair<const char*, const char*>, 4> same = {
+        {{"xllcorner", "xllcenter"},
+         {"yllcorner", "yllcenter"},
+         {"cellsize", "dx"},
+         {"cellsize", "dy"}}};
+    auto& given = header_.line_of_key;
+    if (const auto before = given.find(key); before != given.end())
+      add(fmt::format("{} stands there twice, first in line {}", key, before->second));
+    for (const auto& [a, b] : same)
+      if (key == a || key == b)
+        if (const auto other = given.find(key == a ? b : a); other != given.end())
+          add(fmt::format("{} and {} of line {} say the same: one of them must go", key,
+                          other->first, other->second));
+    given.emplace(key, lines_.number());
+  }
+
+  /// Of the key that gives the size of the cells along x or y.
+  int line_of_step(const std::string& key) const {
+    const auto& given = header_.line_of_key;
+    for (const std::string& name :
+         {key, std::string("cellsize"), std::string("dx"), std::string("dy")})
+      if (const auto found = given.find(name); found != given.end()) return found->second;
+    return 0;
   }
 
   void read_values(std::vector<Real>& values) {
@@ -161,7 +212,7 @@ class GridReader {
     const auto fault = coordinate_fault(name, result.back());
     if (!fault.empty()) faults_.add(0, 0, fmt::format("the last post: {}", fault));
     if (std::adjacent_find(result.begin(), result.end(), std::greater_equal<>()) != result.end())
-      faults_.add(0, 0,
+      faults_.add(line_of_step("d" + std::string(name)), 0,
                   fmt::format("the cell size {} is too small to be added to {} = {}", step, name,
                               result.front()));
     return result;
@@ -207,6 +258,29 @@ void check_above(const TriangleSurface& ground, Real base, const Place& place) {
       "the ground must lie above base = {:.10g} m everywhere: {} not, "
       "the lowest at {}",
       base, counted(count, "post") + (count == 1 ? " does" : " do"), point_text(*lowest)));
+}
+
+void check_fine_posts(const TriangleSurface& ground, Real base, const Place& place) {
+  Vec3 low = ground.vertices.front(), high = low;
+  for (const Vec3& post : ground.vertices)
+    for (std::size_t d = 0; d < 3; ++d) {
+      low[d] = std::min(low[d], post[d]);
+      high[d] = std::max(high[d], post[d]);
+    }
+  low[2] = base;
+  const Real least = least_post_distance(high - low);
+  for (const auto& triangle : ground.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& a = ground.vertices[static_cast<std::size_t>(triangle[i])];
+      const Vec3& b = ground.vertices[static_cast<std::size_t>(triangle[(i + 1) % 3])];
+      const Real apart = std::hypot(b[0] - a[0], b[1] - a[1]);
+      if (apart < least)
+        Faults(place).fail(
+            fmt::format("the posts {} and {} are {:.2g} m apart in plan; on rock of this size "
+                        "posts nearer than "
+                        "{:.2g} m cannot be told apart",
+                        point_text(a), point_text(b), apart, least));
+    }
 }
 
 }  // namespace rockfold

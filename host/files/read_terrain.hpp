@@ -23,4 +23,8 @@ TriangleSurface read_terrain(std::string_view text, const Place& place);
 /// Throws Error(model), with the lowest post, if the ground is not above `base` (m) everywhere.
 void check_above(const TriangleSurface& ground, Real base, const Place& place);
 
+/// Throws Error(model), with two posts, if neighbours are too near in plan beside the height above `base` (m), of which
+/// the readers do not know.
+void check_fine_posts(const TriangleSurface& ground, Real base, const Place& place);
+
 }  // namespace rockfold

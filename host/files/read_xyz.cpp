@@ -1,11 +1,14 @@
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "host/files/read_terrain.hpp"
 #include "host/files/terrain_surface.hpp"
 #include "host/files/text.hpp"
+#include "src/base/vector.hpp"
 
 namespace rockfold {
 
@@ -41,32 +44,69 @@ Posts read_posts(std::string_view text, Faults& faults) {
   return posts;
 }
 
-/// Sorted by x, then y; one post a place.
-std::vector<Vec3> distinct_posts(const Posts& posts, Faults& faults) {
-  std::vector<std::size_t> order(posts.points.size());
+/// Numbers of the posts by x, then y, then line.
+std::vector<std::size_t> sorted_by_place(const std::vector<Vec3>& points) {
+  std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const Vec3 &p = posts.points[a], &q = posts.points[b];
+    const Vec3 &p = points[a], &q = points[b];
     if (p[0] != q[0]) return p[0] < q[0];
     return p[1] != q[1] ? p[1] < q[1] : a < b;
   });
-  std::vector<Vec3> distinct;
-  int first_line = 0;
-  for (const auto i : order) {
+  return order;
+}
+
+/// Sorted by x, then y; one post a place. Line numbers likewise.
+Posts distinct_posts(const Posts& posts, Faults& faults) {
+  Posts distinct;
+  for (const auto i : sorted_by_place(posts.points)) {
     const Vec3& post = posts.points[i];
-    if (distinct.empty() || distinct.back()[0] != post[0] || distinct.back()[1] != post[1]) {
-      distinct.push_back(post);
-      first_line = posts.line[i];
-    } else if (distinct.back()[2] != post[2]) {
+    if (distinct.points.empty() || distinct.points.back()[0] != post[0] ||
+        distinct.points.back()[1] != post[1]) {
+      distinct.points.push_back(post);
+      distinct.line.push_back(posts.line[i]);
+    } else if (distinct.points.back()[2] != post[2]) {
       faults.add(
           posts.line[i], 0,
           fmt::format("{} lies over the post of line {}, whose z is {:.10g}: a ground has one "
                       "elevation at a place",
-                      point_text(post), first_line, distinct.back()[2]));
+                      point_text(post), distinct.line.back(), distinct.points.back()[2]));
     }
   }
   faults.throw_if_any();
   return distinct;
+}
+
+/// Reports posts, sorted by x, that are nearer to each other in plan than what can be told apart.
+void check_distances(const Posts& posts, Faults& faults) {
+  Vec3 low = posts.points.front(), high = low;
+  for (const Vec3& p : posts.points)
+    for (std::size_t d = 0; d < 3; ++d)
+      low[d] = std::min(low[d], p[d]), high[d] = std::max(high[d], p[d]);
+  const Real least = least_post_distance(high - low);
+  const auto& points = posts.points;
+  const std::size_t n = points.size();
+  std::vector<std::size_t> strip;  // posts between two gaps along x, by y
+  for (std::size_t begin = 0, end = 1; begin < n; begin = end++) {
+    while (end < n && points[end][0] - points[end - 1][0] < least) ++end;
+    strip.resize(end - begin);
+    std::iota(strip.begin(), strip.end(), begin);
+    std::stable_sort(strip.begin(), strip.end(),
+                     [&](std::size_t a, std::size_t b) { return points[a][1] < points[b][1]; });
+    for (std::size_t i = 0; i < strip.size(); ++i)
+      for (std::size_t j = i + 1; j < strip.size(); ++j) {
+        const Vec3 apart = points[strip[j]] - points[strip[i]];
+        if (apart[1] >= least) break;
+        if (std::hypot(apart[0], apart[1]) >= least) continue;
+        const int a = posts.line[strip[i]], b = posts.line[strip[j]];
+        faults.add(std::max(a, b), 0,
+                   fmt::format("{} lies {:.2g} m beside the post of line {}: on this ground posts "
+                               "nearer than {:.2g} m cannot be told apart",
+                               point_text(points[strip[a > b ? i : j]]),
+                               std::hypot(apart[0], apart[1]), std::min(a, b), least));
+      }
+  }
+  faults.throw_if_any();
 }
 
 std::vector<Real> distinct_values(const std::vector<Vec3>& posts, std::size_t axis) {
@@ -82,9 +122,11 @@ std::vector<Real> distinct_values(const std::vector<Vec3>& posts, std::size_t ax
 
 TriangleSurface read_xyz(std::string_view text, const Place& place) {
   Faults faults(place);
-  std::vector<Vec3> posts = distinct_posts(read_posts(text, faults), faults);
-  if (posts.size() < 3)
-    faults.fail(fmt::format("a ground needs three posts at least, has {}", posts.size()));
+  Posts distinct = distinct_posts(read_posts(text, faults), faults);
+  if (distinct.points.size() < 3)
+    faults.fail(fmt::format("a ground needs three posts at least, has {}", distinct.points.size()));
+  check_distances(distinct, faults);
+  std::vector<Vec3> posts = std::move(distinct.points);
   PostGrid grid{distinct_values(posts, 0), distinct_values(posts, 1), {}};
   const std::size_t columns = grid.x.size(), rows = grid.y.size();
   // Distinct posts at known x and y are all of the grid's if they are as many.

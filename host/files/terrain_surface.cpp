@@ -202,6 +202,10 @@ void check_count(SizeT posts, Faults& faults) {
 
 }  // namespace
 
+Real least_post_distance(const Vec3& size) {
+  return 1e-9 * norm(size);
+}
+
 TriangleSurface ground_of_grid(const PostGrid& grid, Faults& faults) {
   check_count(grid.z.size(), faults);
   const SizeT columns = grid.x.size(), rows = grid.y.size();

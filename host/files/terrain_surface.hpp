@@ -14,6 +14,9 @@ struct PostGrid {
   std::vector<Real> z;     ///< [y][x] m; NaN = no post
 };
 
+/// m, in plan, below which the cutter may not tell posts of a ground of this size (m, along x, y, z) apart.
+Real least_post_distance(const Vec3& size);
+
 /// Squares of four posts become two triangles along the diagonal that is shorter in space (of equal ones
 /// the one towards north-east), those of three posts one triangle; counter-clockwise seen from above.
 /// Where parts of the ground touch at one post alone, the smaller side's triangles at that post are left

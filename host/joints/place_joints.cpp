@@ -21,36 +21,9 @@ std::string set_key(std::size_t s) {
   return fmt::format("joint_set[{}]", s + 1);
 }
 
-// Of a set of through-going planes, for the estimate of cells.
-struct PlaneSet {
-  Vec3 normal;  // unit
-  Real count, spacing, volume;
-};
-
 Real box_volume(const Extent& box) {
   const Vec3 d = box.max - box.min;
   return d[0] * d[1] * d[2];
-}
-
-// Planes alone make at most one cell more each, three families at most one a meeting point in the rock; joints with an
-// end in the rock and scattered ones are left to the limit while cutting.
-void check_cell_count(const Model& model, const std::vector<PlaneSet>& sets) {
-  Real cells = 1;
-  for (const PlaneSet& set : sets) cells += set.count;
-  for (std::size_t i = 0; i < sets.size(); ++i)
-    for (std::size_t j = i + 1; j < sets.size(); ++j)
-      for (std::size_t k = j + 1; k < sets.size(); ++k) {
-        const PlaneSet &a = sets[i], &b = sets[j], &c = sets[k];
-        const Real det = std::abs(dot(a.normal, cross(b.normal, c.normal)));
-        const Real volume = std::min({a.volume, b.volume, c.volume});
-        cells += std::min(volume * det / (a.spacing * b.spacing * c.spacing),
-                          a.count * b.count * c.count);
-      }
-  if (const auto max_cells = static_cast<Real>(model.cut.max_cells); cells > max_cells)
-    refuse(model.joint_sets.front().place, "joint_set",
-           fmt::format("the joint sets would make about {:.2g} cells, more than {:.2g}; use larger "
-                       "spacings or `count`",
-                       cells, max_cells));
 }
 
 Real checked_count(const JointSet& set, const PlacingRegion& region, const std::string& key) {
@@ -79,13 +52,25 @@ PlaneSet drawn_planes(const JointSet& set, const std::vector<DrawnJoint>& drawn,
     high = std::max(high, dot(normal, p));
   }
   const auto count = static_cast<Real>(drawn.size());
-  return {normal, count, (high - low) / std::max(1.0, count), box_volume(region.box)};
+  const Real spacing = (high - low) / std::max(1.0, count);
+  const bool fills = !set.count && set.within == none && set.random->fisher_kappa > 10;
+  return {normal, count, spacing, box_volume(region.box), fills, 2 * spacing};
+}
+
+// Only so many in the rock's box that no shape of the rock makes them bearable, and placing them would take long; the
+// cutter looks closer.
+void refuse_absurd_cells(const Model& model, const RockBounds& rock,
+                         const std::vector<PlaneSet>& sets) {
+  constexpr Real absurd = 1e4;
+  const Extent box = bounding_box(rock.corners);
+  const Real cells = estimate_cells(sets, box_volume(box), diagonal(box)).about;
+  if (cells > absurd * static_cast<Real>(std::max(model.cut.max_cells, CutSpec{}.max_cells)))
+    refuse_cell_count(model, about_cells(cells));
 }
 
 void place_sets(const Model& model, const RockBounds& rock, PlacedJoints& placed) {
   const std::size_t count = model.joint_sets.size();
   std::vector<PlacingRegion> regions;
-  std::vector<PlaneSet> plane_sets;
   std::vector<std::vector<DrawnJoint>> drawn(count);
   for (std::size_t s = 0; s < count; ++s) {
     const JointSet& set = model.joint_sets[s];
@@ -93,15 +78,16 @@ void place_sets(const Model& model, const RockBounds& rock, PlacedJoints& placed
     if (set.random) {
       drawn[s] = draw_joints(set, regions[s].corners, set_key(s));
       if (!set.radius && !set.random->radius)
-        plane_sets.push_back(drawn_planes(set, drawn[s], regions[s]));
+        placed.plane_sets.push_back(drawn_planes(set, drawn[s], regions[s]));
       continue;
     }
     const Real planes = checked_count(set, regions[s], set_key(s));
     if (!set.radius)
-      plane_sets.push_back({normalized(normal_of(set.orientation)), planes, set.spacing,
-                            box_volume(regions[s].box)});
+      placed.plane_sets.push_back({normalized(normal_of(set.orientation)), planes, set.spacing,
+                                   box_volume(regions[s].box), !set.count && set.within == none,
+                                   set.spacing});
   }
-  check_cell_count(model, plane_sets);
+  refuse_absurd_cells(model, rock, placed.plane_sets);
   for (std::size_t s = 0; s < count; ++s) {
     const JointSet& set = model.joint_sets[s];
     const auto origin = static_cast<Index>(s);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/exact/plane_exact.hpp"
+#include "host/joints/cell_limit.hpp"
 #include "src/model/model.hpp"
 
 namespace rockfold {
@@ -29,6 +30,7 @@ struct PlacedJoints {
   /// origin for each material that a table's rows use).
   std::vector<JointOrigin> origins;
   std::vector<PlacedJoint> joints;
+  std::vector<PlaneSet> plane_sets;  ///< the joint sets of through-going planes
 };
 
 /// The rock before joints cut it, as far as placing joints needs it.
@@ -38,7 +40,7 @@ struct RockBounds {
   std::vector<std::vector<Vec3>> solid_corners;
 };
 
-/// Throws Error(model) for sets that would make absurdly many joints or more than model.cut.max_cells cells.
+/// Throws Error(model) for sets that would make absurdly many joints or cells, and for joints without area.
 PlacedJoints place_joints(const Model& model, const RockBounds& rock);
 
 }  // namespace rockfold

@@ -2,7 +2,7 @@
 #define H5_USE_110_API  // the names of 1.10 in later versions too
 #include <algorithm>
 #include <limits>
-#include <set>
+#include <map>
 
 #include <hdf5.h>
 
@@ -41,13 +41,11 @@ std::string unpadded(std::string text) {
 }
 
 struct Visit {
-  std::vector<DatasetInfo> found;
-  std::set<haddr_t> seen;
+  std::map<haddr_t, DatasetInfo> found;  // by address: a data set may have several names
   std::string group;
 };
 
-/// For H5Lvisit: adds data sets that were not met under another name. (Objects come in the order of
-/// names.)
+/// For H5Lvisit: keeps each data set under the first of its names, whatever the order of the calls.
 herr_t visit_link(hid_t group, const char* name, const H5L_info_t* link, void* data) {
   auto& visit = *static_cast<Visit*>(data);
   if (link->type != H5L_TYPE_HARD) return 0;
@@ -56,11 +54,16 @@ herr_t visit_link(hid_t group, const char* name, const H5L_info_t* link, void* d
   if (H5Iget_type(object) != H5I_DATASET) return 0;
   H5L_info_t info;
   if (H5Lget_info(group, name, &info, H5P_DEFAULT) < 0) return -1;
-  if (!visit.seen.insert(info.u.address).second) return 0;
-  const Id type(H5Dget_type(object), H5Tclose);
-  const Id space(H5Dget_space(object), H5Sclose);
-  visit.found.push_back({visit.group + "/" + name, type_name(type), shape_of_space(space),
-                         static_cast<std::int64_t>(H5Dget_storage_size(object))});
+  std::string path = visit.group + "/" + name;
+  const auto [met, is_new] = visit.found.try_emplace(info.u.address);
+  if (is_new) {
+    const Id type(H5Dget_type(object), H5Tclose);
+    const Id space(H5Dget_space(object), H5Sclose);
+    met->second = {std::move(path), type_name(type), shape_of_space(space),
+                   static_cast<std::int64_t>(H5Dget_storage_size(object))};
+  } else if (path < met->second.path) {
+    met->second.path = std::move(path);
+  }
   return 0;
 }
 
@@ -129,13 +132,17 @@ std::vector<DatasetInfo> File::datasets(const std::vector<std::string>& groups) 
   for (const std::string& group : groups) {
     if (!exists(group)) continue;
     visit.group = group;
-    check(H5Lvisit_by_name(id_, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, visit_link, &visit,
+    // In the file's own order: for any other HDF5 1.10 makes a table of links, and where it cannot
+    // read them all, as in a damaged file, it frees entries of the table that it never filled.
+    check(H5Lvisit_by_name(id_, group.c_str(), H5_INDEX_NAME, H5_ITER_NATIVE, visit_link, &visit,
                            H5P_DEFAULT),
           "read");
   }
-  std::sort(visit.found.begin(), visit.found.end(),
+  std::vector<DatasetInfo> sorted;
+  for (auto& [address, dataset] : visit.found) sorted.push_back(std::move(dataset));
+  std::sort(sorted.begin(), sorted.end(),
             [](const auto& a, const auto& b) { return a.path < b.path; });
-  return std::move(visit.found);
+  return sorted;
 }
 
 }  // namespace rockfold::hdf5

@@ -107,6 +107,9 @@ class ResultWriter {
   std::unique_ptr<Implementation> implementation_;
 };
 
+/// The small file for older readers that stands beside the result file `path`.
+std::string xdmf_path(const std::string& path);
+
 /// What a result file holds, for `rockfold info`.
 struct ResultInfo {
   /// One data set of the file.

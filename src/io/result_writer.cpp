@@ -332,9 +332,13 @@ void ResultWriter::finish() {
   const std::filesystem::path path(my.path);
   synchronize(path.has_parent_path() ? path.parent_path().string() : ".", my.path);
   if (my.grids.empty()) return;
-  const std::string xdmf = std::filesystem::path(path).replace_extension(".xdmf").string();
+  const std::string xdmf = xdmf_path(my.path);
   write_text_file(xdmf, xdmf + ".partial-" + std::to_string(getpid()),
                   xdmf_text(path.filename().string(), my.grids, my.times));
+}
+
+std::string xdmf_path(const std::string& path) {
+  return std::filesystem::path(path).replace_extension(".xdmf").string();
 }
 
 const std::string& ResultWriter::path() const {

@@ -31,14 +31,21 @@ void Diagnostics::add(const Spot& spot, const std::string& key, const std::strin
       {spot, {place(spot, key), label_.empty() ? message : message + " (in \"" + label_ + "\")"}});
 }
 
+void Diagnostics::add_unreadable(const Spot& spot, const std::string& key,
+                                 const std::string& message) {
+  add(spot, key, message);
+  ++unreadable_;
+}
+
 void Diagnostics::fail() {
+  const bool model_is_right = unreadable_ == found_.size() + left_out_;
   std::stable_sort(found_.begin(), found_.end(),
                    [](const auto& a, const auto& b) { return earlier(a.first, b.first); });
   std::vector<Diagnostic> all;
   for (auto& [spot, diagnostic] : found_) all.push_back(std::move(diagnostic));
   if (left_out_ > 0)
     all.push_back({{sources_[0], 0, 0, ""}, "and " + std::to_string(left_out_) + " more errors"});
-  throw Error(ErrorKind::model, std::move(all));
+  throw Error(model_is_right ? ErrorKind::io : ErrorKind::model, std::move(all));
 }
 
 }  // namespace rockfold

@@ -19,6 +19,9 @@ class Diagnostics {
   /// `key` is the full key path. The label of the entry being read is appended to the message.
   void add(const Spot& spot, const std::string& key, const std::string& message);
 
+  /// Likewise for a file that is not there: if nothing else is wrong, the model itself is not.
+  void add_unreadable(const Spot& spot, const std::string& key, const std::string& message);
+
   /// Says that a message already explains why this key is missing or wrong: another one would be
   /// noise.
   void explain(const std::string& key) { explained_.insert(key); }
@@ -31,14 +34,14 @@ class Diagnostics {
   Place place(const Spot& spot, const std::string& key) const;
   bool empty() const { return found_.empty(); }
 
-  /// Throws Error(model) with all of them, by line and column, those of --set last. Never call if
-  /// empty.
+  /// Throws Error(model) with all of them, by line and column, those of --set last; Error(io) if all are of files that
+  /// are not there. Never call if empty.
   [[noreturn]] void fail();
 
  private:
   std::vector<std::string> sources_;
   std::vector<std::pair<Spot, Diagnostic>> found_;
-  std::size_t left_out_ = 0;
+  std::size_t left_out_ = 0, unreadable_ = 0;
   std::set<std::string> explained_;
   std::string label_;
 };

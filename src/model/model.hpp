@@ -93,7 +93,7 @@ struct TunnelShape {
 
 /// Triangles read from a file. Filled after the model is read (host/files).
 struct TriangleSurface {
-  std::vector<Vec3> vertices;                 ///< m
+  std::vector<Vec3> vertices;                   ///< m
   std::vector<std::array<Index, 3>> triangles;  ///< counter-clockwise seen from outside (solids)
 };
 struct MeshShape {
@@ -141,7 +141,7 @@ constexpr Index default_disc_sides = 16;
 struct Distribution {
   enum class Kind { constant, exponential, log_normal, power_law };
   Kind kind = Kind::constant;
-  Real mean = 0;                ///< constant, exponential, log-normal: of the values themselves, > 0
+  Real mean = 0;  ///< constant, exponential, log-normal: of the values themselves, > 0
   Real standard_deviation = 0;  ///< log-normal: of the values themselves, > 0
   Real exponent = 0;            ///< power law: density ∝ x^−exponent on [min, max], > 0
   Real min = 0;                 ///< ≥ 0 (power law: > 0)
@@ -155,7 +155,8 @@ struct Distribution {
 struct RandomSet {
   std::uint64_t seed = 1;
   Real fisher_kappa = std::numeric_limits<Real>::infinity();  ///< > 0; infinite = no scatter
-  std::optional<Distribution> radius;   ///< m; overrides JointSet::radius; none and no radius: planes (spacing only)
+  std::optional<Distribution>
+      radius;  ///< m; overrides JointSet::radius; none and no radius: planes (spacing only)
   std::optional<Distribution> spacing;  ///< m, between neighbours along the mean normal
   std::optional<Real> p32;              ///< m²/m³, disc area in the region over its volume, > 0
   std::optional<Real> p10;              ///< 1/m, mean crossings along `scanline`, > 0
@@ -185,7 +186,7 @@ struct JointSet {
 struct Joint {
   std::string name;
   GivenPlane plane;
-  Index material = 0;  ///< likewise
+  Index material = 0;          ///< likewise
   std::optional<Real> radius;  ///< m; a disc about plane.point, as in a set
   Index sides = default_disc_sides;
   /// m; not empty: the polygon (simple, may be concave) after projection on the plane along its normal
@@ -200,7 +201,8 @@ struct JointMesh {
   std::string file;  ///< OBJ, OFF, STL or PLY; resolved against the model's folder
   Index material = 0;
   Index within = none;
-  std::shared_ptr<const TriangleSurface> surface;  ///< open or closed; filled after the model is read
+  std::shared_ptr<const TriangleSurface>
+      surface;  ///< open or closed; filled after the model is read
   Place place = {};
 };
 
@@ -251,6 +253,7 @@ struct Merge {
 /// [cut]: limits and what the report of the cutting flags.
 struct CutSpec {
   std::int64_t max_cells = 20'000'000;
+  Place place_of_max_cells = {};         ///< no file: not given
   std::optional<Real> min_volume;        ///< m³; smaller blocks are flagged
   std::optional<Real> max_aspect_ratio;  ///< longest over shortest extent; larger ones are flagged
 };

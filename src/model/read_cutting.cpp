@@ -74,8 +74,11 @@ void read_cut(Draft& draft) {
   read_section(draft, "cut", [&](TableReader& in) {
     auto& cut = draft.model.cut;
     Index cells = 0;
-    if (in.read("max_cells", cells, IntegerRange{.low = 1, .high = most_cells}, Need::optional))
+    if (in.read("max_cells", cells, IntegerRange{.low = 1, .high = most_cells}, Need::optional)) {
       cut.max_cells = cells;
+      if (const Value* given = in.find("max_cells"))
+        cut.place_of_max_cells = in.out().place(given->spot, in.path_of("max_cells"));
+    }
     in.read("min_volume", cut.min_volume, positive("m3"));
     in.read("max_aspect_ratio", cut.max_aspect_ratio, Range{.low = 1});
   });

@@ -18,10 +18,10 @@ std::optional<std::string> read_file_name(TableReader& in, const std::string& mo
   std::error_code failure;
   const auto status = fs::status(path, failure);
   if (fs::is_directory(status)) {
-    in.wrong("file", "\"" + path.string() + "\" is a folder, must be a file");
+    in.unreadable("file", "\"" + path.string() + "\" is a folder, must be a file");
   } else if (!fs::exists(status)) {
-    in.wrong("file", "there is no file " + described({path.string(), {}}) +
-                         "; names are relative to the model's folder");
+    in.unreadable("file", "there is no file " + described({path.string(), {}}) +
+                              "; names are relative to the model's folder");
   } else {
     return path.string();
   }

@@ -23,12 +23,19 @@ void read_planes(TableReader& in, JointSet& set) {
   if (in.read("count", count, IntegerRange{.low = 1}, Need::optional)) set.count = count;
 }
 
-/// What says how many joints there are stands in "random" then.
-void refuse_planes(TableReader& in) {
+/// What says where a random set's joints lie stands in "random"; how many stand at random spacings may be limited here.
+void read_random_planes(TableReader& in, JointSet& set) {
   if (in.has("spacing"))
     in.wrong("spacing", "a random set takes it from [joint_set.random]; leave this one out");
-  if (in.has("count"))
-    in.wrong("count", "a random set takes it from [joint_set.random]; leave this one out");
+  const auto* random = std::get_if<Table>(&in.find("random")->data);
+  Index count = 0;
+  if (random && random->find("spacing")) {
+    if (in.read("count", count, IntegerRange{.low = 1}, Need::optional)) set.count = count;
+  } else if (in.has("count")) {
+    in.wrong("count",
+             "limits joints that lie one spacing after another, but [joint_set.random] has no "
+             "spacing; discs that lie uniformly take it from [joint_set.random]");
+  }
 }
 
 /// "polygon", with the plane that it lies on or is projected on.
@@ -68,7 +75,7 @@ void read_joint_sets(Draft& draft) {
     read_orientation(in, set.orientation);
     const bool random = in.has("random");
     if (random) {
-      refuse_planes(in);
+      read_random_planes(in, set);
     } else {
       read_planes(in, set);
     }

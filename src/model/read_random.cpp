@@ -131,8 +131,12 @@ void read_amount(TableReader& in, bool discs, RandomSet& random) {
     in.missing({"", "spacing", "p32", "p10", "count"},
                "says not how many joints: must have one of spacing, p32, p10 or count");
   for (std::size_t i = 1; i < given.size(); ++i)
-    in.wrong(given[i], "has both " + given[0] + " and " + given[i] +
-                           ", must have one of spacing, p32, p10 or count");
+    in.wrong(given[i],
+             "has both " + given[0] + " and " + given[i] +
+                 ", must have one of spacing, p32, p10 or count" +
+                 (given[0] == "spacing" && given[i] == "count"
+                      ? "; the count of joints at random spacings stands in the set itself"
+                      : ""));
   read_distribution(in, "spacing", random.spacing);
   in.read("p32", random.p32, positive("m2/m3"));
   in.read("p10", random.p10, positive("1/m"));

@@ -191,6 +191,11 @@ void TableReader::wrong(const std::string& key, const std::string& message) {
   out_.add(found ? found->value.spot : spot_, path_of(key), message);
 }
 
+void TableReader::unreadable(const std::string& key, const std::string& message) {
+  const auto* found = entry(key);
+  out_.add_unreadable(found ? found->value.spot : spot_, path_of(key), message);
+}
+
 bool TableReader::is_missing(const std::string& key) const {
   return std::any_of(missing_.begin(), missing_.end(),
                      [&](const auto& m) { return contains(m.keys, key); });

@@ -68,6 +68,8 @@ class TableReader {
   void missing(std::vector<std::string> keys, const std::string& message);
   /// The value under `key` (or the table, if the key is absent) is wrong.
   void wrong(const std::string& key, const std::string& message);
+  /// Likewise: the file that it names is not there.
+  void unreadable(const std::string& key, const std::string& message);
   /// What else belongs to this table is not known: its other keys are unknown only if a missing one
   /// was meant.
   void give_up() { given_up_ = true; }

@@ -99,9 +99,35 @@ class ModelErrors(ProgramTest):
         done = self.run_program("run", "free_fall.toml", "--set", "monitor.1.point=[5, 5, 5]", status=2)
         self.assertIn("monitor[1].point: (5, 5, 5) of monitor centre is not in the rock", done.stderr)
 
+    def test_of_shapes_and_joints_are_found_by_check_as_by_cut(self):
+        rock = "[[solid]]\nname = 'rock'\nshape = 'box'\nmin = [0, 0, 0]\nmax = [10, 10, 10]\n"
+        planes = "[[joint_set]]\nnormal = [%s]\nspacing = 0.01\n"
+        for text, message in {
+                "[[joint]]\ndip = 0\ndip_direction = 0\npoint = [5, 5, 5]\nradius = 1e-12\n": "joint[1].radius: a disc of",
+                "[[merge]]\npoints = [[1, 1, 1], [100, 1, 1]]\n": "merge[1].points: (100, 1, 1) is not in the rock",
+                rock.replace("'rock'", "'hole'\noperation = 'subtract'"): "leave no rock",
+                "".join(planes % normal for normal in ("1, 0, 0", "0, 1, 0", "0, 0, 1")):
+                    "cut.max_cells: the model makes about 1e+09 cells",
+                "[[joint_set]]\ndip = 9\ndip_direction = 9\nradius = 1\n[joint_set.random]\np32 = 1e9\n": "random.p32: asks for about",
+        }.items():
+            self.write("wrong.toml", rock + text)
+            for command in ("check", "cut"):
+                error = self.run_program(command, "wrong.toml", status=2).stderr
+                self.assertRegex(error, r"^wrong\.toml:6:1: ")
+                self.assertIn(message, error)
+
     def test_a_missing_model_has_status_3(self):
         self.assertIn("missing.toml", self.run_program("check", "missing.toml", status=3).stderr)
         self.assertEqual(self.json_of("run", "missing.toml", status=3)["error"]["kind"], "io")
+
+    def test_a_missing_file_of_a_right_model_has_status_3(self):
+        text = (CASES / "cube" / "model.toml").read_text(encoding="utf-8")
+        self.write("files.toml", text + "\n[[joint_mesh]]\nfile = \"no.stl\"\n")
+        for command in ("check", "cut"):
+            self.assertRegex(self.run_program(command, "files.toml", status=3).stderr,
+                             r"^files.toml:\d+:8: joint_mesh\[1\].file: there is no file")
+        self.write("files.toml", text + "\n[[joint_mesh]]\nfile = \"no.stl\"\nfiel = 1\n")
+        self.assertIn("2 errors", self.run_program("check", "files.toml", status=2).stderr)
 
 
 class Outputs(ProgramTest):
@@ -137,6 +163,67 @@ class Outputs(ProgramTest):
         before = path.read_text(encoding="utf-8")
         self.assertIn("overwrite the model", self.run_program("cut", "wedge.toml", "-o", "./wedge.toml", status=2).stderr)
         self.assertEqual(path.read_text(encoding="utf-8"), before)
+        path = path.rename(self.folder / "wedge.xdmf")
+        message = self.run_program("cut", "wedge.xdmf", status=2).stderr
+        self.assertIn("the .xdmf file that goes with the result would overwrite the model", message)
+        self.assertEqual(path.read_text(encoding="utf-8"), before)
+
+    MODEL_WITH_FILES = """
+[[solid]]
+name = "rock"
+shape = "mesh"
+file = "rock.obj"
+[[solid]]
+name = "ground"
+operation = "subtract"
+shape = "terrain"
+file = "ground.xyz"
+base = -1
+[[joint_mesh]]
+name = "fault"
+file = "fault.obj"
+[[joint_table]]
+name = "discs"
+file = "discs.csv"
+"""
+    FILES = {
+        "rock.obj": "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n",
+        "ground.xyz": "9 9 0\n10 9 0\n10 10 0\n9 10 0\n",
+        "fault.obj": "v 1 1 0\nv 2 1 0\nv 1 1 1\nf 1 2 3\n",
+        "discs.csv": "dip,dip_direction,x,y,z,radius\n30,90,1,1,1,0.5\n",
+    }
+
+    def test_never_overwrite_a_file_that_the_model_reads(self):
+        (self.folder / "in").mkdir()
+        self.write("in/m.toml", self.MODEL_WITH_FILES)
+        for name, text in self.FILES.items():
+            self.write(f"in/{name}", text)
+        (self.folder / "symbolic.obj").symlink_to("in/rock.obj")
+        os.link(self.folder / "in" / "fault.obj", self.folder / "hard.obj")
+        os.link(self.folder / "in" / "discs.csv", self.folder / "in" / "m.xdmf")
+        (self.folder / "beside").symlink_to("in")
+        model = "in/m.toml"
+        for name, arguments in {
+                "in/rock.obj": ["--export", "in/rock.obj", "-o", "a.vtkhdf"], "in/ground.xyz": ["-o", "in/../beside/ground.xyz"],
+                "in/fault.obj": ["--export", "hard.obj", "-o", "a.vtkhdf"], "in/discs.csv": ["-o", "in/discs.csv"],
+        }.items():
+            message = self.run_program("cut", model, *arguments, status=2).stderr
+            self.assertIn(f"would overwrite '{name}', which the model reads", message)
+        self.assertIn("overwrite 'in/rock.obj'",
+                      self.run_program("cut", model, "-o", "a.vtkhdf", "--export", "symbolic.obj", status=2).stderr)
+        self.assertIn("the .xdmf file that goes with the result would overwrite 'in/discs.csv'",
+                      self.run_program("cut", model, status=2).stderr)
+        for name, text in self.FILES.items():
+            self.assertEqual((self.folder / "in" / name).read_text(encoding="utf-8"), text)
+        (self.folder / "in" / "m.xdmf").unlink()
+        self.run_program("cut", model, "--export", "blocks.obj")
+
+    def test_never_overwrite_each_other(self):
+        self.copy_case("wedge")
+        message = self.run_program("cut", "wedge.toml", "-o", "a.xdmf", status=2).stderr
+        self.assertIn("a.xdmf: the .xdmf file that goes with the result would overwrite the result", message)
+        self.assertIn("ends in .vtkhdf", message)
+        self.assertEqual(self.files(), ["wedge.toml"])
 
     def test_quiet_prints_nothing(self):
         self.copy_case("wedge")

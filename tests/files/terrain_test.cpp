@@ -238,9 +238,38 @@ TEST(WrongTerrains, SayWhatAndWhere) {
        0,
        {"last post: y is 1.05e+09"}},
       {"ncols 3\nnrows 2\nxllcorner 1e8\nyllcorner 0\ncellsize 1e-9\n1 2 3\n4 5 6\n",
-       0,
+       5,
        0,
        {"cell size 1e-09 is too small"}},
+      {"ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ndx 1\ndy 1e-300\n1 2 3\n4 5 6\n",
+       6,
+       0,
+       {"cell size 1e-300 m is too small for this ground", "5.4e-09 m"}},
+      {"ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nCellSize 2\n1 2 3\n4 5 6\n",
+       6,
+       1,
+       {"cellsize stands there twice, first in line 5"}},
+      {"ncols 3\nnrows 2\nncols 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n4 5 6\n",
+       3,
+       1,
+       {"ncols stands there twice, first in line 1"}},
+      {"ncols 3\nnrows 2\nxllcorner 0\nxllcenter 7\nyllcorner 0\ncellsize 1\n1 2 3\n4 5 6\n",
+       4,
+       1,
+       {"xllcenter and xllcorner of line 3 say the same"}},
+      {"ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ndx 1\ncellsize 1\n1 2 3\n4 5 6\n",
+       6,
+       1,
+       {"cellsize and dx of line 5 say the same"}},
+      {"0 0 1\n1 0 1\n1 1 1\n0.99999999999 1e-12 1\n",
+       4,
+       0,
+       {"lies 1e-11 m beside the post of line 2", "nearer than 1.4e-09 m"}},
+      // A gap along x that is no gap along y, and the later line first in x.
+      {"0 0 1\n1 5 1\n0.9999999999 0 1\n0 9 1\n1 0 1\n",
+       5,
+       0,
+       {"lies 1e-10 m beside the post of line 3"}},
       {header23 + "1 2 3\n4 5\n", 7, 0, {"ends after 5 of 6 values", "ncols = 3"}},
       {header23 + "1 2 3\n4 5 6\n7\n", 8, 1, {"goes on after 6 values"}},
       {header23 + "1 2 3\n4 x 6\n", 7, 3, {"elevation must be a number, is 'x'"}},
@@ -290,6 +319,14 @@ TEST(WrongTerrains, MayLieBelowTheirBase) {
   EXPECT_NE(listed(errors).find("base = 1 m everywhere: 2 posts do not, the lowest at (15, 21, 1)"),
             std::string::npos)
       << listed(errors);
+}
+
+TEST(WrongTerrains, MayBeTooFineForTheirHeight) {
+  const auto ground =
+      ground_of("ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1e-8\n1 1 1\n1 1 1\n");
+  EXPECT_TRUE(errors_of_reading([&] { check_fine_posts(ground, 0, sample_place); }).empty());
+  const auto errors = errors_of_reading([&] { check_fine_posts(ground, -99, sample_place); });
+  EXPECT_NE(listed(errors).find("are 1e-08 m apart in plan"), std::string::npos) << listed(errors);
 }
 
 /// 2000 × 2000 posts, 4 million, 28 MB of text: seconds on any machine, minutes if numbers were read by streams or

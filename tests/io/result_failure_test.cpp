@@ -236,6 +236,38 @@ TEST(ResultInfo, RefusesFilesCutShort) {
   }
 }
 
+/// One wrong byte, all over the file and in each of the structures in which HDF5 keeps what a large group holds: what is
+/// told is an error of kind io or, where it did not matter, the same as ever; never a crash.
+TEST(ResultInfo, SurvivesEveryWrongByte) {
+  const TemporaryFolder folder;
+  {
+    ResultWriter writer(folder / "a.vtkhdf", sample_model(), sample_header());
+    write_sample(writer, box_grid(3, 2, 2), lattice_with_cut(2), {0, 1, 2});
+    writer.finish();
+  }
+  const std::string whole = file_bytes(folder / "a.vtkhdf");
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < whole.size(); i += whole.size() / 100) places.push_back(i);
+  for (const std::string structure : {"BTLF", "FHDB"})
+    for (auto at = whole.find(structure); at != std::string::npos;
+         at = whole.find(structure, at + 1))
+      for (const std::size_t offset : {12, 50, 161, 300}) places.push_back(at + offset);
+  int refused = 0;
+  for (const std::size_t place : places) {
+    if (place >= whole.size()) continue;
+    std::string damaged = whole;
+    damaged[place] = static_cast<char>(~damaged[place]);
+    write_file(folder / "damaged", damaged);
+    try {
+      read_result_info(folder / "damaged");
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::io);
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 50);
+}
+
 TEST(Exports, ThatDoNotFitOnTheDiskLeaveTheOlderFile) {
   const TemporaryFolder folder;
   const BlockArrays blocks = box_grid(20, 20, 10);

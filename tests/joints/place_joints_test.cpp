@@ -172,15 +172,50 @@ TEST(JointSets, WithinASolidLieWhereThatSolidIs) {
 
 TEST(JointSets, OfDiscsAreNoCellsOfThroughGoingPlanes) {
   Model model;
-  model.cut.max_cells = 1000;
   for (const DipOrientation& orientation : {DipOrientation{0, 0}, {90, 0}, {90, 90}}) {
     model.joint_sets.push_back(level_discs(0.4));
     model.joint_sets.back().orientation = orientation;
     model.joint_sets.back().spacing = 0.5;
   }
-  EXPECT_NO_THROW(place_joints(model, cube));
+  EXPECT_TRUE(place_joints(model, cube).plane_sets.empty());
   for (JointSet& set : model.joint_sets) set.radius.reset();
-  expect_refusal(model, cube, "cells", "joint_set");
+  const auto sets = place_joints(model, cube).plane_sets;
+  ASSERT_EQ(sets.size(), 3u);
+  const CellEstimate cells = estimate_cells(sets, 1000, std::sqrt(300.0));
+  EXPECT_NEAR(cells.least, 8000, 1e-6);
+  EXPECT_NEAR(cells.about, 8000 + 3 * 21 + 1, 1e-6);  // 21 planes of each meet the cube
+  // An eighth of the rock has an eighth of the cells at least.
+  EXPECT_NEAR(estimate_cells(sets, 125, std::sqrt(300.0)).least, 1000, 1e-6);
+}
+
+TEST(JointSets, ThatDoNotFillTheRockMakeNoLeastNumberOfCells) {
+  Model model;
+  for (const DipOrientation& orientation : {DipOrientation{0, 0}, {90, 0}, {90, 90}}) {
+    model.joint_sets.push_back(level_discs(1));
+    model.joint_sets.back().orientation = orientation;
+    model.joint_sets.back().spacing = 0.1;
+    model.joint_sets.back().radius.reset();
+  }
+  const auto least = [&] {
+    return estimate_cells(place_joints(model, cube).plane_sets, 1000, std::sqrt(300.0)).least;
+  };
+  EXPECT_GT(least(), 900'000);
+  model.joint_sets[0].count = 3;
+  // Columns between the planes of two families, none longer than the rock's diagonal.
+  EXPECT_NEAR(least(), 1000 / (0.1 * 0.1 * std::sqrt(300.0)), 1e-6);
+  model.joint_sets[1].count = 3;
+  EXPECT_EQ(least(), 1);
+}
+
+TEST(JointSets, OfAbsurdlyManyCellsAreRefusedBeforeTheyArePlaced) {
+  Model model;
+  for (const DipOrientation& orientation : {DipOrientation{0, 0}, {90, 0}, {90, 90}}) {
+    model.joint_sets.push_back(level_discs(1));
+    model.joint_sets.back().orientation = orientation;
+    model.joint_sets.back().spacing = 1e-4;
+    model.joint_sets.back().radius.reset();
+  }
+  expect_refusal(model, cube, "about 1e+15 cells", "cut.max_cells");
 }
 
 TEST(JointMeshes, BecomeTrianglesOnPlanesExactlyThroughTheirCorners) {

@@ -158,6 +158,8 @@ TEST_F(CompleteCutting, HasItsMergesAndExcavations) {
 
 TEST_F(CompleteCutting, HasItsLimitsAndScanlines) {
   EXPECT_EQ(model.cut.max_cells, 1'000'000);
+  EXPECT_EQ(model.cut.place_of_max_cells.key, "cut.max_cells");
+  EXPECT_GT(model.cut.place_of_max_cells.line, 0);
   EXPECT_EQ(model.cut.min_volume, 1e-3);
   EXPECT_EQ(model.cut.max_aspect_ratio, 12.5);
   ASSERT_EQ(model.scanlines.size(), 1u);
@@ -180,10 +182,20 @@ TEST(SmallCutting, HasDefaults) {
   EXPECT_EQ(model.joint_sets[0].random->seed, 1u);
   EXPECT_EQ(model.joint_sets[0].random->spacing->max, infinity);
   EXPECT_EQ(model.cut.max_cells, 20'000'000);
+  EXPECT_TRUE(model.cut.place_of_max_cells.file.empty());
   EXPECT_FALSE(model.cut.min_volume || model.cut.max_aspect_ratio);
 }
 
 /// The opening of an arched tunnel given by its radius: half the width, and the height of a circle.
+TEST(RandomSpacing, MayBeLimitedByTheSetsCount) {
+  const auto model = parse_model(
+      ROCK
+      "[[joint_set]]\ndip = 0\ndip_direction = 0\ncount = 3\n[joint_set.random]\nspacing = 2\n",
+      "m.toml");
+  EXPECT_EQ(model.joint_sets[0].count, 3);
+  EXPECT_FALSE(model.joint_sets[0].random->count);
+}
+
 TEST(Tunnel, MayBeGivenByItsRadius) {
   for (const char* kind : {"d_shape", "horseshoe"}) {
     const auto section_of = [&](const std::string& size) {
@@ -247,6 +259,21 @@ TEST_F(ModelWithFiles, NamesThoseThatAreMissing) {
     EXPECT_NE(error.diagnostics()[1].message.find("is a folder"), std::string::npos);
     EXPECT_NE(error.diagnostics()[2].message.find("found \"\""), std::string::npos);
   }
+}
+
+TEST_F(ModelWithFiles, IsRightItselfWhereNothingButFilesIsMissing) {
+  const auto kind_of = [&](const std::string& text) {
+    try {
+      read_model(write("m.toml", text));
+    } catch (const Error& error) {
+      return error.kind();
+    }
+    return ErrorKind::analysis;
+  };
+  const std::string missing =
+      ROCK "[[joint_mesh]]\nfile = 'no.stl'\n[[joint_table]]\nfile = 'data'\n";
+  EXPECT_EQ(kind_of(missing), ErrorKind::io);
+  EXPECT_EQ(kind_of(missing + "sides = 2\n"), ErrorKind::model);
 }
 
 TEST_F(ModelWithFiles, TakesItsSeedsFromTheCommandLine) {

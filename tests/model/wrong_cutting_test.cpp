@@ -110,7 +110,9 @@ TEST(WrongCutting, OfRandomSets) {
   const Wrong cases[] = {
       {SET "random = 3", 9, 10, "joint_set[1].random", "found 3, must be a table of keys"},
       {SET "spacing = 1\n[joint_set.random]\nspacing = 2", 9, 11, "joint_set[1].spacing", "leave this one out"},
-      {SET "count = 1\n[joint_set.random]\nspacing = 2", 9, 9, "joint_set[1].count", "leave this one out"},
+      {SET "count = 1\nradius = 2\n[joint_set.random]\ncount = 2", 9, 9, "joint_set[1].count", "[joint_set.random] has no spacing"},
+      {SET "count = 0\n[joint_set.random]\nspacing = 2", 9, 9, "joint_set[1].count", "found 0, must be an integer >= 1"},
+      {SET "[joint_set.random]\nspacing = 2\ncount = 3", 11, 9, "joint_set[1].random.count", "the count of joints at random spacings stands in the set itself"},
       {SET "[joint_set.random]\np32 = 1", 10, 7, "joint_set[1].random.p32", "needs a radius"},
       {RANDOM, 10, 1, "joint_set[1].random", "must have one of spacing, p32, p10 or count"},
       {RANDOM "p23 = 1", 11, 1, "joint_set[1].random.p23", "did you mean \"p32\"?"},
