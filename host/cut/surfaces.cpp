@@ -170,8 +170,8 @@ bool holds_corners(const ExactPlane& plane, const ClosedSurface& surface, Index 
 }
 
 // A closed surface; its facets get their edges together with the joints'.
-void add_surface(const ShapeRegion& region, Complex& complex, std::vector<FlatPolygon>& polygons,
-                 std::vector<Index>& facet_of_polygon) {
+void add_surface(const ShapeRegion& region, bool alone, Complex& complex,
+                 std::vector<FlatPolygon>& polygons, std::vector<Index>& facet_of_polygon) {
   const ClosedSurface& surface = region.geometry.surface;
   Body body;
   body.role = region.role;
@@ -181,8 +181,12 @@ void add_surface(const ShapeRegion& region, Complex& complex, std::vector<FlatPo
   for (Index i = 0; i < count; ++i) {
     const Index begin = surface.polygon_begin[i], end = surface.polygon_begin[i + 1];
     const ExactPlane plane = plane_of_polygon(surface, begin, end);
-    const HalfSpaceId outward = complex.planes.find_or_add(
-        plane, holds_corners(plane, surface, begin, end) ? Known::exactly : Known::nearly);
+    std::vector<Vec3> corners;  // about the centre
+    for (Index k = begin; k < end; ++k)
+      corners.push_back(surface.vertices[surface.corner[k]] - complex.planes.centre());
+    const Known known = holds_corners(plane, surface, begin, end) ? Known::exactly : Known::nearly;
+    const HalfSpaceId outward = alone ? complex.planes.find_or_add(plane, known)
+                                      : complex.planes.find_or_add(plane, corners, known);
     FlatPolygon polygon;
     polygon.plane = plane_of(outward);
     Facet facet;
@@ -259,11 +263,12 @@ CuttingInput make_surfaces(const Model& model) {
     for (const ConvexPart& part : region.geometry.parts) parts.push_back(&part);
   auto half_spaces = part_half_spaces(parts, reach, complex.planes);
   auto next = half_spaces.begin();
+  const bool alone = parts.empty() && placed.joints.empty();
   for (const ShapeRegion& region : regions) {
     for (const ConvexPart& part : region.geometry.parts)
       add_convex(region, part, std::move(*next++), start, complex);
     if (!region.geometry.surface.face.empty())
-      add_surface(region, complex, polygons, facet_of_polygon);
+      add_surface(region, alone, complex, polygons, facet_of_polygon);
   }
   const JointPolygons joints = add_joints(placed, input);
   count_near_planes(complex.planes, input.intent);

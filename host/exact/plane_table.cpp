@@ -187,22 +187,22 @@ bool PlaneTable::is_near_another(Index plane) const {
   return found;
 }
 
-HalfSpaceId PlaneTable::find_or_add(const ExactPlane& plane, const std::vector<Vec3>& corners) {
-  if (!corners.empty() && find(plane) == none) {
-    const UnitPlane unit = rounded(plane.n, plane.d - dot(plane.n, exact(centre_)));
-    HalfSpaceId best = none;
+HalfSpaceId PlaneTable::find_or_add(const ExactPlane& plane, const std::vector<Vec3>& corners,
+                                    Known known) {
+  const UnitPlane unit = rounded(plane.n, plane.d - dot(plane.n, exact(centre_)));
+  HalfSpaceId best = known == Known::exactly ? find_exactly(plane) : none;
+  if (best != none) return best;
+  best = find(plane);
+  if (best == none && !corners.empty())
     visit_near(unit.normal, unit.offset, turned_factor, [&](Index id, bool same_sense) {
       const bool holds = std::all_of(corners.begin(), corners.end(), [&](const Vec3& x) {
         return std::abs(dot(normal_[id], x) - offset_[id]) <= tolerance_;
       });
       if (holds && (best == none || id < plane_of(best))) best = half_space(id, same_sense);
     });
-    if (best != none) {
-      loosen(plane_of(best));
-      return best;
-    }
-  }
-  return find_or_add(plane);
+  if (best == none) return half_space(add(plane, known), true);
+  loosen(plane_of(best));
+  return best;
 }
 
 HalfSpaceId PlaneTable::find_or_add(const ExactPlane& plane, Known known) {

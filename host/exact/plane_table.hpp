@@ -67,7 +67,8 @@ class PlaneTable {
 
   /// The half-space above `plane` as in find_or_add() below. A plane that is turned by less than 1e-9 and passes all of
   /// `corners` (m, about the centre) within the tolerance coincides, too.
-  HalfSpaceId find_or_add(const ExactPlane& plane, const std::vector<Vec3>& corners);
+  HalfSpaceId find_or_add(const ExactPlane& plane, const std::vector<Vec3>& corners,
+                          Known known = Known::nearly);
 
   /// The half-space above `plane`, bounded by the plane that coincides with it or else by itself, added. Planes known exactly
   /// coincide where they are equal; one that a plane known nearly coincides with is so from then on.
