@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -84,6 +85,33 @@ TEST(Within, CutsInsideThatSolidAlone) {
   model.joint_materials.resize(1);
   model.solids[1].interface = 0;
   EXPECT_EQ(checked_cut(model).arrays.block_count(), 3);
+}
+
+// A cube on a larger one, far from the origin: its foot is turned from the other's roof by 3e-10, by rounding alone.
+TEST(Solids, ThatShareAFaceAtMapCoordinatesAreOneBlock) {
+  std::mt19937 random(4);
+  std::normal_distribution<Real> gauss;
+  for (int i = 0; i < 20; ++i) {
+    const Vec3 u = normalized({gauss(random), gauss(random), gauss(random)});
+    const Vec3 v = normalized(cross(u, {gauss(random), gauss(random), gauss(random)}));
+    const Vec3 w = cross(u, v);
+    const auto cube = [&](const char* name, Real from, Real foot, Real edge) {
+      const Vec3 o = Vec3{512345, 5412345, 321} + from * u + from * v + foot * w;
+      Solid solid = box_solid(name, {}, {});
+      PrismShape prism;
+      prism.base = {o, o + edge * u, o + edge * u + edge * v, o + edge * v};
+      prism.extrude = edge * w;
+      solid.continues.assign(6, false);
+      solid.shape = prism;
+      return solid;
+    };
+    Model model;
+    model.solids.push_back(cube("large", 0, 0, 40));
+    model.solids.push_back(cube("small", 17.3, 40, 3));
+    const Blocks blocks = cut(model);
+    ASSERT_EQ(blocks.arrays.block_count(), 1) << i;
+    EXPECT_NEAR(sum(blocks.arrays.face_area), 6 * 40 * 40 + 4 * 3 * 3, 1e-4) << i;
+  }
 }
 
 TEST(Merge, MakesJointsInsideABoxIntact) {
