@@ -1,9 +1,9 @@
 // The complex of convex cells that a model is cut into: the one data structure behind blocks, covers and contacts.
 #pragma once
 
-#include <compare>
 #include <memory>
 #include <new>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -89,7 +89,10 @@ struct Zone {
   Index stage = 0;            ///< at which it is excavated; 0 = it stays
   std::vector<Index> within;  ///< solids named by joints' `within` whose shapes hold it, ascending
   std::vector<Index> merges;  ///< merge regions that hold it, ascending
-  std::strong_ordering operator<=>(const Zone&) const = default;
+  bool operator==(const Zone&) const = default;
+  bool operator<(const Zone& o) const {
+    return std::tie(solid, stage, within, merges) < std::tie(o.solid, o.stage, o.within, o.merges);
+  }
 };
 
 struct Complex {

@@ -1,8 +1,8 @@
 // What happens when files cannot be written or read.
+#include <csignal>
 #include <fstream>
 
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
