@@ -15,9 +15,9 @@ struct Options {
   std::string input;   ///< the model, the result file or the example's name; empty = none given
   std::string output;  ///< -o; empty = the default
   std::vector<std::string> exports;  ///< --export FILE, each of a known format
-  bool json = false;   ///< one JSON document on stdout, nothing else there
-  bool quiet = false;  ///< no progress and no summary; warnings and errors stay
-  int threads = 0;     ///< 0 = as many as the machine offers
+  bool json = false;                 ///< one JSON document on stdout, nothing else there
+  bool quiet = false;                ///< no progress and no summary; warnings and errors stay
+  int threads = 0;                   ///< 0 = as many as the machine offers
   /// of the first joint set; the n-th one gets seed + n − 1; recorded in the JSON
   std::optional<std::uint64_t> seed;
   std::vector<std::string> overrides;  ///< --set key.path=value, in order

@@ -16,8 +16,8 @@ struct PlacedJoint {
   /// m, model coordinates: a simple polygon (may be concave, either sense) whose corners lie on the plane to rounding;
   /// empty = through-going.
   std::vector<Vec3> polygon;
-  Index origin = none;   ///< into PlacedJoints::origins
-  Index within = none;   ///< into Model::solids
+  Index origin = none;  ///< into PlacedJoints::origins
+  Index within = none;  ///< into Model::solids
 };
 
 struct JointOrigin {

@@ -13,11 +13,13 @@ namespace rockfold {
 struct FacePlane {
   ExactPlane plane;
   bool inside_above = true;  ///< the part lies above the plane
-  Index face = none;         ///< into face_names(shape); none = between two parts of one shape, never on its boundary
+  Index face =
+      none;  ///< into face_names(shape); none = between two parts of one shape, never on its boundary
 };
 
 struct ConvexPart {
-  std::vector<FacePlane> faces;  ///< their intersection; may be unbounded for a solid that is subtracted
+  std::vector<FacePlane>
+      faces;  ///< their intersection; may be unbounded for a solid that is subtracted
 };
 
 /// A closed, outward oriented surface without self-intersections.
@@ -25,8 +27,9 @@ struct ConvexPart {
 struct ClosedSurface {
   std::vector<Vec3> vertices;           ///< m, taken exactly
   std::vector<Index> polygon_begin{0};  ///< [polygons + 1]
-  std::vector<Index> corner;            ///< vertices of convex planar polygons, counter-clockwise from outside
-  std::vector<Index> face;              ///< [polygons] into face_names(shape)
+  std::vector<Index>
+      corner;               ///< vertices of convex planar polygons, counter-clockwise from outside
+  std::vector<Index> face;  ///< [polygons] into face_names(shape)
 };
 
 /// Either `parts` (the shape is their union) or `surface` is filled.

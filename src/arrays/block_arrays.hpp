@@ -20,7 +20,7 @@ struct FaceOrigin {
   Index joint_material = none;  ///< into Model::joint_materials; joints only
   Index solid = none;       ///< into Model::solids (solid_face) or Model::excavations (excavation)
   Index solid_face = none;  ///< into face_names(shape)
-  bool continues = false;       ///< the rock goes on beyond: neither free nor removable
+  bool continues = false;   ///< the rock goes on beyond: neither free nor removable
 };
 
 /// B blocks with F faces, L loops, C loop corners and V vertices; I interfaces.
