@@ -101,7 +101,7 @@ class JointPlanes {
         finite.push_back(id);
         continue;
       }
-      plane_[i] = find_or_add(joints_[i].plane);
+      plane_[i] = find_or_add(joints_[i].plane, {});
       unbounded_.push_back(plane_[i]);
     }
     std::sort(unbounded_.begin(), unbounded_.end());
@@ -119,7 +119,7 @@ class JointPlanes {
       for (const Index other : larger[r]) offer(joint, plane_[finite[other]], plane);
       for (const Index other : unbounded_) offer(joint, other, plane);
       if (plane == none)
-        plane = find_or_add(own_plane(joint));
+        plane = find_or_add(own_plane(joint), joint.corner);
       else
         ++identified_, planes_.loosen(plane);
     }
@@ -127,9 +127,10 @@ class JointPlanes {
   }
 
  private:
-  Index find_or_add(const ExactPlane& plane) {
+  Index find_or_add(const ExactPlane& plane, std::vector<Vec3> corners) {
+    for (Vec3& x : corners) x = x - planes_.centre();
     const Index before = planes_.size();
-    const HalfSpaceId found = planes_.find_or_add(plane);
+    const HalfSpaceId found = planes_.find_or_add(plane, corners);
     if (planes_.size() == before) ++identified_;
     return plane_of(found);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -386,6 +387,51 @@ TEST(ShallowDihedral, OfTwoHalvesIsABentJoint) {
     for (Index b = 0; b < 2; ++b)
       EXPECT_EQ(counts_of(blocks.arrays, b), (Counts{10, 15, 7})) << "block " << b;
     EXPECT_NEAR(std::abs(blocks.arrays.volume[0] - blocks.arrays.volume[1]) / (slope / 4), 1, 1e-6);
+  }
+}
+
+// Closed cages of 1 m in a chain, each a step of a whole edge from the one before, turned and far from the origin: walls of
+// one plane are turned from each other by rounding alone.
+TEST(Cages, InAChainAtMapCoordinatesHoldABlockEach) {
+  std::mt19937 random(18);
+  std::normal_distribution<Real> gauss;
+  for (int i = 0; i < 30; ++i) {
+    const Vec3 u = normalized({gauss(random), gauss(random), gauss(random)});
+    const Vec3 v = normalized(cross(u, {gauss(random), gauss(random), gauss(random)}));
+    const Vec3 w = cross(u, v);
+    const auto at = [&](const Vec3& x) {
+      return Vec3{512345.678, 5412345.43, 321.1} + x[0] * u + x[1] * v + x[2] * w;
+    };
+    Model model;
+    Solid rock = box_solid("rock", {}, {});
+    PrismShape prism;
+    prism.base = {at({0, 0, 0}), at({40, 0, 0}), at({40, 40, 0}), at({0, 40, 0})};
+    prism.extrude = 40.0 * w;
+    rock.shape = prism;
+    model.solids.push_back(rock);
+    std::set<Vec3> cages;
+    Vec3 foot{17, 17, 17};
+    for (int step = 0; step < 4; ++step) {
+      foot[random() % 3] += 1;
+      foot[random() % 3] += 1;
+      cages.insert(foot);
+    }
+    for (const Vec3& o : cages)
+      for (int d = 0; d < 3; ++d)
+        for (const Real side : {0.0, 1.0}) {
+          Joint joint;
+          joint.name = "wall";
+          for (const auto& [s, t] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+            Vec3 x = o;
+            x[d] += side, x[(d + 1) % 3] += s, x[(d + 2) % 3] += t;
+            joint.polygon.push_back(at(x));
+          }
+          joint.plane = {normalized(cross(joint.polygon[1] - joint.polygon[0],
+                                          joint.polygon[2] - joint.polygon[0])),
+                         joint.polygon[0]};
+          model.joints.push_back(joint);
+        }
+    EXPECT_EQ(cut(model).arrays.block_count(), static_cast<Index>(cages.size()) + 1) << i;
   }
 }
 
