@@ -4,7 +4,6 @@
 #include <map>
 
 #include "host/cut/joint_patches_exact.hpp"
-#include "host/cut/near_boxes.hpp"
 #include "host/refuse.hpp"
 #include "host/shapes/convex_pieces_exact.hpp"
 #include "src/base/vector.hpp"
@@ -12,10 +11,6 @@
 namespace rockfold {
 
 namespace {
-
-// Noise of 1e-11 of the model's size on polygons a hundredth of it turns them by this much; what is given more steeply is
-// meant to be.
-constexpr Real largest_angle = 1e-9;
 
 // A joint with what orders it independently of the model's own order.
 struct OrderedJoint {
@@ -83,63 +78,32 @@ bool holds(const PlaneTable& planes, Index plane, const OrderedJoint& joint) {
 class JointPlanes {
  public:
   JointPlanes(const std::vector<OrderedJoint>& joints, CuttingInput& input)
-      : joints_(joints),
-        planes_(input.complex.planes),
-        identified_(input.planes_identified),
-        plane_(joints.size(), none) {
-    for (const Body& body : input.complex.bodies)
-      for (const HalfSpaceId h : body.inside) unbounded_.push_back(plane_of(h));
-  }
+      : joints_(joints), planes_(input.complex.planes), identified_(input.planes_identified) {}
 
   std::vector<Index> run() {
-    std::vector<Index> finite;
-    std::vector<Box> boxes(joints_.size());
+    std::vector<Index> order;
+    std::vector<Real> size;  // m
     for (std::size_t i = 0; i < joints_.size(); ++i) {
-      const auto id = static_cast<Index>(i);
-      for (const Vec3& x : joints_[i].corner) boxes[i].add(x);
-      if (!joints_[i].corner.empty()) {
-        finite.push_back(id);
-        continue;
-      }
-      plane_[i] = find_or_add(joints_[i].plane, {});
-      unbounded_.push_back(plane_[i]);
+      Box box;
+      for (const Vec3& x : joints_[i].corner) box.add(x);
+      size.push_back(joints_[i].corner.empty() ? Box::infinity : norm(box.high - box.low));
+      order.push_back(static_cast<Index>(i));
     }
-    std::sort(unbounded_.begin(), unbounded_.end());
-    unbounded_.erase(std::unique(unbounded_.begin(), unbounded_.end()), unbounded_.end());
-
-    std::stable_sort(finite.begin(), finite.end(), [&](Index a, Index b) {
-      return norm(boxes[a].high - boxes[a].low) > norm(boxes[b].high - boxes[b].low);
-    });
-    std::vector<Box> ordered;
-    for (const Index i : finite) ordered.push_back(boxes[i]);
-    const auto larger = earlier_near_boxes(ordered, planes_.tolerance());
-    for (std::size_t r = 0; r < finite.size(); ++r) {
-      const OrderedJoint& joint = joints_[finite[r]];
-      Index& plane = plane_[finite[r]];
-      for (const Index other : larger[r]) offer(joint, plane_[finite[other]], plane);
-      for (const Index other : unbounded_) offer(joint, other, plane);
-      if (plane == none)
-        plane = find_or_add(own_plane(joint), joint.corner);
-      else
-        ++identified_, planes_.loosen(plane);
-    }
-    return std::move(plane_);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return size[a] > size[b]; });
+    std::vector<Index> plane(joints_.size(), none);
+    for (const Index i : order) plane[i] = find_or_add(joints_[i]);
+    return plane;
   }
 
  private:
-  Index find_or_add(const ExactPlane& plane, std::vector<Vec3> corners) {
+  Index find_or_add(const OrderedJoint& joint) {
+    std::vector<Vec3> corners = joint.corner;
     for (Vec3& x : corners) x = x - planes_.centre();
     const Index before = planes_.size();
-    const HalfSpaceId found = planes_.find_or_add(plane, corners);
+    const HalfSpaceId found = planes_.find_or_add(own_plane(joint), corners);
     if (planes_.size() == before) ++identified_;
     return plane_of(found);
-  }
-
-  void offer(const OrderedJoint& joint, Index other, Index& plane) const {
-    const Vec3 normal{joint.key[0], joint.key[1], joint.key[2]};
-    if ((plane == none || other < plane) && holds(planes_, other, joint) &&
-        norm(cross(planes_.normal(other), normal)) < largest_angle)
-      plane = other;
   }
 
   // A triangle's plane passes exactly through its corners (DESIGN.md, rule 1), unless it was given by another one.
@@ -156,8 +120,6 @@ class JointPlanes {
   const std::vector<OrderedJoint>& joints_;
   PlaneTable& planes_;
   Index& identified_;
-  std::vector<Index> plane_;
-  std::vector<Index> unbounded_;
 };
 
 void add_polygon(const OrderedJoint& joint, JointPatch patch, Complex& complex,

@@ -232,7 +232,7 @@ void add_edges(const std::vector<Index>& facet_of_polygon, std::vector<FlatPolyg
 // Of planes that the user gave; triangles of one surface may be as nearly coplanar as they like.
 void count_near_planes(const PlaneTable& planes, IntentCount& intent) {
   for (Index p = 0; p < planes.size(); ++p) {
-    if (planes.known(p) == Known::exactly || !planes.is_near_another(p)) continue;
+    if (planes.exactly_known(p) || !planes.is_near_another(p)) continue;
     ++intent.near_decisions;
     intent.near_planes.push_back(p);
   }
@@ -263,6 +263,7 @@ CuttingInput make_surfaces(const Model& model) {
     for (const ConvexPart& part : region.geometry.parts) parts.push_back(&part);
   auto half_spaces = part_half_spaces(parts, reach, complex.planes);
   auto next = half_spaces.begin();
+  // Closed surfaces with nothing beside them that meets them to a tolerance: docs/decisions/0005-near-planes.md.
   const bool alone = parts.empty() && placed.joints.empty();
   for (const ShapeRegion& region : regions) {
     for (const ConvexPart& part : region.geometry.parts)

@@ -65,16 +65,15 @@ class PlaneTable {
   /// The plane that coincides with `plane` to the tolerance, on either orientation, or none. O(log n).
   HalfSpaceId find(const ExactPlane& plane) const;
 
-  /// The half-space above `plane` as in find_or_add() below. A plane that is turned by less than 1e-9 and passes all of
-  /// `corners` (m, about the centre) within the tolerance coincides, too.
+  /// The half-space above `plane`, bounded by the plane that coincides with it to the tolerance, or that is turned by less than
+  /// 1e-9 and passes all of `corners` (m, about the centre) within the tolerance, or else by itself, added. What stands for
+  /// two planes that are not equal is known nearly from then on.
   HalfSpaceId find_or_add(const ExactPlane& plane, const std::vector<Vec3>& corners,
                           Known known = Known::nearly);
 
-  /// The half-space above `plane`, bounded by the plane that coincides with it or else by itself, added. Planes known exactly
-  /// coincide where they are equal; one that a plane known nearly coincides with is so from then on.
+  /// The same without corners, but that two planes known exactly coincide only where they are equal.
   HalfSpaceId find_or_add(const ExactPlane& plane, Known known = Known::nearly);
 
-  Known known(Index plane) const { return known_[plane]; }
   bool exactly_known(Index plane) const { return known_[plane] == Known::exactly; }
   /// −1, 0, +1: on which side of the plane the point (m, model coordinates) lies, exactly.
   int exact_side(const Vec3& x, Index plane) const;

@@ -216,15 +216,15 @@ TEST(KnownPlanes, CoincideWhereTheyAreEqual) {
     PlaneTable table({0.5, 0.25, 0}, 1);
     const Index id = plane_of(table.find_or_add(first, Known::exactly));
     const bool same = plane_of(table.find_or_add(second, known)) == id;
-    return std::pair{same, table.known(id)};
+    return std::pair{same, table.exactly_known(id)};
   };
   const ExactPlane equal = plane_through({2, 4, 6}, {1, 1, 1});
   const ExactPlane near = plane_through({1, 2, 3}, {1, 1, 1 + 1e-11});
-  EXPECT_EQ(after(equal, Known::exactly), std::pair(true, Known::exactly));
-  EXPECT_EQ(after(opposite(equal), Known::exactly), std::pair(true, Known::exactly));
-  EXPECT_EQ(after(near, Known::exactly), std::pair(false, Known::exactly));
-  EXPECT_EQ(after(equal, Known::nearly), std::pair(true, Known::nearly));
-  EXPECT_EQ(after(near, Known::nearly), std::pair(true, Known::nearly));
+  EXPECT_EQ(after(equal, Known::exactly), std::pair(true, true));
+  EXPECT_EQ(after(opposite(equal), Known::exactly), std::pair(true, true));
+  EXPECT_EQ(after(near, Known::exactly), std::pair(false, true));
+  EXPECT_EQ(after(equal, Known::nearly), std::pair(true, false));
+  EXPECT_EQ(after(near, Known::nearly), std::pair(true, false));
 
   PlaneTable table({}, 1);
   const HalfSpaceId nearly = table.find_or_add(near, Known::nearly);
