@@ -39,7 +39,8 @@ double bytes_of(const CoverArrays& a) {
                                    a.regular_cover.size() + 2 * a.regular_block.size() +
                                    3 * a.element_cell.size() + a.element_cover.size() +
                                    3 * a.piece_block.size() + a.triangle_vertex.size()) +
-         8.0 * static_cast<double>(a.vertex_xyz.size()) + static_cast<double>(a.element_tet.size());
+         8.0 * static_cast<double>(a.vertex_xyz.size()) +
+         static_cast<double>(a.element_part.size());
 }
 
 void covers(benchmark::State& state) {

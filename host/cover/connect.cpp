@@ -153,7 +153,7 @@ class Connector {
       const Index e = element_of_piece_[piece_order_[i]];
       if (e == covers_.cut_count()) {
         covers_.element_cell.push_back(p.lattice_cell);
-        covers_.element_tet.push_back(static_cast<std::uint8_t>(p.tet));
+        covers_.element_part.push_back(static_cast<std::uint8_t>(p.tet));
         covers_.element_material.push_back(material(p.rock));
         covers_.piece_begin.push_back(covers_.piece_begin.back());
       }
@@ -184,7 +184,7 @@ class Connector {
     }
     const Index e = element_of_piece_[part.piece];
     for (int a = 0; a < 4; ++a)
-      if (node(covers_.element_cell[e], tet6_corner[covers_.element_tet[e]][a]) == lattice_node)
+      if (node(covers_.element_cell[e], tet6_corner[covers_.element_part[e]][a]) == lattice_node)
         return 8 * covers_.regular_count() + 4 * e + a;
     return none;
   }
@@ -283,7 +283,7 @@ class Connector {
     const Index regular = 8 * covers_.regular_count();
     if (i < regular) return node(covers_.regular_cell[i / 8], i % 8);
     const Index e = (i - regular) / 4;
-    return node(covers_.element_cell[e], tet6_corner[covers_.element_tet[e]][(i - regular) % 4]);
+    return node(covers_.element_cell[e], tet6_corner[covers_.element_part[e]][(i - regular) % 4]);
   }
 
   void number_covers() {

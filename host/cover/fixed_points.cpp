@@ -156,7 +156,7 @@ class Fixer {
     }
     for (Index e = 0; e < covers.cut_count(); ++e)
       for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q) {
-        const Holder h = holder_of(covers.element_cell[e], covers.element_tet[e],
+        const Holder h = holder_of(covers.element_cell[e], covers.element_part[e],
                                    covering_.pieces->piece_rock[q]);
         const Vec3 centre = covers.lattice.cell_centre(covers.element_cell[e]);
         for (Index v = covers.vertex_begin[q]; v < covers.vertex_begin[q + 1]; ++v) {

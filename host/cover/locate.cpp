@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "host/cut/complex.hpp"
+#include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -54,7 +55,7 @@ void Locator::try_element(const Vec3& x, Index e, std::vector<Holder>& found) co
   const Vec3 r = x - covers_.lattice.cell_centre(covers_.element_cell[e]);
   for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q)
     found.push_back({6 * covers_.regular_count() + e, covers_.piece_block[q], index_.piece_rock[q],
-                     covers_.element_cell[e], covers_.element_tet[e], piece_violation(r, q)});
+                     covers_.element_cell[e], covers_.element_part[e], piece_violation(r, q)});
 }
 
 Holder Locator::find(const Vec3& x, Index block) const {
@@ -84,20 +85,7 @@ Holder Locator::find(const Vec3& x, Index block) const {
 }
 
 void Locator::add(const Vec3& x, const Holder& h, MaterialPoints& points) const {
-  points.element.push_back(h.element);
-  if (!h.found()) {
-    points.cover.push_back({none, none, none, none});
-    points.weight.push_back({});
-    return;
-  }
-  std::array<Index, 4> cover;
-  const Index regular = 6 * covers_.regular_count();
-  for (int a = 0; a < 4; ++a)
-    cover[a] = h.element < regular
-                   ? covers_.regular_cover[8 * (h.element / 6) + tet6_corner[h.tet][a]]
-                   : covers_.element_cover[4 * (h.element - regular) + a];
-  points.cover.push_back(cover);
-  points.weight.push_back(tetrahedron_weights(covers_.lattice, h.lattice_cell, h.tet, x));
+  add_material_point(covers_, x, h.element, points);
 }
 
 MaterialPoints locate_points(const Covering& covering, const std::vector<Vec3>& points) {

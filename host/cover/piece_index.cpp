@@ -20,7 +20,7 @@ Index PieceIndex::find_piece(const CoverArrays& covers, Index lattice_cell, int 
       std::lower_bound(covers.element_cell.begin(), covers.element_cell.end(), lattice_cell);
   for (auto e = static_cast<Index>(first - covers.element_cell.begin());
        e < covers.cut_count() && covers.element_cell[e] == lattice_cell; ++e) {
-    if (covers.element_tet[e] != tet) continue;
+    if (covers.element_part[e] != tet) continue;
     for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
       if (piece_rock[q] == rock) return q;
   }

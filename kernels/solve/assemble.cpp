@@ -44,7 +44,7 @@ struct Assembly {
   Array<Real> cell_table;  ///< [materials][cell_table_size]
   Array<Real> moments;     ///< [E][10]
   Array<Index> regular_cover, regular_material, element_cover, element_material;
-  Array<std::uint8_t> element_tet;
+  Array<std::uint8_t> element_part;
 };
 
 /// The place of column q among the sorted columns of a row; padding repeats the row's own id at the end.
@@ -82,7 +82,7 @@ KOKKOS_INLINE_FUNCTION void add_cell(const Assembly& as, Index slot, Index cell,
 
 KOKKOS_INLINE_FUNCTION void add_element(const Assembly& as, Index slot, Index e, int a) {
   const TetTable& tets = as.tets(0);
-  const int t = as.element_tet(e);
+  const int t = as.element_part(e);
   const Elastic m = as.elastic(as.element_material(e));
   const Real* moments = &as.moments(10 * static_cast<std::size_t>(e));
   for (int b = 0; b < 4; ++b) {
@@ -173,7 +173,7 @@ Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
        to_device("solve::regular_material", covers.regular_material),
        to_device("solve::element_cover", covers.element_cover),
        to_device("solve::element_material", covers.element_material),
-       to_device("solve::element_tet", covers.element_tet)},
+       to_device("solve::element_part", covers.element_part)},
       static_cast<Index>(rows.block.row.size()));
   Kokkos::fence();
   return op;

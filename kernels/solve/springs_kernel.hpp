@@ -14,18 +14,20 @@ namespace rockfold::solve {
 /// Material points on the device.
 struct DevicePoints {
   Index count = 0;
-  Array<Index> cover;  ///< [N][4]
-  Array<Real> weight;  ///< [N][4]
+  Array<Index> begin;    ///< [N+1]
+  Array<Index> unknown;  ///< see MaterialPoints
+  Array<Real> weight;
 };
 DevicePoints upload(const MaterialPoints& points);
 
-/// value(n, d) = Σ_a weight · x.
+/// value(n, d) = Σ weight · x.
 void interpolate(const DevicePoints& points, const Field& x, const Field& value);
 
 KOKKOS_INLINE_FUNCTION Real interpolate_one(const DevicePoints& points, Index n, int d,
                                             const Field& x) {
   Real sum = 0;
-  for (int a = 0; a < 4; ++a) sum += points.weight(4 * n + a) * x(points.cover(4 * n + a), d);
+  for (Index i = points.begin(n); i < points.begin(n + 1); ++i)
+    sum += points.weight(i) * x(points.unknown(i), d);
   return sum;
 }
 
@@ -38,17 +40,18 @@ struct Springs {
   Field multiplier;   ///< (n, d) N
   Field target;       ///< (n, d) m, prescribed displacement
   Field force;        ///< (n, d) work space
-  Array<Real> share;  ///< [N][4] work space
+  Array<Real> share;  ///< work space, one for each entry of `points`
 
-  // The transpose: which points act on a cover, so that each cover is written by one thread.
-  Array<Index> row;        ///< [T] covers touched, ascending
-  Array<Index> row_begin;  ///< [T+1]
-  Array<Index> row_entry;  ///< 4·n + a
+  // The transpose: which points act on an unknown, so that each is written by one thread.
+  Array<Index> row;          ///< [T] unknowns touched, ascending
+  Array<Index> row_begin;    ///< [T+1]
+  Array<Index> row_entry;    ///< into points.unknown
+  Array<Index> entry_point;  ///< the point of each entry
 
   bool any() const { return points.count > 0; }
 };
 
-Springs build_springs(const FixedPoints& fixed, Index covers);
+Springs build_springs(const FixedPoints& fixed, Index unknowns);
 
 /// y += scale · Nᵀ value.
 void scatter(const Springs& springs, Real scale, const Field& value, const Field& y);

@@ -134,9 +134,9 @@ void make_load(Motion::Data& m, const MotionSetup& setup) {
   if (setup.forces.empty()) return;
   field = device::copy_to_host(m.load);
   for (std::size_t n = 0; n < setup.forces.size(); ++n)
-    for (int a = 0; a < 4; ++a)
+    for (Index i = setup.loaded.begin[n]; i < setup.loaded.begin[n + 1]; ++i)
       for (int d = 0; d < 3; ++d)
-        field[setup.loaded.cover[n][a]][d] += setup.loaded.weight[n][a] * setup.forces[n][d];
+        field[setup.loaded.unknown[i]][d] += setup.loaded.weight[i] * setup.forces[n][d];
   device::copy_to_device(field, m.load);
 }
 

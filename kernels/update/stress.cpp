@@ -13,7 +13,7 @@ ElementTable make_element_table(const CoverArrays& covers,
           to_device("update::regular_material", covers.regular_material),
           to_device("update::element_cover", covers.element_cover),
           to_device("update::element_material", covers.element_material),
-          to_device("update::element_tet", covers.element_tet),
+          to_device("update::element_part", covers.element_part),
           to_device("update::tets",
                     std::vector<solve::TetTable>{solve::make_tet_table(covers.lattice)}),
           to_device("update::elastic", solve::make_elastic(materials))};

@@ -100,7 +100,7 @@ void add_piece(ElementMesh& mesh, const CoverArrays& covers, Index element, Inde
   for (Index v = first; v < covers.vertex_begin[piece + 1]; ++v) {
     const Real* xyz = &covers.vertex_xyz[3 * v];
     const Vec3 x{xyz[0], xyz[1], xyz[2]};
-    of_vertex.push_back(point(centre + x, cover, weights(covers.element_tet[element], x)));
+    of_vertex.push_back(point(centre + x, cover, weights(covers.element_part[element], x)));
   }
   for (Index t = covers.triangle_begin[piece]; t < covers.triangle_begin[piece + 1]; ++t) {
     std::array<Index, 4> corners{of_vertex[0]};

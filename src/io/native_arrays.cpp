@@ -144,7 +144,7 @@ void write_cover_arrays(File& file, const CoverArrays& covers) {
   file.write(group + "regular_material", covers.regular_material);
   file.write(group + "regular_block", covers.regular_block);
   file.write(group + "element_cell", covers.element_cell);
-  file.write(group + "element_tet", covers.element_tet);
+  file.write(group + "element_part", covers.element_part);
   file.write_wide(group + "element_cover", covers.element_cover, 4);
   file.write(group + "element_material", covers.element_material);
   file.write(group + "piece_begin", covers.piece_begin);

@@ -8,6 +8,7 @@
 #include "kernels/integrate/moments.hpp"
 #include "kernels/solve/held_parts.hpp"
 #include "kernels/update/motion.hpp"
+#include "src/arrays/shape_functions.hpp"
 #include "src/base/error.hpp"
 #include "src/base/interrupt.hpp"
 #include "src/base/timer.hpp"
@@ -43,18 +44,12 @@ MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
   return setup;
 }
 
-/// Half the extent of the blocks' vertices in z: what max_displacement_ratio refers to. A point's weights give its
-/// position as they give its displacement.
+/// Half the extent of the blocks' vertices in z: what max_displacement_ratio refers to.
 Real half_height(const RunInput& input) {
   Real low = std::numeric_limits<Real>::infinity(), high = -low;
   const MaterialPoints& points = input.block_vertices;
-  const Lattice& lattice = input.covers.lattice;
   for (std::size_t n = 0; n < points.size(); ++n) {
-    Real z = 0;
-    for (int a = 0; a < 4; ++a) {
-      const Index node = input.covers.cover_node[points.cover[n][a]];
-      z += points.weight[n][a] * lattice.node_position(lattice.node_ijk(node))[2];
-    }
+    const Real z = point_position(input.covers, points, n)[2];
     low = std::min(low, z);
     high = std::max(high, z);
   }

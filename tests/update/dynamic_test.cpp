@@ -49,8 +49,9 @@ struct Oscillator {
     Real sum = 0;
     for (std::size_t n = 0; n < rock.fixed.points.size(); ++n) {
       for (int a = 0; a < 4; ++a)
-        if (rock.fixed.points.weight[n][a] > 0.5)
-          rock.fixed.stiffness[n] = omega * omega * share[rock.fixed.points.cover[n][a]][0];
+        if (rock.fixed.points.weight[rock.fixed.points.begin[n] + a] > 0.5)
+          rock.fixed.stiffness[n] =
+              omega * omega * share[rock.fixed.points.unknown[rock.fixed.points.begin[n] + a]][0];
       sum += rock.fixed.stiffness[n];
     }
     EXPECT_NEAR(sum, omega * omega * mass, 1e-9 * sum);
