@@ -11,9 +11,17 @@
 
 namespace rockfold::solve {
 
+/// What stands in place of αK + βM where that is not the whole matrix: dashpots, tangents of large deformation. Both are
+/// asked for the combination set last.
+struct OtherMatrix {
+  Apply apply;                                    ///< y = A x
+  std::function<void(const Blocks& d)> diagonal;  ///< its diagonal blocks
+};
+
 /// αK + βM + γ NᵀkN with its preconditioner.
 struct HeldSystem {
   Operator op;
+  OtherMatrix other;  ///< empty: αK + βM of `op`
   Springs springs;     ///< of the merged points
   PointShares shares;  ///< of the points given in them
   PcgWork work;
@@ -25,7 +33,9 @@ struct HeldSystem {
   /// some ten applications, a pair costs two vectors of the fixed points.
   Anderson acceleration{40};
 };
-HeldSystem make_held_system(Operator op, const FixedPoints& fixed);
+/// Points of different `group` ([N]; empty: all of one) are not merged.
+HeldSystem make_held_system(Operator op, const FixedPoints& fixed,
+                            const std::vector<Index>& group = {});
 
 /// Chooses α, β, γ; with `stiffen`, also the stiffness of augmented points that suits them.
 void set_combination(HeldSystem& system, const Combination& c, Real spring_factor, bool stiffen);

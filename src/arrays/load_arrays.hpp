@@ -13,6 +13,12 @@ namespace rockfold {
 struct TimeTable {
   std::vector<Real> time;   ///< s, ascending
   std::vector<Vec3> value;  ///< in the unit of what it stands for
+
+  bool empty() const { return time.empty(); }
+  /// {0, 0, 0} of an empty table.
+  Vec3 at(Real t) const;
+  /// A second, just after t.
+  Vec3 slope_after(Real t) const;
 };
 
 /// Forces at L points of the material: point loads, and tractions as points that carry a share of their face's area (exact for
@@ -44,6 +50,13 @@ struct InitialStress {
   std::array<Real, 6> gradient{};  ///< Pa a metre of depth
   Real reference_z = 0;            ///< m
   bool any = false;
+};
+
+/// A rigid motion given to blocks at t = 0, about their common mass centre.
+struct RigidVelocity {
+  std::vector<Index> blocks;  ///< from 0, ascending
+  Vec3 velocity{};            ///< m/s, of the mass centre
+  Vec3 angular_velocity{};    ///< rad/s about it
 };
 
 }  // namespace rockfold

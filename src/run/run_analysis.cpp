@@ -34,8 +34,7 @@ MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
   const Analysis& analysis = *input.model.analysis;
   MotionSetup setup{input.covers, moments, materials, input.fixed};
   setup.gravity = input.model.gravity;
-  setup.loaded = input.loads;
-  for (const PointLoad& load : input.model.point_loads) setup.forces.push_back(load.force);
+  setup.loads = input.loads;
   setup.beta = analysis.newmark_beta;
   setup.gamma = analysis.newmark_gamma;
   setup.dynamic_ratio = analysis.type == AnalysisType::quasi_static ? 0 : analysis.dynamic_ratio;
