@@ -88,7 +88,7 @@ struct FixedPoints {
   MaterialPoints points;                               ///< [N]
   std::vector<std::array<std::uint8_t, 3>> component;  ///< [N] 1 = fixed
   std::vector<Vec3> value;                             ///< [N] m
-  std::vector<Index> condition;  ///< [N] into Model::fixed
+  std::vector<Index> condition;                        ///< [N] into Model::fixed
   std::vector<Real> stiffness;  ///< [N] N/m penalty of the point (its share of the area times Pa/m)
   std::vector<std::uint8_t> augmented;  ///< [N] 1 = augmented Lagrangian, 0 = penalty alone
 };
