@@ -49,10 +49,9 @@ bool any_augmented(const Springs& springs) {
 
 }  // namespace
 
-HeldSystem make_held_system(Operator op, const FixedPoints& fixed,
-                            const std::vector<Index>& group) {
+HeldSystem make_held_system(Operator op, const FixedPoints& fixed) {
   HeldSystem system;
-  MergedPoints merged = merge_points(fixed, group);
+  MergedPoints merged = merge_points(fixed);
   system.springs = build_springs(merged.fixed, op.covers);
   system.shares = std::move(merged.shares);
   system.work = make_pcg_work(op.covers);

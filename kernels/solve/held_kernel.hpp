@@ -33,9 +33,7 @@ struct HeldSystem {
   /// some ten applications, a pair costs two vectors of the fixed points.
   Anderson acceleration{40};
 };
-/// Points of different `group` ([N]; empty: all of one) are not merged.
-HeldSystem make_held_system(Operator op, const FixedPoints& fixed,
-                            const std::vector<Index>& group = {});
+HeldSystem make_held_system(Operator op, const FixedPoints& fixed);
 
 /// Chooses α, β, γ; with `stiffen`, also the stiffness of augmented points that suits them.
 void set_combination(HeldSystem& system, const Combination& c, Real spring_factor, bool stiffen);

@@ -12,7 +12,7 @@ namespace {
 using RoundedWeights = std::vector<std::pair<Index, long long>>;
 using Key = std::tuple<RoundedWeights, std::array<std::uint8_t, 3>, Vec3, std::uint8_t, Index>;
 
-Key key_of(const FixedPoints& given, std::size_t n, Index group) {
+Key key_of(const FixedPoints& given, std::size_t n) {
   RoundedWeights weights;
   for (Index i = given.points.begin[n]; i < given.points.begin[n + 1]; ++i) {
     const long long rounded = std::llround(given.points.weight[i] * 1e9);
@@ -20,7 +20,7 @@ Key key_of(const FixedPoints& given, std::size_t n, Index group) {
   }
   std::sort(weights.begin(), weights.end());
   return {weights, given.component[n], given.value[n], given.augmented[n],
-          group};
+          given.table.empty() ? none : given.table[n]};
 }
 
 void append(FixedPoints& to, const FixedPoints& from, std::size_t n) {
@@ -46,12 +46,12 @@ std::vector<Vec3> PointShares::share_out(const std::vector<Vec3>& of_merged) con
   return shares;
 }
 
-MergedPoints merge_points(const FixedPoints& given, const std::vector<Index>& group) {
+MergedPoints merge_points(const FixedPoints& given) {
   MergedPoints result;
   std::map<Key, Index> known;
   for (std::size_t n = 0; n < given.points.size(); ++n) {
     const auto [at, is_new] =
-        known.emplace(key_of(given, n, group.empty() ? 0 : group[n]),
+        known.emplace(key_of(given, n),
                       static_cast<Index>(result.fixed.points.size()));
     if (is_new) append(result.fixed, given, n);
     result.shares.merged.push_back(at->second);

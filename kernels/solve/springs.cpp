@@ -18,7 +18,8 @@ Springs build_springs(const FixedPoints& fixed, Index unknowns) {
       stiffness[i][d] = fixed.component[i][d] ? fixed.stiffness[i] : 0;
       augmented[i][d] = fixed.component[i][d] && fixed.augmented[i];
     }
-  Springs springs{make_point_rows(fixed.points, unknowns)};
+  Springs springs;
+  static_cast<PointRows&>(springs) = make_point_rows(fixed.points, unknowns);
   springs.given_stiffness = device::make_field("solve::given_stiffness", n);
   springs.stiffness = device::make_field("solve::stiffness", n);
   springs.augmented = device::make_field("solve::augmented", n);

@@ -182,31 +182,15 @@ void add_dashpot_diagonal(const Dashpots& dashpots, Real factor, const solve::Bl
       });
 }
 
-std::vector<Index> support_tables(const MotionSetup& setup) {
-  const auto has_table = [&](Index condition) {
-    return condition < static_cast<Index>(setup.fixed_tables.size()) &&
-           !setup.fixed_tables[condition].empty();
-  };
-  std::vector<Index> tables;
-  bool any = false;
-  for (const Index condition : setup.fixed.condition) {
-    tables.push_back(has_table(condition) ? condition : none);
-    any = any || tables.back() != none;
-  }
-  return any ? tables : std::vector<Index>{};
-}
-
-MovingSupports make_moving_supports(const MotionSetup& setup, const std::vector<Index>& tables,
-                                    const solve::HeldSystem& held) {
+MovingSupports make_moving_supports(const FixedPoints& fixed, const solve::HeldSystem& held) {
   MovingSupports supports;
-  if (tables.empty()) return supports;
+  if (fixed.tables.empty() || fixed.table.empty()) return supports;
   const Index count = held.springs.points.count;
-  supports.tables = DeviceTables(setup.fixed_tables);
   std::vector<Index> of_merged(count, none);
-  for (std::size_t n = 0; n < tables.size(); ++n) of_merged[held.shares.merged[n]] = tables[n];
+  for (std::size_t n = 0; n < fixed.table.size(); ++n)
+    of_merged[held.shares.merged[n]] = fixed.table[n];
+  supports.tables = DeviceTables(fixed.tables);
   supports.table = device::to_device("update::support_table", of_merged);
-  supports.given = device::make_field("update::given_target", count);
-  Kokkos::deep_copy(supports.given, held.springs.target);
   return supports;
 }
 
@@ -214,11 +198,11 @@ void move_supports(const MovingSupports& supports, Real t, const solve::Springs&
   if (!supports.tables.any()) return;
   const auto value = supports.tables.at(t);
   const auto table = supports.table;
-  const auto given = supports.given, target = springs.target;
+  const auto target = springs.target;
   device::for_each(
       "rockfold::update::move_supports", springs.points.count, KOKKOS_LAMBDA(const Index n) {
-        for (int d = 0; d < 3; ++d)
-          target(n, d) = given(n, d) + (table(n) == none ? 0 : value(3 * table(n) + d));
+        if (table(n) == none) return;
+        for (int d = 0; d < 3; ++d) target(n, d) = value(3 * table(n) + d);
       });
 }
 

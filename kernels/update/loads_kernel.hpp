@@ -1,7 +1,7 @@
 // What acts on the rock from outside, on the device: loads, dashpots, and where supports ought to be.
 #pragma once
 
-#include "kernels/solve/springs_kernel.hpp"
+#include "kernels/solve/held_kernel.hpp"
 #include "kernels/update/motion.hpp"
 
 namespace rockfold::update {
@@ -62,12 +62,8 @@ void add_dashpot_diagonal(const Dashpots& dashpots, Real factor, const solve::Bl
 struct MovingSupports {
   DeviceTables tables;
   Array<Index> table;  ///< [merged points] or none
-  Field given;         ///< m, what the table is added to
 };
-/// [N] the table of each fixed point, none where it has none; empty if there are no tables.
-std::vector<Index> support_tables(const MotionSetup& setup);
-MovingSupports make_moving_supports(const MotionSetup& setup, const std::vector<Index>& tables,
-                                    const solve::HeldSystem& held);
+MovingSupports make_moving_supports(const FixedPoints& fixed, const solve::HeldSystem& held);
 /// Sets the targets of the springs at t.
 void move_supports(const MovingSupports& supports, Real t, const solve::Springs& springs);
 

@@ -41,11 +41,10 @@ std::vector<Vec3> uniform_field(Index unknowns, Index covers, const Vec3& v) {
 namespace {
 
 void make_system(Motion::Data& m, const MotionSetup& setup) {
-  const std::vector<Index> tables = support_tables(setup);
   m.held = solve::make_held_system(
-      solve::build_operator(setup.covers, setup.moments, setup.materials), setup.fixed, tables);
+      solve::build_operator(setup.covers, setup.moments, setup.materials), setup.fixed);
   m.rock = make_small_strain(setup, m.held);
-  m.supports = make_moving_supports(setup, tables, m.held);
+  m.supports = make_moving_supports(setup.fixed, m.held);
   m.dashpots = make_dashpots(setup.quiet, m.unknowns);
   if (m.rock->linear() && !m.dashpots.any()) return;
   // Data stays where it is for as long as its motion lives.

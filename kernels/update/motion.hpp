@@ -41,8 +41,6 @@ struct MotionSetup {
   LoadPoints loads{};
   QuietPoints quiet{};
   InitialStress initial_stress{};
-  /// m, by FixedPoints::condition; an empty table, or one that is not there, says nothing: displacement = value + table.
-  std::vector<TimeTable> fixed_tables{};
   TimeTable base_acceleration{};  ///< m/s²; empty: the base is at rest
   Rayleigh damping{};
   Real beta = 0.25, gamma = 0.5;  ///< Newmark's; β > 0

@@ -1,4 +1,4 @@
-#include "src/arrays/load_arrays.hpp"
+#include "src/arrays/time_table.hpp"
 
 #include <algorithm>
 
