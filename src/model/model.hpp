@@ -377,6 +377,11 @@ struct BaseAcceleration {
 
 enum class AnalysisType { static_, quasi_static, dynamic };
 
+enum class Kinematics {
+  small,  ///< linear strain about the place where the rock lay at t = 0
+  large
+};
+
 struct Analysis {
   AnalysisType type = AnalysisType::dynamic;
   Real time_step = 0.01;  ///< s, > 0
@@ -386,8 +391,12 @@ struct Analysis {
   Real dynamic_ratio = 1.0;  ///< [0, 1]: share of the velocity handed to the next step
   std::optional<Real> max_displacement_ratio;  ///< largest vertex displacement a step / model half
                                                ///< height, if limited
-  Real newmark_beta = 0.25;                    ///< only average acceleration yet
-  Real newmark_gamma = 0.5;
+  /// As given; none: large for dynamic and quasi_static, small for static.
+  std::optional<Kinematics> kinematics;
+  Real newmark_beta = 0.25;  ///< > 0
+  Real newmark_gamma = 0.5;  ///< ≥ 0
+  Real rayleigh_alpha = 0;   ///< 1/s, ≥ 0: damping α M …
+  Real rayleigh_beta = 0;    ///< s, ≥ 0: … + β K
 };
 
 struct SolverSpec {

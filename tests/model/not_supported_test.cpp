@@ -30,9 +30,6 @@ TEST(NotSupportedYet, IsSaidOfEachKeyAndValue) {
       {COVER "order = 1", 8, 9, "cover.order"},
       {COVER "order = 2", 8, 9, "cover.order"},
       {COVER "directions = [[0, 0], [80, 0], [90, 90]]", 8, 14, "cover.directions"},
-      {"[analysis]\nkinematics = 'large'", 7, 14, "analysis.kinematics"},
-      {"[analysis]\nnewmark = {beta = 0.3}", 7, 19, "analysis.newmark.beta"},
-      {"[analysis]\nnewmark = {gamma = 0.6}", 7, 20, "analysis.newmark.gamma"},
       {"[solver]\npreconditioner = 'multigrid'", 7, 18, "solver.preconditioner"},
       {"[output]\ncheckpoint_every = 60.0", 7, 1, "output.checkpoint_every"},
   };
