@@ -316,4 +316,48 @@ void assemble_tangent(const Deformation& body, const ForceRule& rule,
       });
 }
 
+namespace {
+
+/// Mean of F end · (F middle)⁻¹ over the elements of a cover, as a rotation; false: none to be had.
+KOKKOS_INLINE_FUNCTION bool turn_of_cover(const Deformation& body, Index p, Real* turn) {
+  for (int i = 0; i < 9; ++i) turn[i] = 0;
+  for (Index s = body.begin(p); s < body.begin(p + 1); ++s)
+    for (int q = 0; q < body.points; ++q) {
+      const std::size_t at = static_cast<std::size_t>(body.entry(s) / body.nodes) * body.points + q;
+      Real middle[9], inverse[9], end[9];
+      for (int i = 0; i < 9; ++i) {
+        const Real one = i % 4 == 0 ? 1 : 0;
+        end[i] = body.now(9 * at + i) + one;
+        middle[i] = 0.5 * (body.now(9 * at + i) + body.start(9 * at + i)) + one;
+      }
+      if (!(invert(middle, inverse) > 0)) continue;
+      const Real share = device::math::fabs(body.weight(at));
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          for (int m = 0; m < 3; ++m)
+            turn[3 * i + j] += share * end[3 * i + m] * inverse[3 * m + j];
+    }
+  const Real size = device::math::cbrt(determinant(turn));
+  if (!(size > 0)) return false;
+  for (int i = 0; i < 9; ++i) turn[i] /= size;
+  return make_rotation(turn);
+}
+
+}  // namespace
+
+void turn_from_middle(const Deformation& body, const Field& x) {
+  device::for_each(
+      "rockfold::finite::turn", body.covers, KOKKOS_LAMBDA(const Index p) {
+        Real turn[9];
+        if (!turn_of_cover(body, p, turn)) return;
+        for (int k = 0; k < body.functions; ++k) {
+          const Index row = k * body.covers + p;
+          const Real given[3] = {x(row, 0), x(row, 1), x(row, 2)};
+          for (int i = 0; i < 3; ++i)
+            x(row, i) =
+                turn[3 * i] * given[0] + turn[3 * i + 1] * given[1] + turn[3 * i + 2] * given[2];
+        }
+      });
+}
+
 }  // namespace rockfold::finite

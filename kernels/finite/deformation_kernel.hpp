@@ -58,6 +58,12 @@ void internal_forces(const Deformation& body, const ForceRule& rule, const Field
 void assemble_tangent(const Deformation& body, const ForceRule& rule,
                       const solve::DeviceBlocks& block);
 
+/// Turns a correction x found with the tangent of rule `middle` from the middle of the step to its end, cover by cover. The exact
+/// derivative is Bᵀ(F middle) C B(F end): not symmetric. With F end = Q · F middle, Q a rotation, B(F end) x is B(F middle) Qᵀx, so
+/// that the symmetric tangent finds Qᵀx. Without this a rotation of the correction would strain, and steps that turn
+/// stiff blocks far would never converge.
+void turn_from_middle(const Deformation& body, const Field& x);
+
 /// J now, beside that of the undeformed state.
 Real strain_energy(const Deformation& body, const Array<Real>& partial, const Array<Real>& sums);
 

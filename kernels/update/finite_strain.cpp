@@ -36,6 +36,9 @@ class FiniteStrain : public LargeDeformation {
     rule.geometric = false;
     finite::assemble_tangent(body_, rule, op_.block);
   }
+  void turn(const Field& x) const override {
+    if (rule_.middle) finite::turn_from_middle(body_, x);
+  }
   Real rounding() const override { return rounding_; }
 
   void apply(const solve::Combination& c, const Field& x, const Field& y) const override {

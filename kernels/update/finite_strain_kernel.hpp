@@ -12,6 +12,8 @@ class LargeDeformation : public Deformation {
   virtual void begin_step(const Field& d, const finite::ForceRule& rule) = 0;
   /// Takes the tangent of the last linearise() again without the part of the stress, which compression may make negative.
   virtual void soften() = 0;
+  /// Turns a correction to the end of the step, where forces are taken in its middle.
+  virtual void turn(const Field& x) const = 0;
   /// N: what rounding alone leaves of balanced forces.
   virtual Real rounding() const = 0;
 };

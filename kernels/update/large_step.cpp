@@ -157,14 +157,14 @@ SolveReport balance_forces(Motion::Data& m, const Balance& balance) {
     const Real left = unbalanced(m);
     total.residual = left / reference;
     total.gap = gap_of_supports(m);
-    const Real wanted = std::max(m.solver.tolerance * reference, 4 * m.large->rounding());
+    const Real wanted = std::max(m.solver.tolerance * reference, 16 * m.large->rounding());
     if (i > 0 && left <= wanted && total.gap <= m.solver.gap_tolerance) {
       total.converged = true;
       return total;
     }
     if (!std::isfinite(left)) return total;
     solve::HeldOptions how = solve_options(m, reference);
-    how.pcg.tolerance = std::max(0.1 * wanted, m.large->rounding()) / reference;
+    how.pcg.tolerance = std::max(0.1 * wanted, 4 * m.large->rounding()) / reference;
     if (balance.dt == 0) how.patience = 40, how.max_outer = std::max<Index>(how.max_outer, 400);
     set_tangent(m, balance, i == 0);
     Kokkos::deep_copy(m.correction, 0.0);
@@ -181,6 +181,7 @@ SolveReport balance_forces(Motion::Data& m, const Balance& balance) {
       total.outer += report.outer;
       if (!report.converged) return total;
     }
+    m.large->turn(m.correction);
     correct(m, balance);
   }
   return total;
