@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/arrays/lattice.hpp"
+#include "src/arrays/time_table.hpp"
 #include "src/base/types.hpp"
 
 namespace rockfold {
@@ -85,14 +86,24 @@ struct MaterialPoints {
   std::size_t size() const { return element.size(); }
 };
 
-/// Points whose displacement is prescribed, in some components (essential boundary conditions).
+/// How the displacement of a fixed point is enforced.
+enum class Enforce : std::uint8_t {
+  penalty,    ///< a spring
+  augmented,  ///< a spring and a multiplier; a time step may leave a gap to the next one
+  exact       ///< likewise, but no gap is left beyond the solver's tolerance
+};
+
+/// Displacements that are prescribed, in some components (essential boundary conditions). Each is that of a row of `points`: the
+/// displacement of one point, a mean over several, or a moment of them (weights that sum to zero: how a face deforms; its value is 0).
 struct FixedPoints {
-  MaterialPoints points;                               ///< [N]
+  MaterialPoints points;  ///< [N] `element` and `local`: one point of the row
   std::vector<std::array<std::uint8_t, 3>> component;  ///< [N] 1 = fixed
-  std::vector<Vec3> value;                             ///< [N] m
-  std::vector<Index> condition;                        ///< [N] into Model::fixed
+  std::vector<Vec3> value;                             ///< [N] m; at points with a table: unused
+  std::vector<Index> table;  ///< [N] into `tables`, or none (or all empty): the value is constant
+  std::vector<Index> condition;  ///< [N] into Model::fixed; may be empty
   std::vector<Real> stiffness;  ///< [N] N/m penalty of the point (its share of the area times Pa/m)
-  std::vector<std::uint8_t> augmented;  ///< [N] 1 = augmented Lagrangian, 0 = penalty alone
+  std::vector<std::uint8_t> augmented;  ///< [N] an Enforce
+  std::vector<TimeTable> tables;        ///< m over s
 };
 
 }  // namespace rockfold
