@@ -70,9 +70,9 @@ class Fixer {
       const FaceOrigin& origin = complex_.origins[part.origin];
       if (origin.solid == region.solid && std::find(region.faces.begin(), region.faces.end(),
                                                     origin.solid_face) != region.faces.end())
-        surface.split(part, [this](const Holder& holder, const Polygon& polygon) {
-          add_polygon(holder, polygon);
-        });
+        surface.split(
+            complex_.polygon_of(part), complex_.cells[part.cell].faces[part.face].inside, part.cell,
+            [this](const Holder& holder, const Polygon& polygon) { add_polygon(holder, polygon); });
     }
   }
 
@@ -128,16 +128,12 @@ class Fixer {
         const auto part = std::find_if(parts.begin(), parts.end(), [&](const CellPart& p) {
           return std::find(p.node.begin(), p.node.begin() + p.nodes, c) != p.node.begin() + p.nodes;
         });
-        add_point(x,
-                  holder_of(complex_, covering_, cell, static_cast<int>(part - parts.begin()),
-                            covering_.pieces->regular_rock[r]),
-                  area);
+        add_point(x, regular_holder(covering_, r, static_cast<int>(part - parts.begin())), area);
       }
     }
     for (Index e = 0; e < covers.cut_count(); ++e)
       for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q) {
-        const Holder h = holder_of(complex_, covering_, covers.element_cell[e],
-                                   covers.element_part[e], covering_.pieces->piece_rock[q]);
+        const Holder h = piece_holder(covering_, q);
         const Vec3 centre = covers.lattice.cell_centre(covers.element_cell[e]);
         for (Index v = covers.vertex_begin[q]; v < covers.vertex_begin[q + 1]; ++v) {
           const Vec3 x = centre + Vec3{covers.vertex_xyz[3 * v], covers.vertex_xyz[3 * v + 1],
