@@ -24,11 +24,15 @@ class Connector {
         pieces_(pieces),
         is_block_(covers.lattice.kind == LatticeKind::block),
         covers_(covers),
+        nodes_(covers.nodes_per_cell()),
+        part_nodes_(covers.nodes_per_part()),
         index_(index),
         cells_(covers.lattice, pieces),
         piece_parts_(static_cast<Index>(pieces.pieces.size())),
         glue_(complex, index.lattice, index.planes, cells_),
-        contacts_(complex, index.lattice, index.planes, pieces) {}
+        contacts_(complex, index.lattice, index.planes, pieces) {
+    find_face_nodes();
+  }
 
   void run() {
     write_regular();
@@ -53,6 +57,19 @@ class Connector {
     Spot one, two;
     const PartFacet* facet;  // of the first; null = inside
   };
+
+  // The nodes on a lattice cell's upper face along each axis, and the same among those of the next cell.
+  void find_face_nodes() {
+    const auto& node = cell_split(covers_.lattice.kind).node;
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t a = 0; a < node.size(); ++a) {
+        HalfSteps opposite = node[a];
+        if (opposite[axis] != 2) continue;
+        opposite[axis] = 0;
+        const auto b = std::find(node.begin(), node.end(), opposite) - node.begin();
+        face_nodes_[axis].emplace_back(static_cast<Index>(a), static_cast<Index>(b));
+      }
+  }
 
   Index material(Index rock) const { return model_.solids[complex_.zone(rock).solid].material; }
   const SplitTable::Form& form(Index lattice_cell) const {
@@ -125,7 +142,7 @@ class Connector {
   void refuse_too_many(std::int64_t cut) const {
     const std::int64_t regular = covers_.regular_count();
     const std::int64_t elements = covers_.parts_per_cell() * regular + cut,
-                       nodes = covers_.nodes_per_cell() * regular + covers_.nodes_per_part() * cut;
+                       nodes = nodes_ * regular + part_nodes_ * cut;
     refuse_elements(*model_.cover, static_cast<Real>(elements), false);
     if (nodes > std::numeric_limits<Index>::max())
       throw Error(
@@ -180,13 +197,12 @@ class Connector {
   // An instance is one node of a regular lattice cell or of a cut element; `node` is one of the part's.
   Index instance(const Spot& at, int node) const {
     if (at.regular != none)
-      return covers_.nodes_per_cell() * at.regular +
+      return nodes_ * at.regular +
              form(covers_.regular_cell[at.regular]).split->part[at.part].node[node];
     return piece_instance(at.piece) + node;
   }
   Index piece_instance(Index piece) const {
-    return covers_.nodes_per_cell() * covers_.regular_count() +
-           covers_.nodes_per_part() * element_of_piece_[piece];
+    return nodes_ * covers_.regular_count() + part_nodes_ * element_of_piece_[piece];
   }
 
   void join_across(UnionFind& stars, const Spot& one, const Spot& two,
@@ -196,10 +212,9 @@ class Connector {
   }
 
   void join_stars() {
-    const auto nodes = static_cast<std::size_t>(covers_.nodes_per_cell()) *
-                           static_cast<std::size_t>(covers_.regular_count()) +
-                       static_cast<std::size_t>(covers_.nodes_per_part()) *
-                           static_cast<std::size_t>(covers_.cut_count());
+    const auto nodes =
+        static_cast<std::size_t>(nodes_) * static_cast<std::size_t>(covers_.regular_count()) +
+        static_cast<std::size_t>(part_nodes_) * static_cast<std::size_t>(covers_.cut_count());
     UnionFind stars(static_cast<Index>(nodes));
     for (const CellContent& c : cells_.all())
       if (c.regular == none) join_inside(stars, c);
@@ -217,7 +232,7 @@ class Connector {
 
   void join_link(UnionFind& stars, const Link& l) const {
     if (l.facet == nullptr) {
-      for (int a = 0; a < covers_.nodes_per_part(); ++a)
+      for (int a = 0; a < part_nodes_; ++a)
         stars.join(piece_instance(l.one.piece) + a, piece_instance(l.two.piece) + a);
     } else {
       join_across(stars, l.one, l.two, *l.facet);
@@ -269,15 +284,7 @@ class Connector {
   // Neighbouring regular lattice cells of one cell of the complex share a whole face.
   void join_regular(UnionFind& stars, Index low, Index high, int axis) const {
     if (index_.regular_rock[low] != index_.regular_rock[high]) return;
-    const auto& nodes = cell_split(covers_.lattice.kind).node;
-    const Index n = covers_.nodes_per_cell();
-    for (Index a = 0; a < n; ++a) {
-      if (nodes[a][axis] != 2) continue;
-      HalfSteps opposite = nodes[a];
-      opposite[axis] = 0;
-      const auto b = std::find(nodes.begin(), nodes.end(), opposite) - nodes.begin();
-      stars.join(n * low + a, n * high + static_cast<Index>(b));
-    }
+    for (const auto& [a, b] : face_nodes_[axis]) stars.join(nodes_ * low + a, nodes_ * high + b);
   }
 
   // Pieces of one cell of the complex on the two sides of a lattice cell's face share what the cell has of it.
@@ -304,8 +311,7 @@ class Connector {
   }
 
   Index node_of_instance(Index i) const {
-    const Index n = covers_.nodes_per_cell(), m = covers_.nodes_per_part(),
-                regular = n * covers_.regular_count();
+    const Index n = nodes_, m = part_nodes_, regular = n * covers_.regular_count();
     if (i < regular) return covers_.lattice.cell_node(covers_.regular_cell[i / n], i % n);
     const Index e = (i - regular) / m, cell = covers_.element_cell[e];
     return covers_.lattice.cell_node(
@@ -322,8 +328,8 @@ class Connector {
       covers_.cover_node.push_back(roots[p].first);
       cover_of[roots[p].second] = static_cast<Index>(p);
     }
-    const std::size_t regular = static_cast<std::size_t>(covers_.nodes_per_cell()) *
-                                static_cast<std::size_t>(covers_.regular_count());
+    const std::size_t regular =
+        static_cast<std::size_t>(nodes_) * static_cast<std::size_t>(covers_.regular_count());
     for (std::size_t i = 0; i < star_of_.size(); ++i)
       (i < regular ? covers_.regular_cover : covers_.element_cover)
           .push_back(cover_of[star_of_[i]]);
@@ -339,6 +345,8 @@ class Connector {
   const Pieces& pieces_;
   const bool is_block_;
   CoverArrays& covers_;
+  const Index nodes_, part_nodes_;  // of a lattice cell, of a part
+  std::array<std::vector<std::pair<Index, Index>>, 3> face_nodes_;
   PieceIndex& index_;
   const OccupiedCells cells_;
   UnionFind piece_parts_;
