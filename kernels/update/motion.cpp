@@ -35,12 +35,12 @@ void copy_state(const MovingState& from, MovingState& to) {
 namespace {
 
 Motion::Data make_data(const MotionSetup& setup) {
-  const Index covers = setup.covers.cover_count();
+  const Index covers = setup.covers.unknown_count();
   Motion::Data m;
   m.held = solve::make_held_system(
       solve::build_operator(setup.covers, setup.moments, setup.materials), setup.fixed);
   const Index fixed = m.held.springs.points.count;
-  m.elements = make_element_table(setup.covers, setup.materials);
+  m.elements = solve::make_element_table(setup.covers, setup.moments, setup.materials);
   m.now = make_moving_state(covers, fixed);
   m.held.springs.multiplier = m.now.multiplier;  // one and the same array: saved with the state
   m.load = device::make_field("update::load", covers);
@@ -126,7 +126,7 @@ Real Motion::largest_increment() const {
 void Motion::save() {
   Data& m = *data_;
   if (m.saved.displacement.extent(0) == 0)
-    m.saved = update::make_moving_state(m.held.op.covers, m.held.springs.points.count);
+    m.saved = update::make_moving_state(m.held.op.unknowns, m.held.springs.points.count);
   update::copy_state(m.now, m.saved);
 }
 

@@ -10,6 +10,7 @@ namespace rockfold {
 struct TrackedPoints::Data {
   solve::DevicePoints points;
   device::Array<Index> element;
+  device::Field local;  ///< m, from the centre of the element's lattice cell
   device::Field value;         ///< work space
   device::Array<Real> stress;  ///< [N][6] work space
 };
@@ -31,7 +32,7 @@ void copy_state(const MovingState& from, MovingState& to);
 
 struct Motion::Data {
   solve::HeldSystem held;
-  update::ElementTable elements;
+  solve::ElementTable elements;
   update::MovingState now, saved;
   device::Field load;       ///< F: gravity and point loads, N
   device::Field increment;  ///< Δd

@@ -13,7 +13,7 @@ constexpr Combination stiffness_only{1, 0};
 constexpr Combination mass_only{0, 1};
 
 Index covers_of(const Motion::Data& m) {
-  return m.held.op.covers;
+  return m.held.op.unknowns;
 }
 Index fixed_of(const Motion::Data& m) {
   return m.held.springs.points.count;
@@ -32,7 +32,7 @@ Real balance_forces(const Motion::Data& m, bool inertia) {
   const auto load = m.load, right = m.right, internal = m.work;
   const auto out = m.sums;
   device::sum_then<2>(
-      "rockfold::update::balance_forces", m.held.op.covers, m.partial,
+      "rockfold::update::balance_forces", m.held.op.unknowns, m.partial,
       KOKKOS_LAMBDA(const Index p, Sums<2>& sum) {
         for (int d = 0; d < 3; ++d) {
           sum.value[0] += load(p, d) * load(p, d);
@@ -128,7 +128,8 @@ solve::HeldOptions options(const Motion::Data& m, Real reference) {
 
 void make_load(Motion::Data& m, const MotionSetup& setup) {
   // Weights sum to one, so ∫ρ N dV b is the mass matrix times the uniform field b.
-  std::vector<Vec3> field(m.held.op.covers, setup.gravity);
+  std::vector<Vec3> field(m.held.op.unknowns);
+  std::fill_n(field.begin(), m.held.op.covers, setup.gravity);  // the functions 0 are one
   device::copy_to_device(field, m.work);
   solve::apply(m.held.op, mass_only, m.work, m.load);
   if (setup.forces.empty()) return;
@@ -146,7 +147,8 @@ SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
   m.step_length = 0;
   const Real reference = balance_forces(m, false);
   Kokkos::deep_copy(m.goal, 0.0);
-  std::vector<Vec3> guess(m.held.op.covers, m.gravity);
+  std::vector<Vec3> guess(m.held.op.unknowns);
+  std::fill_n(guess.begin(), m.held.op.covers, m.gravity);
   device::copy_to_device(guess, m.now.acceleration);
   const SolveReport report = solve::solve_held(m.held, m.right, m.goal, m.now.acceleration, Field(),
                                                options(m, reference));

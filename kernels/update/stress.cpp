@@ -3,22 +3,6 @@
 namespace rockfold {
 namespace update {
 
-using device::to_device;
-
-ElementTable make_element_table(const CoverArrays& covers,
-                                const std::vector<ElasticMaterial>& materials) {
-  return {covers.regular_count(),
-          covers.cut_count(),
-          to_device("update::regular_cover", covers.regular_cover),
-          to_device("update::regular_material", covers.regular_material),
-          to_device("update::element_cover", covers.element_cover),
-          to_device("update::element_material", covers.element_material),
-          to_device("update::element_part", covers.element_part),
-          to_device("update::tets",
-                    std::vector<solve::TetTable>{solve::make_tet_table(covers.lattice)}),
-          to_device("update::elastic", solve::make_elastic(materials))};
-}
-
 namespace {
 
 using Stresses = std::vector<std::array<Real, 6>>;
@@ -31,12 +15,22 @@ Stresses fetch(const Array<Real>& flat) {
   return result;
 }
 
-void stress_of_points(const ElementTable& table, const Field& d, const TrackedPoints::Data& at) {
+void stress_of_points(const solve::ElementTable& table, const Field& d,
+                      const TrackedPoints::Data& at) {
   const auto element = at.element;
+  const auto local = at.local;
   const auto stress = at.stress;
   device::for_each(
-      "rockfold::update::point_stress", at.points.count,
-      KOKKOS_LAMBDA(const Index n) { stress_of_element(table, d, element(n), &stress(6 * n)); });
+      "rockfold::update::point_stress", at.points.count, KOKKOS_LAMBDA(const Index n) {
+        const Real x[3] = {local(n, 0), local(n, 1), local(n, 2)};
+        stress_at(table, d, element(n), x, &stress(6 * n));
+      });
+}
+
+device::Field upload_local(const MaterialPoints& points) {
+  const auto field = device::make_field("update::local", static_cast<Index>(points.size()));
+  device::copy_to_device(points.local, field);
+  return field;
 }
 
 }  // namespace
@@ -44,6 +38,7 @@ void stress_of_points(const ElementTable& table, const Field& d, const TrackedPo
 
 TrackedPoints::TrackedPoints(const MaterialPoints& points)
     : data_(new Data{solve::upload(points), device::to_device("update::element", points.element),
+                     update::upload_local(points),
                      device::make_field("update::value", static_cast<Index>(points.size())),
                      device::allocate<Real>("update::stress", 6 * points.size())}) {}
 TrackedPoints::~TrackedPoints() = default;
@@ -64,7 +59,7 @@ PointMotion Motion::at(const TrackedPoints& points) const {
 }
 
 std::vector<std::array<Real, 6>> Motion::element_stress() const {
-  const update::ElementTable table = data_->elements;
+  const solve::ElementTable table = data_->elements;
   const auto d = data_->now.displacement;
   const auto stress =
       device::allocate<Real>("update::element_stress", 6 * static_cast<std::size_t>(table.count()));
