@@ -185,7 +185,13 @@ DeviceStencil upload(const StencilRuns& runs, const Constants& constants, int fu
   return stencil;
 }
 
-Operator make_operator(const CoverArrays& covers, const Rows& rows, const Constants& constants) {
+}  // namespace
+
+Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
+                        const std::vector<ElasticMaterial>& materials, bool stencils) {
+  const ElementTable table = make_element_table(covers, moments, materials);
+  const Constants constants = make_constants(covers, table);
+  const Rows rows = sort_rows(covers, slice_lanes, stencils);
   Operator op;
   op.covers = covers.cover_count();
   op.unknowns = covers.unknown_count();
@@ -195,23 +201,9 @@ Operator make_operator(const CoverArrays& covers, const Rows& rows, const Consta
   op.neighbours = rows.neighbours;
   op.stencil = upload(rows.stencil, constants, op.functions);
   op.block = upload(rows.block, op.functions);
-  return op;
-}
-
-}  // namespace
-
-Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
-                        const std::vector<ElasticMaterial>& materials) {
-  const ElementTable table = make_element_table(covers, moments, materials);
-  const Constants constants = make_constants(covers, table);
-  const Operator op = make_operator(covers, sort_rows(covers, slice_lanes), constants);
   assemble(op.block, table, constants);
   Kokkos::fence();
   return op;
-}
-
-Operator make_block_operator(const CoverArrays& covers) {
-  return make_operator(covers, sort_rows(covers, slice_lanes, false), {});
 }
 
 }  // namespace rockfold::solve

@@ -30,11 +30,23 @@ struct RowSink {
     return at - begin;
   }
 
-  /// Adds the coupling (block of 9, mass) with function l of the cover that `find` has placed.
-  KOKKOS_INLINE_FUNCTION void add(Index at, int l, const Real* entry) const {
+  /// Adds the first `size` numbers of the coupling (block of 9 of stiffness, row by row, and mass) with function l of the cover
+  /// that `find` has placed.
+  KOKKOS_INLINE_FUNCTION void add(Index at, int l, const Real* entry, int size = entry_size) const {
     Real* v = at == none ? block.diagonals(slice, k, l) + lane
                          : block.values(slice, k, l) + at * entry_size * slice_lanes + lane;
-    for (int m = 0; m < entry_size; ++m) v[m * slice_lanes] += entry[m];
+    for (int m = 0; m < size; ++m) v[m * slice_lanes] += entry[m];
+  }
+
+  /// The row's stiffness becomes 0; its mass stays.
+  KOKKOS_INLINE_FUNCTION void clear_stiffness() const {
+    const Index columns = block.slice_begin(slice + 1) - block.slice_begin(slice);
+    for (int l = 0; l < block.functions; ++l)
+      for (Index at = -1; at < columns; ++at) {
+        Real* v = at < 0 ? block.diagonals(slice, k, l) + lane
+                         : block.values(slice, k, l) + at * entry_size * slice_lanes + lane;
+        for (int m = 0; m < 9; ++m) v[m * slice_lanes] = 0;
+      }
   }
 };
 
@@ -56,39 +68,6 @@ void fill_rows(const DeviceBlocks& block, int cell_nodes, int part_nodes,
                     static_cast<int>((-1 - source) % part_nodes));
         }
       });
-}
-
-/// Fills block rows from element matrices, whole cells' elements included, replacing what was there. For a row f of
-/// element e (its number in CoverArrays), row(e, f) makes an object whose couple(g, entry) writes the coupling with
-/// function g of the element: entry[10] = block of 9 of stiffness, row by row, and mass. f, g count as in part_table_kernel.hpp.
-template <class MakeRow>
-void fill_blocks(const DeviceBlocks& block, const ElementTable& table, const MakeRow& row) {
-  Kokkos::deep_copy(block.value, 0.0);
-  Kokkos::deep_copy(block.diagonal, 0.0);
-  const PartTable parts = table.parts;
-  const auto add_element = KOKKOS_LAMBDA(const RowSink& sink, Index e, int a) {
-    const auto of_row = row(e, a * parts.functions + sink.k);
-    for (int b = 0; b < parts.nodes; ++b) {
-      const Index at = sink.find(table.cover(e, b));
-      for (int l = 0; l < parts.functions; ++l) {
-        Real entry[entry_size];
-        of_row.couple(b * parts.functions + l, entry);
-        sink.add(at, l, entry);
-      }
-    }
-  };
-  const auto add_cell = KOKKOS_LAMBDA(const RowSink& sink, Index cell, int node) {
-    for (int t = 0; t < parts.parts; ++t) {
-      const Index e = parts.parts * cell + t;
-      const int part = table.part(e);
-      for (int a = 0; a < parts.nodes; ++a)
-        if (parts.cell_node(part, a) == node) add_element(sink, e, a);
-    }
-  };
-  const auto add_cut = KOKKOS_LAMBDA(const RowSink& sink, Index e, int a) {
-    add_element(sink, parts.parts * table.regular + e, a);
-  };
-  fill_rows(block, parts.cell_nodes, parts.nodes, add_cell, add_cut);
 }
 
 }  // namespace rockfold::solve

@@ -79,11 +79,9 @@ struct Operator {
   DeviceBlocks block;
 };
 
+/// `stencils`: see sort_rows. Without them all values may be written anew, row by row (assemble_kernel.hpp).
 Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
-                        const std::vector<ElasticMaterial>& materials);
-
-/// Block rows for every cover, all values zero: to be filled by fill_blocks (assemble_kernel.hpp) as often as need be.
-Operator make_block_operator(const CoverArrays& covers);
+                        const std::vector<ElasticMaterial>& materials, bool stencils = true);
 
 void apply(const Operator& op, const Combination& c, const Field& x, const Field& y);
 

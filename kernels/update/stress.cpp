@@ -1,4 +1,5 @@
 #include "kernels/update/motion_kernel.hpp"
+#include "kernels/update/stress_kernel.hpp"
 
 namespace rockfold {
 namespace update {
@@ -13,18 +14,6 @@ Stresses fetch(const Array<Real>& flat) {
       device::Unmanaged<Real>(result.empty() ? nullptr : result.front().data(), flat.extent(0)),
       flat);
   return result;
-}
-
-void stress_of_points(const solve::ElementTable& table, const Field& d,
-                      const TrackedPoints::Data& at) {
-  const auto element = at.element;
-  const auto local = at.local;
-  const auto stress = at.stress;
-  device::for_each(
-      "rockfold::update::point_stress", at.points.count, KOKKOS_LAMBDA(const Index n) {
-        const Real x[3] = {local(n, 0), local(n, 1), local(n, 2)};
-        stress_at(table, d, element(n), x, &stress(6 * n));
-      });
 }
 
 device::Field upload_local(const MaterialPoints& points) {
@@ -53,20 +42,15 @@ PointMotion Motion::at(const TrackedPoints& points) const {
     return device::copy_to_host(at.value);
   };
   PointMotion motion{value(now.displacement), value(now.velocity), value(now.acceleration), {}};
-  update::stress_of_points(data_->elements, now.displacement, at);
+  data_->rock->point_stress(now.displacement, at);
   motion.stress = update::fetch(at.stress);
   return motion;
 }
 
 std::vector<std::array<Real, 6>> Motion::element_stress() const {
-  const solve::ElementTable table = data_->elements;
-  const auto d = data_->now.displacement;
-  const auto stress =
-      device::allocate<Real>("update::element_stress", 6 * static_cast<std::size_t>(table.count()));
-  device::for_each(
-      "rockfold::update::element_stress", table.count(), KOKKOS_LAMBDA(const Index e) {
-        update::stress_of_element(table, d, e, &stress(6 * static_cast<std::size_t>(e)));
-      });
+  const auto stress = device::allocate<Real>("update::element_stress",
+                                             6 * static_cast<std::size_t>(data_->elements));
+  data_->rock->element_stress(data_->now.displacement, stress);
   return update::fetch(stress);
 }
 
