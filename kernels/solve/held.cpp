@@ -52,11 +52,11 @@ bool any_augmented(const Springs& springs) {
 HeldSystem make_held_system(Operator op, const FixedPoints& fixed) {
   HeldSystem system;
   MergedPoints merged = merge_points(fixed);
-  system.springs = build_springs(merged.fixed, op.covers);
+  system.springs = build_springs(merged.fixed, op.unknowns);
   system.shares = std::move(merged.shares);
-  system.work = make_pcg_work(op.covers);
-  system.inverse = Blocks("rockfold::solve::inverse_diagonal", op.covers);
-  system.load = device::make_field("solve::load", op.covers);
+  system.work = make_pcg_work(op.unknowns);
+  system.inverse = Blocks("rockfold::solve::inverse_diagonal", op.unknowns);
+  system.load = device::make_field("solve::load", op.unknowns);
   system.op = std::move(op);
   return system;
 }
