@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "kernels/update/motion.hpp"
 #include "kernels/solve/held_kernel.hpp"
+#include "kernels/update/motion.hpp"
 
 namespace rockfold {
 

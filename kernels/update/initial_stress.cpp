@@ -29,8 +29,8 @@ HeightMoments cut_element(const CoverArrays& covers, const PieceMoments& moments
 std::array<Real, 6> integral(const InitialStress& stress, const HeightMoments& m) {
   std::array<Real, 6> sum;
   for (int k = 0; k < 6; ++k)
-    sum[k] = m.volume * stress.at[k] +
-             (stress.reference_z * m.volume - m.height) * stress.gradient[k];
+    sum[k] =
+        m.volume * stress.at[k] + (stress.reference_z * m.volume - m.height) * stress.gradient[k];
   return sum;
 }
 
@@ -75,8 +75,7 @@ std::vector<Vec3> initial_stress_force(const CoverArrays& covers, const PieceMom
   for (Index e = 0; e < covers.cut_count(); ++e) {
     const auto sum = integral(stress, cut_element(covers, moments, e));
     const TetWeights& tet = tets[covers.element_part[e]];
-    for (int a = 0; a < 4; ++a)
-      pull(sum, tet.gradient[a], force[covers.element_cover[4 * e + a]]);
+    for (int a = 0; a < 4; ++a) pull(sum, tet.gradient[a], force[covers.element_cover[4 * e + a]]);
   }
   return force;
 }

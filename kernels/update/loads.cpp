@@ -1,8 +1,7 @@
-#include "kernels/update/loads_kernel.hpp"
-
 #include <algorithm>
 
 #include "kernels/solve/held_kernel.hpp"
+#include "kernels/update/loads_kernel.hpp"
 
 namespace rockfold::update {
 namespace {

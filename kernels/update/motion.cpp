@@ -91,8 +91,8 @@ void make_data(Motion::Data& m, const MotionSetup& setup) {
   m.work = device::make_field("update::work", m.unknowns);
   m.goal = device::make_field("update::goal", fixed);
   m.support_way = device::make_field("update::support_way", fixed);
-  m.partial =
-      device::allocate<Real>("update::partial", 3 * device::chunk_count(std::max(m.unknowns, fixed)));
+  m.partial = device::allocate<Real>("update::partial",
+                                     3 * device::chunk_count(std::max(m.unknowns, fixed)));
   m.sums = device::Array<Real>("rockfold::update::sums", 3);
   if (m.damped()) m.velocity_before = device::make_field("update::velocity_before", m.unknowns);
   make_loads(m, setup);

@@ -37,7 +37,7 @@ struct MotionSetup {
   const PieceMoments& moments;
   const std::vector<ElasticMaterial>& materials;
   const FixedPoints& fixed;
-  Vec3 gravity{};                 ///< m/s²
+  Vec3 gravity{};  ///< m/s²
   LoadPoints loads{};
   QuietPoints quiet{};
   InitialStress initial_stress{};

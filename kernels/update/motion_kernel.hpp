@@ -38,9 +38,9 @@ struct Motion::Data {
   update::MovingSupports supports;
   update::MovingState now, saved;
 
-  device::Field load;     ///< gravity and constant loads, N
-  device::Field varying;  ///< loads that change, at the time of `now` …
-  device::Field varying_before;  ///< … and at the start of the step; empty where no load changes
+  device::Field load;             ///< gravity and constant loads, N
+  device::Field varying;          ///< loads that change, at the time of `now` …
+  device::Field varying_before;   ///< … and at the start of the step; empty where no load changes
   device::Field velocity_before;  ///< at the start of the step; empty without damping
   device::Field increment;        ///< Δd of the step
   device::Field correction;       ///< of the prediction: what is solved for

@@ -16,8 +16,7 @@ void prepare(Motion::Data& m, Real dt) {
   if (m.step_length == dt && m.rock->linear()) return;
   const Real of_mass = 1 / (m.beta * dt * dt), of_damping = m.gamma / (m.beta * dt);
   if (!m.rock->linear()) m.rock->linearise(m.now.displacement);
-  set_matrix(m,
-             {1 + of_damping * m.damping.stiffness, of_mass + of_damping * m.damping.mass},
+  set_matrix(m, {1 + of_damping * m.damping.stiffness, of_mass + of_damping * m.damping.mass},
              of_damping, 1, true);
   m.step_length = dt;
 }

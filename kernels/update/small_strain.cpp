@@ -16,8 +16,7 @@ struct StressBefore {
 };
 
 KOKKOS_INLINE_FUNCTION void add_stress_before(const StressBefore& before, Real z, Real* stress) {
-  for (int k = 0; k < 6; ++k)
-    stress[k] += before.law(k) + (before.law(12) - z) * before.law(6 + k);
+  for (int k = 0; k < 6; ++k) stress[k] += before.law(k) + (before.law(12) - z) * before.law(6 + k);
 }
 
 StressBefore make_stress_before(const MotionSetup& setup) {
@@ -42,8 +41,8 @@ class SmallStrain : public Deformation {
         work_(device::make_field("update::small_strain", setup.covers.unknown_count())) {
     if (!before_.any()) return;
     initial_ = device::make_field("update::initial_force", setup.covers.unknown_count());
-    device::copy_to_device(
-        initial_stress_force(setup.covers, setup.moments, setup.initial_stress), initial_);
+    device::copy_to_device(initial_stress_force(setup.covers, setup.moments, setup.initial_stress),
+                           initial_);
   }
 
   bool linear() const override { return true; }
@@ -101,7 +100,7 @@ class SmallStrain : public Deformation {
   }
 
  private:
-  solve::Operator op_;     // the same arrays as the system's
+  solve::Operator op_;  // the same arrays as the system's
   solve::PcgWork sums_;
   ElementTable elements_;
   StressBefore before_;

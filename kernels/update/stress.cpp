@@ -64,8 +64,8 @@ PointMotion Motion::at(const TrackedPoints& points) const {
 }
 
 std::vector<std::array<Real, 6>> Motion::element_stress() const {
-  const auto stress =
-      device::allocate<Real>("update::element_stress", 6 * static_cast<std::size_t>(data_->elements));
+  const auto stress = device::allocate<Real>("update::element_stress",
+                                             6 * static_cast<std::size_t>(data_->elements));
   data_->rock->element_stress(data_->now.displacement, stress);
   return update::fetch(stress);
 }

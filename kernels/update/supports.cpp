@@ -95,9 +95,10 @@ void steer(const Motion::Data& m, Real dt) {
             after = tables.after(row + i);
           }
           const Real p = solve::interpolate_one(s.points, n, i, d) - now;
-          const Real w = dt * solve::interpolate_one(s.points, n, i, v) - share * (after - before) / 2;
-          const Real off = dt * dt * solve::interpolate_one(s.points, n, i, a) -
-                           (after - 2 * now + before);
+          const Real w =
+              dt * solve::interpolate_one(s.points, n, i, v) - share * (after - before) / 2;
+          const Real off =
+              dt * dt * solve::interpolate_one(s.points, n, i, a) - (after - 2 * now + before);
           way(n, i) = after - now - (k0 * p + k1 * w + k2 * off);
         }
       });
