@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "kernels/device/sums_kernel.hpp"
 #include "kernels/finite/deformation_kernel.hpp"
 #include "kernels/finite/strain_kernel.hpp"
@@ -178,28 +180,184 @@ Real strain_energy(const Deformation& body, const Array<Real>& partial, const Ar
   return device::to_host(sums)[0];
 }
 
-Array<Real> mean_stress(const Deformation& body) {
-  const auto stress =
-      device::allocate<Real>("finite::stress", 6 * static_cast<std::size_t>(body.elements));
+namespace {
+
+KOKKOS_INLINE_FUNCTION void mean_stress_at(const Deformation& body, Index e, Real* stress) {
+  Real sum[6] = {0, 0, 0, 0, 0, 0}, volume = 0;
+  for (int q = 0; q < body.points; ++q) {
+    const std::size_t at = static_cast<std::size_t>(e) * body.points + q;
+    Real h[9], s[6], p[9], f[9];
+    state_at(body, {}, e, q, h, s);
+    first_stress(h, s, p);
+    for (int i = 0; i < 9; ++i) f[i] = h[i] + (i % 4 == 0 ? 1 : 0);
+    const Real share = body.weight(at) / determinant(f);
+    volume += body.weight(at);
+    for (int k = 0; k < 6; ++k) {
+      const int i = k < 3 ? k : k - 3, j = k < 3 ? k : (k - 2) % 3;
+      for (int m = 0; m < 3; ++m) sum[k] += share * p[3 * i + m] * f[3 * j + m];
+    }
+  }
+  for (int k = 0; k < 6; ++k) stress[k] = sum[k] / volume;
+}
+
+}  // namespace
+
+void mean_stress(const Deformation& body, const Array<Real>& stress) {
   device::for_each(
       "rockfold::finite::mean_stress", body.elements, KOKKOS_LAMBDA(const Index e) {
-        Real sum[6] = {0, 0, 0, 0, 0, 0}, volume = 0;
+        mean_stress_at(body, e, &stress(6 * static_cast<std::size_t>(e)));
+      });
+}
+
+void mean_stress_of(const Deformation& body, const Array<Index>& of, const Array<Real>& stress) {
+  device::for_each(
+      "rockfold::finite::point_stress", static_cast<Index>(of.extent(0)),
+      KOKKOS_LAMBDA(const Index n) {
+        mean_stress_at(body, of(n), &stress(6 * static_cast<std::size_t>(n)));
+      });
+}
+
+Real rounding_force(const Deformation& body, const Array<Real>& partial, const Array<Real>& sums) {
+  constexpr Real rounding = 2.3e-16;
+  device::sum_then<1>(
+      "rockfold::finite::rounding_force", body.elements, partial,
+      KOKKOS_LAMBDA(const Index e, device::Sums<1>& sum) {
+        const solve::Elastic& material = body.elastic(body.material(e));
         for (int q = 0; q < body.points; ++q) {
-          const std::size_t at = static_cast<std::size_t>(e) * body.points + q;
-          Real h[9], s[6], p[9], f[9];
-          state_at(body, {}, e, q, h, s);
-          first_stress(h, s, p);
-          for (int i = 0; i < 9; ++i) f[i] = h[i] + (i % 4 == 0 ? 1 : 0);
-          const Real share = body.weight(at) / determinant(f);
-          volume += body.weight(at);
-          for (int k = 0; k < 6; ++k) {
-            const int i = k < 3 ? k : k - 3, j = k < 3 ? k : (k - 2) % 3;
-            for (int m = 0; m < 3; ++m) sum[k] += share * p[3 * i + m] * f[3 * j + m];
+          const Real* g = &body.gradient(static_cast<std::size_t>(3 * body.width()) *
+                                         (body.kind(e) * body.points + q));
+          const Real stress = body.weight(static_cast<std::size_t>(e) * body.points + q) *
+                              (material.lambda + 2 * material.mu);
+          for (int m = 0; m < 3 * body.width(); ++m) sum.value[0] += stress * stress * g[m] * g[m];
+        }
+      },
+      KOKKOS_LAMBDA(const device::Sums<1>& sum) { sums(0) = sum.value[0]; });
+  return rounding * std::sqrt(device::to_host(sums)[0]);
+}
+
+namespace {
+
+/// Of an element: eight nodes of ten functions.
+constexpr int most_width = 80;
+
+/// Everything at a point that entries of the stiffness need.
+struct PointStiffness {
+  Real f[9], left[6], stress[6];  ///< F, FFᵀ, S
+  Real lambda, mu;                ///< with the point's weight
+};
+
+/// block += contribution of one point to the stiffness between functions of gradients gi and gj:
+///   λ p_i p_jᵀ + μ p_j p_iᵀ + (g_i·g_j) μ FFᵀ + (g_i·S g_j) I,  p = F g.
+KOKKOS_INLINE_FUNCTION void add_point_stiffness(const PointStiffness& at, const Real* gi,
+                                                const Real* gj, Real* block) {
+  Real pi[3], pj[3], dot = 0, geometric = 0;
+  for (int r = 0; r < 3; ++r) {
+    pi[r] = at.f[3 * r] * gi[0] + at.f[3 * r + 1] * gi[1] + at.f[3 * r + 2] * gi[2];
+    pj[r] = at.f[3 * r] * gj[0] + at.f[3 * r + 1] * gj[1] + at.f[3 * r + 2] * gj[2];
+    dot += gi[r] * gj[r];
+    for (int c = 0; c < 3; ++c) geometric += gi[r] * entry(at.stress, r, c) * gj[c];
+  }
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c)
+      block[3 * r + c] += at.lambda * pi[r] * pj[c] + at.mu * (pj[r] * pi[c]) +
+                          at.mu * dot * entry(at.left, r, c) + (r == c ? geometric : 0);
+}
+
+KOKKOS_INLINE_FUNCTION PointStiffness stiffness_at(const Deformation& body, const ForceRule& rule,
+                                                   Index e, int q) {
+  PointStiffness at;
+  const Real weight = body.weight(static_cast<std::size_t>(e) * body.points + q);
+  Real h[9];
+  state_at(body, rule, e, q, h, at.stress);
+  for (int i = 0; i < 9; ++i) at.f[i] = h[i] + (i % 4 == 0 ? 1 : 0);
+  for (int k = 0; k < 6; ++k) {
+    const int i = k < 3 ? k : k - 3, j = k < 3 ? k : (k - 2) % 3;
+    at.left[k] = 0;
+    for (int m = 0; m < 3; ++m) at.left[k] += at.f[3 * i + m] * at.f[3 * j + m];
+    at.stress[k] *= rule.geometric ? weight : 0;
+  }
+  const solve::Elastic& material = body.elastic(body.material(e));
+  const Real stiffer = weight * (1 + (rule.middle ? 2 : 1) * rule.viscosity);
+  at.lambda = stiffer * material.lambda;
+  at.mu = stiffer * material.mu;
+  return at;
+}
+
+}  // namespace
+
+void assemble_tangent(const Deformation& body, const ForceRule& rule,
+                      const solve::DeviceBlocks& block) {
+  device::for_each(
+      "rockfold::finite::tangent", static_cast<Index>(block.row.extent(0)),
+      KOKKOS_LAMBDA(const Index slot) {
+        if (block.row(slot) == none) return;
+        solve::clear_stiffness(block, slot);
+        const Index p = block.row(slot) % body.covers;
+        const int k = static_cast<int>(block.row(slot) / body.covers);
+        for (Index s = body.begin(p); s < body.begin(p + 1); ++s) {
+          const Index e = static_cast<Index>(body.entry(s) / body.nodes);
+          const int i = static_cast<int>(body.entry(s) % body.nodes) * body.functions + k;
+          Real row[9 * most_width];
+          for (int m = 0; m < 9 * body.width(); ++m) row[m] = 0;
+          for (int q = 0; q < body.points; ++q) {
+            const PointStiffness at = stiffness_at(body, rule, e, q);
+            const Real* g = &body.gradient(static_cast<std::size_t>(3 * body.width()) *
+                                           (body.kind(e) * body.points + q));
+            for (int j = 0; j < body.width(); ++j)
+              add_point_stiffness(at, g + 3 * i, g + 3 * j, row + 9 * j);
+          }
+          for (int j = 0; j < body.width(); ++j) {
+            const Index cover =
+                body.cover(static_cast<std::size_t>(e) * body.nodes + j / body.functions);
+            solve::add_stiffness_entry(block, slot, j % body.functions * body.covers + cover,
+                                       row + 9 * j);
           }
         }
-        for (int k = 0; k < 6; ++k) stress(6 * static_cast<std::size_t>(e) + k) = sum[k] / volume;
       });
-  return stress;
+}
+
+namespace {
+
+/// Mean of F end · (F middle)⁻¹ over the elements of a cover, as a rotation; false: none to be had.
+KOKKOS_INLINE_FUNCTION bool turn_of_cover(const Deformation& body, Index p, Real* turn) {
+  for (int i = 0; i < 9; ++i) turn[i] = 0;
+  for (Index s = body.begin(p); s < body.begin(p + 1); ++s)
+    for (int q = 0; q < body.points; ++q) {
+      const std::size_t at = static_cast<std::size_t>(body.entry(s) / body.nodes) * body.points + q;
+      Real middle[9], inverse[9], end[9];
+      for (int i = 0; i < 9; ++i) {
+        const Real one = i % 4 == 0 ? 1 : 0;
+        end[i] = body.now(9 * at + i) + one;
+        middle[i] = 0.5 * (body.now(9 * at + i) + body.start(9 * at + i)) + one;
+      }
+      if (!(invert(middle, inverse) > 0)) continue;
+      const Real share = device::math::fabs(body.weight(at));
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          for (int m = 0; m < 3; ++m)
+            turn[3 * i + j] += share * end[3 * i + m] * inverse[3 * m + j];
+    }
+  const Real size = device::math::cbrt(determinant(turn));
+  if (!(size > 0)) return false;
+  for (int i = 0; i < 9; ++i) turn[i] /= size;
+  return make_rotation(turn);
+}
+
+}  // namespace
+
+void turn_from_middle(const Deformation& body, const Field& x) {
+  device::for_each(
+      "rockfold::finite::turn", body.covers, KOKKOS_LAMBDA(const Index p) {
+        Real turn[9];
+        if (!turn_of_cover(body, p, turn)) return;
+        for (int k = 0; k < body.functions; ++k) {
+          const Index row = k * body.covers + p;
+          const Real given[3] = {x(row, 0), x(row, 1), x(row, 2)};
+          for (int i = 0; i < 3; ++i)
+            x(row, i) =
+                turn[3 * i] * given[0] + turn[3 * i + 1] * given[1] + turn[3 * i + 2] * given[2];
+        }
+      });
 }
 
 }  // namespace rockfold::finite

@@ -19,8 +19,9 @@ using device::Field;
 /// Where in a step forces are taken.
 struct ForceRule {
   bool middle = false;  ///< energy–momentum; otherwise at the end
-  Real viscosity =
-      0;  ///< β of Rayleigh damping over the step's length: S += viscosity · C : (E end − E start)
+  /// β of Rayleigh damping over the step's length: S += viscosity · C : (E end − E start).
+  Real viscosity = 0;
+  bool geometric = true;  ///< the part of the tangent that the stress makes
 };
 
 struct Deformation {
@@ -57,10 +58,21 @@ void internal_forces(const Deformation& body, const ForceRule& rule, const Field
 void assemble_tangent(const Deformation& body, const ForceRule& rule,
                       const solve::DeviceBlocks& block);
 
+/// Turns a correction x found with the tangent of rule `middle` from the middle of the step to its end, cover by cover. The exact
+/// derivative is Bᵀ(F middle) C B(F end): not symmetric. With F end = Q · F middle, Q a rotation, B(F end) x is B(F middle) Qᵀx, so
+/// that the symmetric tangent finds Qᵀx. Without this a rotation of the correction would strain, and steps that turn
+/// stiff blocks far would never converge.
+void turn_from_middle(const Deformation& body, const Field& x);
+
 /// J now, beside that of the undeformed state.
 Real strain_energy(const Deformation& body, const Array<Real>& partial, const Array<Real>& sums);
 
 /// Cauchy stress F S Fᵀ / det F now, mean over each element, Pa xx yy zz xy yz zx, [6·elements].
-Array<Real> mean_stress(const Deformation& body);
+void mean_stress(const Deformation& body, const Array<Real>& stress);
+/// That of some elements, [6·of].
+void mean_stress_of(const Deformation& body, const Array<Index>& of, const Array<Real>& stress);
+
+/// N: the forces of a strain of one rounding error everywhere. No residual can be asked to be smaller.
+Real rounding_force(const Deformation& body, const Array<Real>& partial, const Array<Real>& sums);
 
 }  // namespace rockfold::finite

@@ -42,4 +42,34 @@ KOKKOS_INLINE_FUNCTION Real determinant(const Real* f) {
          f[2] * (f[3] * f[7] - f[4] * f[6]);
 }
 
+/// b = a⁻¹ · scale; returns det a.
+KOKKOS_INLINE_FUNCTION Real invert(const Real* a, Real* b) {
+  const Real det = determinant(a);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const int r = (j + 1) % 3, s = (j + 2) % 3, t = (i + 1) % 3, u = (i + 2) % 3;
+      b[3 * i + j] = (a[3 * r + t] * a[3 * s + u] - a[3 * r + u] * a[3 * s + t]) / det;
+    }
+  return det;
+}
+
+/// The rotation of a polar decomposition, in place: a ← (a + a⁻ᵀ)/2 until it stays (Higham 1986). Left as it is where det a ≤ 0.
+KOKKOS_INLINE_FUNCTION bool make_rotation(Real* a) {
+  for (int step = 0; step < 50; ++step) {
+    Real inverse[9];
+    if (!(invert(a, inverse) > 0)) return false;
+    Real change = 0;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const Real next = 0.5 * (a[3 * i + j] + inverse[3 * j + i]);
+        change = device::math::fmax(change, device::math::fabs(next - a[3 * i + j]));
+        inverse[3 * j + i] = next;
+      }
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) a[3 * i + j] = inverse[3 * j + i];
+    if (change < 1e-14) return true;
+  }
+  return true;
+}
+
 }  // namespace rockfold::finite

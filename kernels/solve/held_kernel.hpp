@@ -21,7 +21,7 @@ struct OtherMatrix {
 /// αK + βM + γ NᵀkN with its preconditioner.
 struct HeldSystem {
   Operator op;
-  OtherMatrix other;  ///< empty: αK + βM of `op`
+  OtherMatrix other;   ///< empty: αK + βM of `op`
   Springs springs;     ///< of the merged points
   PointShares shares;  ///< of the points given in them
   PcgWork work;

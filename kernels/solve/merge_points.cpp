@@ -51,8 +51,7 @@ MergedPoints merge_points(const FixedPoints& given) {
   std::map<Key, Index> known;
   for (std::size_t n = 0; n < given.points.size(); ++n) {
     const auto [at, is_new] =
-        known.emplace(key_of(given, n),
-                      static_cast<Index>(result.fixed.points.size()));
+        known.emplace(key_of(given, n), static_cast<Index>(result.fixed.points.size()));
     if (is_new) append(result.fixed, given, n);
     result.shares.merged.push_back(at->second);
     result.fixed.stiffness[at->second] += given.stiffness[n];

@@ -42,11 +42,18 @@ namespace {
 
 void make_system(Motion::Data& m, const MotionSetup& setup) {
   m.held = solve::make_held_system(
-      solve::build_operator(setup.covers, setup.moments, setup.materials), setup.fixed);
-  m.rock = make_small_strain(setup, m.held);
+      solve::build_operator(setup.covers, setup.moments, setup.materials, !setup.large),
+      setup.fixed);
+  if (setup.large) {
+    auto rock = make_finite_strain(setup, m.held);
+    m.large = rock.get();
+    m.rock = std::move(rock);
+  } else {
+    m.rock = make_small_strain(setup, m.held);
+  }
   m.supports = make_moving_supports(setup.fixed, m.held);
   m.dashpots = make_dashpots(setup.quiet, m.unknowns);
-  if (m.rock->linear() && !m.dashpots.any()) return;
+  if (!m.dashpots.any()) return;
   // Data stays where it is for as long as its motion lives.
   m.held.other = {[&m](const Field& x, const Field& y) {
                     m.rock->apply(m.held.combination, x, y);
@@ -94,7 +101,13 @@ void make_data(Motion::Data& m, const MotionSetup& setup) {
   m.partial = device::allocate<Real>("update::partial",
                                      3 * device::chunk_count(std::max(m.unknowns, fixed)));
   m.sums = device::Array<Real>("rockfold::update::sums", 3);
-  if (m.damped()) m.velocity_before = device::make_field("update::velocity_before", m.unknowns);
+  if (m.large) {
+    m.displacement_before = device::make_field("update::displacement_before", m.unknowns);
+    m.acceleration_before = device::make_field("update::acceleration_before", m.unknowns);
+    m.goal_before = device::make_field("update::goal_before", fixed);
+  }
+  if (m.damped() || m.large)
+    m.velocity_before = device::make_field("update::velocity_before", m.unknowns);
   make_loads(m, setup);
 }
 
@@ -130,7 +143,7 @@ void Motion::set_motion(const StateArrays& state) {
 }
 
 SolveReport Motion::solve_static() {
-  return update::solve_equilibrium(*data_);
+  return data_->large ? update::solve_equilibrium_large(*data_) : update::solve_equilibrium(*data_);
 }
 SolveReport Motion::start(Real dt) {
   if (data_->dynamic_ratio == 0) return {};  // no acceleration is handed on
@@ -144,7 +157,8 @@ SolveReport Motion::step(Real dt, int substeps, const TrackedPoints* watched, Re
   for (int i = 0; i < substeps; ++i) {
     // A quasi-static substep is a step of its own: nothing is handed on. The share of a velocity is taken once a step.
     if (i == 0 || m.dynamic_ratio == 0) update::hand_on(m);
-    const SolveReport report = update::advance(m, dt / substeps);
+    const SolveReport report =
+        m.large ? update::advance_large(m, dt / substeps) : update::advance(m, dt / substeps);
     total.iterations += report.iterations;
     total.outer += report.outer;
     total.residual = report.residual;

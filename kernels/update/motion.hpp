@@ -10,6 +10,9 @@
 // Where the base is accelerated (a record of an earthquake) the motion is relative to it: every point is loaded by −ρ a_base.
 // Displacements, velocities, damping and kinetic energy are then those that an observer on the base sees.
 //
+// Under large kinematics the internal force is that of finite strain, and every step is solved by Newton's method
+// (large_step.cpp); average acceleration then keeps momentum, angular momentum and energy (Simo & Tarnow 1992).
+//
 // Velocity handed to the next step: `dynamic_ratio` times what the step ended with. At 0 the acceleration is dropped too
 // (quasi-static): (K + 4M/Δt²) Δd = F − K d makes the error of a mode of frequency ω shrink by 4/(4 + ω²Δt²) a step, always
 // towards the static answer. With the acceleration kept the factor would be (4 − ω²Δt²)/(4 + ω²Δt²): long steps would swing
@@ -43,6 +46,7 @@ struct MotionSetup {
   InitialStress initial_stress{};
   TimeTable base_acceleration{};  ///< m/s²; empty: the base is at rest
   Rayleigh damping{};
+  bool large = false;             ///< finite strain and rotation; otherwise small
   Real beta = 0.25, gamma = 0.5;  ///< Newmark's; β > 0
   Real dynamic_ratio = 1;
   SolveOptions solver{};

@@ -6,6 +6,7 @@
 
 #include "kernels/solve/held_kernel.hpp"
 #include "kernels/update/deformation_kernel.hpp"
+#include "kernels/update/finite_strain_kernel.hpp"
 #include "kernels/update/loads_kernel.hpp"
 #include "kernels/update/motion.hpp"
 
@@ -33,18 +34,22 @@ void copy_state(const MovingState& from, MovingState& to);
 struct Motion::Data {
   solve::HeldSystem held;
   std::unique_ptr<update::Deformation> rock;
+  update::LargeDeformation* large = nullptr;  ///< the rock, under large kinematics
   update::VaryingLoads varying_loads;
   update::Dashpots dashpots;
   update::MovingSupports supports;
   update::MovingState now, saved;
 
-  device::Field load;             ///< gravity and constant loads, N
-  device::Field varying;          ///< loads that change, at the time of `now` …
-  device::Field varying_before;   ///< … and at the start of the step; empty where no load changes
-  device::Field velocity_before;  ///< at the start of the step; empty without damping
-  device::Field increment;        ///< Δd of the step
-  device::Field correction;       ///< of the prediction: what is solved for
-  device::Field right;            ///< right-hand side
+  device::Field load;            ///< gravity and constant loads, N
+  device::Field varying;         ///< loads that change, at the time of `now` …
+  device::Field varying_before;  ///< … and at the start of the step; empty where no load changes
+  device::Field
+      velocity_before;  ///< at the start of the step; empty without damping or large kinematics
+  device::Field displacement_before, acceleration_before,
+      goal_before;           ///< likewise; large kinematics
+  device::Field increment;   ///< Δd of the step
+  device::Field correction;  ///< of the prediction: what is solved for
+  device::Field right;       ///< right-hand side
   device::Field work;
   device::Field goal;         ///< of the fixed points, for the unknown being solved for
   device::Field support_way;  ///< of the fixed points in the step
@@ -94,6 +99,11 @@ SolveReport solve_initial_acceleration(Motion::Data& m, Real dt);
 SolveReport solve_equilibrium(Motion::Data& m);
 /// One step of Newmark's method.
 SolveReport advance(Motion::Data& m, Real dt);
+/// d', v', a' in free flight.
+void predict(const Motion::Data& m, Real dt);
+/// The same under large kinematics.
+SolveReport solve_equilibrium_large(Motion::Data& m);
+SolveReport advance_large(Motion::Data& m, Real dt);
 /// Scales the velocity by the dynamic ratio; at 0 drops the acceleration as well.
 void hand_on(Motion::Data& m);
 

@@ -13,24 +13,11 @@ namespace {
 using device::Sums;
 
 void prepare(Motion::Data& m, Real dt) {
-  if (m.step_length == dt && m.rock->linear()) return;
+  if (m.step_length == dt) return;
   const Real of_mass = 1 / (m.beta * dt * dt), of_damping = m.gamma / (m.beta * dt);
-  if (!m.rock->linear()) m.rock->linearise(m.now.displacement);
   set_matrix(m, {1 + of_damping * m.damping.stiffness, of_mass + of_damping * m.damping.mass},
              of_damping, 1, true);
   m.step_length = dt;
-}
-
-void predict(const Motion::Data& m, Real dt) {
-  const auto d = m.now.displacement, v = m.now.velocity, a = m.now.acceleration, way = m.increment;
-  device::for_each(
-      "rockfold::update::predict", m.unknowns, KOKKOS_LAMBDA(const Index p) {
-        for (int i = 0; i < 3; ++i) {
-          way(p, i) = dt * v(p, i) + 0.5 * dt * dt * a(p, i);
-          d(p, i) += way(p, i);
-          v(p, i) += dt * a(p, i);
-        }
-      });
 }
 
 void correct(const Motion::Data& m, Real dt) {
@@ -77,6 +64,18 @@ void moving_forces(Motion::Data& m) {
 }
 
 }  // namespace
+
+void predict(const Motion::Data& m, Real dt) {
+  const auto d = m.now.displacement, v = m.now.velocity, a = m.now.acceleration, way = m.increment;
+  device::for_each(
+      "rockfold::update::predict", m.unknowns, KOKKOS_LAMBDA(const Index p) {
+        for (int i = 0; i < 3; ++i) {
+          way(p, i) = dt * v(p, i) + 0.5 * dt * dt * a(p, i);
+          d(p, i) += way(p, i);
+          v(p, i) += dt * a(p, i);
+        }
+      });
+}
 
 void set_matrix(Motion::Data& m, const solve::Combination& c, Real dashpots, Real springs,
                 bool stiffen) {

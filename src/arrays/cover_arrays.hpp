@@ -67,6 +67,8 @@ struct CoverArrays {
   Index unknown_count() const { return functions() * cover_count(); }
   int nodes_per_cell() const { return cell_split(lattice.kind).node_count(); }
   int parts_per_cell() const { return cell_split(lattice.kind).part_count(); }
+  /// Parts before this one are of the first of two overlaid splits; all, if there is one split.
+  int first_split_parts() const { return cell_split(lattice.kind).first_split_parts(); }
   int nodes_per_part() const { return cell_split(lattice.kind).nodes_per_part(); }
   Index element_count() const { return parts_per_cell() * regular_count() + cut_count(); }
   Index piece_count() const { return static_cast<Index>(piece_block.size()); }
