@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "src/arrays/lattice.hpp"
-#include "src/arrays/time_table.hpp"
 #include "src/base/types.hpp"
 
 namespace rockfold {
@@ -92,16 +91,15 @@ enum class Enforce : std::uint8_t {
 };
 
 /// Displacements that are prescribed, in some components (essential boundary conditions). Each is that of a row of `points`: the
-/// displacement of one point, a mean over several, or a moment of them (weights that sum to zero: how a face deforms; its value is 0).
+/// displacement of one point, a mean over several (weights of points that sum to 1), or a moment of them (that sum to 0: how a
+/// face deforms; its value is 0 and it belongs to no condition, since no table moves it and no force goes with it).
 struct FixedPoints {
   MaterialPoints points;  ///< [N] `element` and `local`: one point of the row
   std::vector<std::array<std::uint8_t, 3>> component;  ///< [N] 1 = fixed
-  std::vector<Vec3> value;                             ///< [N] m; at points with a table: unused
-  std::vector<Index> table;  ///< [N] into `tables`, or none (or all empty): the value is constant
-  std::vector<Index> condition;  ///< [N] into Model::fixed; may be empty
+  std::vector<Vec3> value;                             ///< [N] m
+  std::vector<Index> condition;  ///< [N] into Model::fixed, none for a moment; or all empty
   std::vector<Real> stiffness;  ///< [N] N/m penalty of the point (its share of the area times Pa/m)
   std::vector<std::uint8_t> augmented;  ///< [N] an Enforce
-  std::vector<TimeTable> tables;        ///< m over s
 };
 
 }  // namespace rockfold
