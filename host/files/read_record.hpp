@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "src/arrays/load_arrays.hpp"
+#include "src/arrays/time_table.hpp"
 #include "src/base/error.hpp"
 
 namespace rockfold {

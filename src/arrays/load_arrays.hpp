@@ -6,20 +6,9 @@
 #include <vector>
 
 #include "src/arrays/cover_arrays.hpp"
+#include "src/arrays/time_table.hpp"
 
 namespace rockfold {
-
-/// A vector over time, linear between its rows; before the first and after the last it is as there.
-struct TimeTable {
-  std::vector<Real> time;   ///< s, ascending
-  std::vector<Vec3> value;  ///< in the unit of what it stands for
-
-  bool empty() const { return time.empty(); }
-  /// {0, 0, 0} of an empty table.
-  Vec3 at(Real t) const;
-  /// A second, just after t.
-  Vec3 slope_after(Real t) const;
-};
 
 /// Forces at L points of the material: point loads, and tractions as points that carry a share of their face's area (exact for
 /// tractions times the functions of the elements).

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "src/arrays/lattice.hpp"
 #include "src/arrays/load_arrays.hpp"
 #include "src/base/error.hpp"
 #include "src/base/types.hpp"
@@ -287,14 +288,26 @@ enum class JointTreatment {
   welded,    ///< covers go on across joints: the mass deforms as one continuum
 };
 
-/// Mathematical cover: the thesis' tet6 lattice, order 0.
+/// What becomes of a joint that ends inside a manifold element.
+enum class JointTips : std::uint8_t {
+  keep,   ///< the element stays one
+  extend  ///< the joint is prolonged to the element's boundary and cuts it in two
+};
+
+/// Mathematical cover.
 struct CoverSpec {
-  Real spacing = 0;  ///< m, > 0
-  /// Normals of the three plane families, mutually orthogonal; listed z, y, x as in INTERFACE.md:
+  LatticeKind lattice = LatticeKind::tet6;
+  /// m, > 0: distance between the planes of each family along their common normal, in the order of `directions`.
+  /// Lattice `block`: the unit of length of the cover functions along z, y, x; 0 = from the size of the blocks
+  Vec3 spacing{};
+  /// Normals of the three plane families, of which no two are nearly parallel; listed z, y, x as in INTERFACE.md:
   /// the last one is the lattice's first axis.
   std::array<DipOrientation, 3> directions{{{0, 0}, {90, 0}, {90, 90}}};
   std::optional<Vec3> origin;  ///< m, a lattice node; default the centre of the solids' box
+  int order = 0;               ///< of the cover functions: 0, 1, 2
   JointTreatment joints = JointTreatment::separate;
+  JointTips joint_tips = JointTips::keep;
+  Index max_elements = 50'000'000;
   Place place = {};
 };
 
@@ -377,6 +390,11 @@ struct BaseAcceleration {
 
 enum class AnalysisType { static_, quasi_static, dynamic };
 
+enum class Kinematics {
+  small,  ///< linear strain about the place where the rock lay at t = 0
+  large
+};
+
 struct Analysis {
   AnalysisType type = AnalysisType::dynamic;
   Real time_step = 0.01;  ///< s, > 0
@@ -386,8 +404,12 @@ struct Analysis {
   Real dynamic_ratio = 1.0;  ///< [0, 1]: share of the velocity handed to the next step
   std::optional<Real> max_displacement_ratio;  ///< largest vertex displacement a step / model half
                                                ///< height, if limited
-  Real newmark_beta = 0.25;                    ///< only average acceleration yet
-  Real newmark_gamma = 0.5;
+  /// As given; none: large for dynamic and quasi_static, small for static.
+  std::optional<Kinematics> kinematics;
+  Real newmark_beta = 0.25;  ///< > 0
+  Real newmark_gamma = 0.5;  ///< ≥ 0
+  Real rayleigh_alpha = 0;   ///< 1/s, ≥ 0: damping α M …
+  Real rayleigh_beta = 0;    ///< s, ≥ 0: … + β K
 };
 
 struct SolverSpec {

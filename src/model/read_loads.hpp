@@ -1,7 +1,7 @@
 // Values over time, as [[fixed]] and the loads give them.
 #pragma once
 
-#include "src/arrays/load_arrays.hpp"
+#include "src/arrays/time_table.hpp"
 #include "src/model/table_reader.hpp"
 
 namespace rockfold {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "src/arrays/load_arrays.hpp"
+#include "src/arrays/time_table.hpp"
 #include "src/model/diagnostics.hpp"
 #include "src/model/range.hpp"
 #include "src/model/value.hpp"

@@ -92,7 +92,8 @@ TEST_F(CompleteModel, HasItsJoints) {
 
 TEST_F(CompleteModel, HasItsCover) {
   ASSERT_TRUE(model.cover);
-  EXPECT_EQ(model.cover->spacing, 1.5);
+  EXPECT_EQ(model.cover->lattice, LatticeKind::tet6);
+  EXPECT_EQ(model.cover->spacing, (Vec3{1.5, 1.5, 1.5}));
   EXPECT_EQ(model.cover->directions[1].dip_direction, 45);
   EXPECT_EQ(model.cover->origin, (Vec3{0.5, 0.5, 0.5}));
   EXPECT_EQ(model.cover->joints, JointTreatment::welded);
@@ -272,7 +273,7 @@ TEST(ModelText, MayBeInlineTables) {
   const auto model = parse_model(
       "solid = [{shape = 'box', min = [0, 0, 0], max = [1, 1, 1]}]\ncover = {spacing = 1}", "");
   EXPECT_EQ(model.solids.size(), 1u);
-  EXPECT_EQ(model.cover->spacing, 1);
+  EXPECT_EQ(model.cover->spacing, (Vec3{1, 1, 1}));
 }
 
 }  // namespace

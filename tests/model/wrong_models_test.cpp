@@ -274,6 +274,15 @@ TEST(WrongModel, OfAnalyses) {
       {RUN "max_displacement_ratio = 0", 7, 26, "analysis.max_displacement_ratio", "must be > 0 and <= 1"},
       {RUN "newmark = 0.25", 7, 11, "analysis.newmark", "must be a table"},
       {RUN "newmark = {alpha = 1}", 7, 12, "analysis.newmark.alpha", "the keys here are: beta, gamma"},
+      {RUN "newmark = {beta = 0}", 7, 19, "analysis.newmark.beta", "found 0, must be > 0 (0 would be the explicit scheme"},
+      {RUN "newmark = {gamma = -0.5}", 7, 20, "analysis.newmark.gamma", "found -0.5, must be >= 0"},
+      {RUN "kinematics = 'medium'", 7, 14, "analysis.kinematics", "must be \"small\" or \"large\""},
+      {RUN "rayleigh = {alpha = -1}", 7, 21, "analysis.rayleigh.alpha", "found -1, must be >= 0 (1/s)"},
+      {RUN "rayleigh = {beta = 1, damping_ratio = 0.05, frequencies = [1, 10]}", 7, 12, "analysis.rayleigh", "give either alpha and beta, or damping_ratio and frequencies"},
+      {RUN "rayleigh = {damping_ratio = 0.05}", 7, 12, "analysis.rayleigh.frequencies", "two frequencies (Hz)"},
+      {RUN "rayleigh = {damping_ratio = 1, frequencies = [1, 10]}", 7, 29, "analysis.rayleigh.damping_ratio", "found 1, must be >= 0 and < 1 (of critical damping)"},
+      {RUN "rayleigh = {damping_ratio = 0.05, frequencies = [1, 0]}", 7, 53, "analysis.rayleigh.frequencies[2]", "found 0, must be > 0 (Hz)"},
+      {RUN "rayleigh = {damping_ratio = 0.05, frequencies = [1, 2, 3]}", 7, 49, "analysis.rayleigh.frequencies", "found 3, must be 2 (Hz)"},
       {RUN "time = 1", 7, 1, "analysis.time", "did you mean \"time_step\"?"},
       {ROCK "[solver]\ntolerance = 1", 7, 13, "solver.tolerance", "found 1, must be > 0 and < 1"},
       {ROCK "[solver]\nmax_iterations = -5", 7, 18, "solver.max_iterations", "must be an integer >= 1"},
@@ -305,8 +314,8 @@ spacing = -1
 where = {face = "rock.zmin"}
 components = ["u"]
 [analysis]
-kinematics = "large"
-newmark = {beta = 0.3}
+kinematics = "lrge"
+newmark = {beta = 0}
 [[bolt]]
 name = "b"
 )");
