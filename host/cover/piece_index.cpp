@@ -26,10 +26,4 @@ std::vector<Index> PieceIndex::find_pieces(const CoverArrays& covers, Index latt
   return pieces;
 }
 
-Index PieceIndex::find_piece(const CoverArrays& covers, Index lattice_cell, int part,
-                             Index rock) const {
-  const auto pieces = find_pieces(covers, lattice_cell, part, rock);
-  return pieces.empty() ? none : pieces.front();
-}
-
 }  // namespace rockfold

@@ -27,8 +27,6 @@ struct PieceIndex {
   /// The pieces of a cell of the complex in a part of a lattice cell: several where joints are prolonged. O(log E)
   std::vector<Index> find_pieces(const CoverArrays& covers, Index lattice_cell, int part,
                                  Index rock) const;
-  /// The first of them, or none.
-  Index find_piece(const CoverArrays& covers, Index lattice_cell, int part, Index rock) const;
 };
 
 }  // namespace rockfold

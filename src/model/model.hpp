@@ -40,7 +40,7 @@ struct Material {
   Real density = 0;        ///< kg/m³, > 0; 0 = not given
   Real young_modulus = 0;  ///< Pa, > 0; 0 = neither it nor poisson_ratio is given
   Real poisson_ratio = 0;  ///< (−1, 0.5)
-  std::variant<std::monostate, MohrCoulombStrength, HoekBrownStrength> strength;
+  std::variant<std::monostate, MohrCoulombStrength, HoekBrownStrength> strength = {};
   Place place = {};  ///< where the model defines it, for messages of later stages
 };
 

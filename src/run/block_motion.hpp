@@ -14,7 +14,7 @@ std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
                                               const PieceMoments& moments,
                                               const std::vector<Vec3>& displacement, Index blocks);
 
-/// The displacement is that of the covers.
+/// Over the lattice nodes of whole cells and the vertices of cut elements; the displacement is that of the covers.
 LargestDisplacement find_largest_displacement(const CoverArrays& covers,
                                               const std::vector<Vec3>& displacement);
 

@@ -40,8 +40,7 @@ MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
   setup.damping = {analysis.rayleigh_alpha, analysis.rayleigh_beta};
   setup.quiet = input.quiet;
   setup.initial_stress = input.model.initial_stress;
-  if (input.model.base_acceleration)
-    setup.base_acceleration = input.model.base_acceleration->table;
+  if (input.model.base_acceleration) setup.base_acceleration = input.model.base_acceleration->table;
   setup.dynamic_ratio = analysis.type == AnalysisType::quasi_static ? 0 : analysis.dynamic_ratio;
   setup.solver.tolerance = input.model.solver.tolerance;
   setup.solver.max_iterations = input.model.solver.max_iterations;
