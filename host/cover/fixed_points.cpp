@@ -71,7 +71,7 @@ class Fixer {
       if (origin.solid == region.solid && std::find(region.faces.begin(), region.faces.end(),
                                                     origin.solid_face) != region.faces.end())
         surface.split(
-            complex_.polygon_of(part), complex_.cells[part.cell].faces[part.face].inside, part.cell,
+            complex_.polygon_of(part), part.cell, part.face,
             [this](const Holder& holder, const Polygon& polygon) { add_polygon(holder, polygon); });
     }
   }

@@ -36,7 +36,7 @@ class Visitor {
         covering_(covering),
         region_(region),
         visit_(visit),
-        surface_(*cutting.complex, covering),
+        surface_(complex_, covering),
         slack_(relative_slack * covering.pieces->planes.model_size()) {}
 
   void run() {
@@ -69,7 +69,7 @@ class Visitor {
     found.plane = polygon.plane;
     found.normal = outward(polygon, inside);
     found.share = cell_split(covering_.arrays.lattice.kind).share;
-    surface_.split(polygon, inside, rock, [&](const Holder& holder, const Polygon& within) {
+    surface_.split(polygon, rock, local_face, [&](const Holder& holder, const Polygon& within) {
       found.element = holder.element;
       take_corners(within, found);
     });

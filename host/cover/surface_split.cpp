@@ -25,14 +25,13 @@ Holder regular_holder(const Covering& covering, Index regular, int part) {
   return h;
 }
 
-void SurfaceSplitter::split(const Polygon& polygon, HalfSpaceId inside, Index rock,
-                            const Visit& visit) {
+void SurfaceSplitter::split(const Polygon& polygon, Index cell, Index face, const Visit& visit) {
   const Lattice& lattice = covering_.arrays.lattice;
   if (lattice.kind == LatticeKind::block)
-    return visit_part(complex_.cell_block[rock], 0, rock, polygon, visit);
-  walker_.walk(polygon, inside,
+    return visit_part(complex_.cell_block[cell], 0, cell, polygon, visit);
+  walker_.walk(polygon, complex_.cells[cell].faces[face].inside,
                [&](const std::array<Index, 3>& ijk, int part, const Polygon& piece) {
-                 visit_part(lattice.cell_index(ijk[0], ijk[1], ijk[2]), part, rock, piece, visit);
+                 visit_part(lattice.cell_index(ijk[0], ijk[1], ijk[2]), part, cell, piece, visit);
                });
 }
 

@@ -23,10 +23,10 @@ class SurfaceSplitter {
 
   using Visit = std::function<void(const Holder&, const Polygon&)>;
 
-  /// Calls visit(holder, polygon) for the parts of a polygon on the surface of a cell of the complex that lie in one element
-  /// each; `inside` is the half-space of the polygon's plane that holds the cell. Where two splits are overlaid
-  /// (tet5_mixed) each covers the whole polygon: then each part stands for CellSplit::share = 1/2 of its area.
-  void split(const Polygon& polygon, HalfSpaceId inside, Index rock, const Visit& visit);
+  /// Calls visit(holder, polygon) for the parts of a polygon on face `face` (local) of a cell of the complex that lie in one
+  /// element each. Where two splits are overlaid (tet5_mixed) each covers the whole polygon: then each part stands for
+  /// CellSplit::share = 1/2 of its area.
+  void split(const Polygon& polygon, Index cell, Index face, const Visit& visit);
 
  private:
   void visit_part(Index lattice_cell, int part, Index rock, const Polygon& polygon,
