@@ -104,6 +104,9 @@ void make_data(Motion::Data& m, const MotionSetup& setup) {
   if (m.large) {
     m.displacement_before = device::make_field("update::displacement_before", m.unknowns);
     m.acceleration_before = device::make_field("update::acceleration_before", m.unknowns);
+    m.following = make_following_pressures(setup);
+    if (m.following.any())
+      m.following_before = device::make_field("update::following_before", m.unknowns);
     m.goal_before = device::make_field("update::goal_before", fixed);
   }
   if (m.damped() || m.large)
