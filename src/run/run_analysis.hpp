@@ -20,6 +20,7 @@ struct RunInput {
   const MaterialPoints& monitors;  ///< one for each of Model::monitors, all in the rock
   const LoadPoints& loads;
   const QuietPoints& quiet;
+  const std::vector<RigidVelocity>& velocities;  ///< that blocks start with
   const MaterialPoints& block_vertices;  ///< in the order of BlockArrays::vertex
 };
 
