@@ -55,9 +55,9 @@ CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockAr
 /// Steps through the analysis and stores its states. If it fails, the states so far are kept.
 RunResult analyse(const CoveredRock& rock, const Model& model, const BlockArrays& blocks,
                   ResultWriter& writer, int threads, Terminal& terminal) {
-  const RunInput input{model,         rock.covering.arrays, blocks,     rock.fixed,
-                       rock.monitors, rock.loads,           rock.quiet, rock.velocities,
-                       rock.block_vertices};
+  const RunInput input{model,      rock.covering.arrays, blocks,
+                       rock.fixed, rock.monitors,        rock.loads,
+                       rock.quiet, rock.velocities,      rock.block_vertices};
   const auto store = [&](const StoredState& state) {
     add_stored_state(writer, rock.block_vertices, state);
   };

@@ -19,10 +19,10 @@ constexpr int most_iterations = 30;
 
 /// What a step of large kinematics balances.
 struct Balance {
-  Real dt = 0;          ///< s; 0: equilibrium, without inertia
-  bool middle = false;  ///< twice the mean of both ends
+  Real dt = 0;           ///< s; 0: equilibrium, without inertia
+  bool middle = false;   ///< twice the mean of both ends
   bool steered = false;  ///< augmented points go as supports.cpp says, not straight to their places
-  Real load = 1;        ///< share of the loads and of the supports' way, in equilibrium
+  Real load = 1;         ///< share of the loads and of the supports' way, in equilibrium
 };
 
 /// w = a + α v, of both ends where `middle`.

@@ -88,10 +88,10 @@ struct ResultWriter::Implementation {
   bool damaged = false;  ///< a state was written in part
   bool with_stress = false;
   bool with_blocks = false;
-  std::size_t blocks = 0, block_vertices = 0, unknowns = 0, elements = 0;
+  std::size_t block_count = 0, block_vertices = 0, unknowns = 0, elements = 0;
   std::vector<Index> polygon_block;  ///< [cells of Blocks]
-  std::vector<Index> joint_vertex;  ///< [points of Joints] into BlockArrays::vertex
-  ElementMesh mesh;                 ///< `begin`, `unknown`, `weight` and `element` alone are kept
+  std::vector<Index> joint_vertex;   ///< [points of Joints] into BlockArrays::vertex
+  ElementMesh mesh;                  ///< `begin`, `unknown`, `weight` and `element` alone are kept
   std::vector<Grid> grids;
   std::vector<Real> times;
 
@@ -229,7 +229,7 @@ void ResultWriter::write_blocks(const BlockArrays& blocks, const BlockFields& fi
   file.close();
   my.with_blocks = true;
   my.block_vertices = blocks.vertex.size();
-  my.blocks = blocks.volume.size();
+  my.block_count = blocks.volume.size();
 }
 
 void ResultWriter::write_elements(const CoverArrays& covers) {
@@ -317,7 +317,7 @@ void ResultWriter::add_state(const ResultState& state) {
              state.covers.acceleration.size() == my.unknowns,
          "the state is not [U]");
   expect(state.stress.empty() || state.stress.size() == my.elements, "stress is not [nR+E]");
-  expect(state.block_stress.empty() || state.block_stress.size() == my.blocks,
+  expect(state.block_stress.empty() || state.block_stress.size() == my.block_count,
          "block stress is not [B]");
   expect(my.times.empty() ||
              (state.covers.time >= my.times.back() && my.with_stress == !state.stress.empty()),

@@ -34,24 +34,19 @@ Json monitor_json(const MonitorHistory& m) {
 }
 
 Json energy_json(const Energy& e) {
-  return {{"kinetic", e.kinetic},
-          {"strain", e.strain},
-          {"potential", e.potential},
-          {"contact", e.contact},
-          {"dissipated", e.dissipated},
-          {"damping", e.damping},
-          {"quiet", e.quiet},
-          {"ratio", e.ratio},
-          {"numerical", e.numerical},
-          {"loads", e.loads},
-          {"supports", e.supports}};
+  return {{"kinetic", e.kinetic}, {"strain", e.strain},         {"potential", e.potential},
+          {"contact", e.contact}, {"dissipated", e.dissipated}, {"damping", e.damping},
+          {"quiet", e.quiet},     {"ratio", e.ratio},           {"numerical", e.numerical},
+          {"loads", e.loads},     {"supports", e.supports}};
 }
 
 /// A list over time for each part of the energy.
 Json energy_history_json(const RunResult& run) {
   Json history{{"time", run.energy_time}};
-  for (const Energy& energy : run.energies)
-    for (const auto& [name, value] : energy_json(energy).items()) history[name].push_back(value);
+  for (const Energy& energy : run.energies) {
+    const Json parts = energy_json(energy);
+    for (const auto& [name, value] : parts.items()) history[name].push_back(value);
+  }
   return history;
 }
 

@@ -8,7 +8,10 @@ Recorder::Recorder(const RunInput& input, const PieceMoments& moments, const Sto
                    RunResult& result)
     : input_(input),
       moments_(moments),
-      store_(store), result_(result), monitors_(input.monitors), every_(input.model.output.every) {
+      store_(store),
+      result_(result),
+      monitors_(input.monitors),
+      every_(input.model.output.every) {
   for (const Monitor& monitor : input.model.monitors) {
     result_.monitors.emplace_back();
     result_.monitors.back().name = monitor.name;

@@ -64,7 +64,8 @@ void require_turning(const CoverArrays& covers, const RigidVelocity& velocity) {
   if (covers.lattice.kind == LatticeKind::block && covers.order == 0 &&
       velocity.angular_velocity != Vec3{})
     throw Error(ErrorKind::analysis,
-                "initial_velocity: found an angular_velocity, but the covers of lattice = \"block\" with order = 0 "
+                "initial_velocity: found an angular_velocity, but the covers of lattice = "
+                "\"block\" with order = 0 "
                 "cannot turn; must be order 1 or 2 (cover.order)");
 }
 

@@ -21,7 +21,7 @@ struct RunInput {
   const LoadPoints& loads;
   const QuietPoints& quiet;
   const std::vector<RigidVelocity>& velocities;  ///< that blocks start with
-  const MaterialPoints& block_vertices;  ///< in the order of BlockArrays::vertex
+  const MaterialPoints& block_vertices;          ///< in the order of BlockArrays::vertex
 };
 
 /// Called for each state to be stored, in time order, so that the result file is written as the run goes.

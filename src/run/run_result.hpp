@@ -58,7 +58,7 @@ struct RunResult {
   bool interrupted = false;  ///< a signal stopped the run after the last step counted above
   std::vector<MonitorHistory> monitors;  ///< in the order of Model::monitors
   std::vector<BlockMotion> blocks;       ///< [B]
-  std::vector<Vec3> reactions;  ///< [N] N, force of each fixed point on the rock, at the end
+  std::vector<Vec3> reactions;       ///< [N] N, force of each fixed point on the rock, at the end
   std::vector<Reaction> conditions;  ///< the same by condition, in the order of Model::fixed
   Energy energy;                     ///< J, at the end
   std::vector<Real> energy_time;     ///< s, t = 0 and each step done

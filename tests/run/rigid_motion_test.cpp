@@ -1,10 +1,11 @@
+#include "src/run/rigid_motion.hpp"
+
 #include <gtest/gtest.h>
 
 #include "kernels/integrate/moments.hpp"
 #include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
 #include "src/run/block_motion.hpp"
-#include "src/run/rigid_motion.hpp"
 #include "tests/reference/box_covers.hpp"
 
 namespace rockfold {
@@ -62,8 +63,8 @@ TEST(InitialMotion, MovesTheBlocksItNamesAlone) {
 TEST(Reactions, OfAConditionAreForceAndMomentOfItsPoints) {
   const auto covered = two_boxes(0);
   const std::vector<Vec3> points{{0.3, 0.4, 0.2}, {2, 1.2, 1.1}, {1, 0.1, 0.7}};
-  FixedPoints fixed =
-      reference::fix(covered, points, [](const Vec3&) { return Vec3{}; }, 1, false);
+  FixedPoints fixed = reference::fix(
+      covered, points, [](const Vec3&) { return Vec3{}; }, 1, false);
   fixed.condition = {1, 0, 1};
   const std::vector<Vec3> forces{{1, 2, 3}, {-4, 5, 6}, {7, -8, 9}};
   const auto sums = sum_reactions(covered.arrays, fixed, forces, 3);
@@ -71,8 +72,8 @@ TEST(Reactions, OfAConditionAreForceAndMomentOfItsPoints) {
   EXPECT_NEAR(norm(sums[0].force - forces[1]), 0, 1e-12);
   EXPECT_NEAR(norm(sums[0].moment - cross(points[1], forces[1])), 0, 1e-12);
   EXPECT_NEAR(norm(sums[1].force - (forces[0] + forces[2])), 0, 1e-12);
-  EXPECT_NEAR(
-      norm(sums[1].moment - (cross(points[0], forces[0]) + cross(points[2], forces[2]))), 0, 1e-12);
+  EXPECT_NEAR(norm(sums[1].moment - (cross(points[0], forces[0]) + cross(points[2], forces[2]))), 0,
+              1e-12);
   EXPECT_EQ(norm(sums[2].force), 0);
 }
 

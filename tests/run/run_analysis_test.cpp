@@ -62,8 +62,9 @@ struct Case {
       EXPECT_EQ(state.element_stress.size(), std::size_t(covered.arrays.element_count()));
       if (state.step == stop_after) interrupt_signal = SIGINT;
     };
-    return run_analysis({model, covered.arrays, blocks, fixed, monitors, loads, quiet, velocities, vertices}, store,
-                        progress);
+    return run_analysis(
+        {model, covered.arrays, blocks, fixed, monitors, loads, quiet, velocities, vertices}, store,
+        progress);
   }
   Index stop_after = none;
   std::vector<Stress> stored_block_stress;  ///< of the last state
