@@ -15,6 +15,7 @@
 #include "src/base/vector.hpp"
 #include "src/run/block_motion.hpp"
 #include "src/run/recorder.hpp"
+#include "src/run/rigid_motion.hpp"
 
 namespace rockfold {
 namespace {
@@ -79,12 +80,13 @@ std::string number(Real value) {
 /// The analysis under way: what its three kinds share.
 class Run {
  public:
-  Run(const RunInput& input, const StoreState& store, RunResult& result, Motion& motion)
+  Run(const RunInput& input, const PieceMoments& moments, const StoreState& store,
+      RunResult& result, Motion& motion)
       : input_(input),
         analysis_(*input.model.analysis),
         result_(result),
         motion_(motion),
-        recorder_(input, store, result) {
+        recorder_(input, moments, store, result) {
     if (!analysis_.max_displacement_ratio) return;
     watched_.emplace(input.block_vertices);
     limit_ = *analysis_.max_displacement_ratio * half_height(input);
@@ -183,17 +185,21 @@ RunResult run_analysis(const RunInput& input, const StoreState& store, Progress&
   const PieceMoments moments = piece_moments(input.covers);
   const std::vector<ElasticMaterial> materials = elastic_materials(input.model);
   Motion motion(make_setup(input, moments, materials));
+  if (!input.velocities.empty())
+    motion.set_motion(initial_motion(input.covers, moments, materials, input.velocities));
   result.seconds.assemble = timer.seconds();
 
-  Run run(input, store, result, motion);
+  Run run(input, moments, store, result, motion);
   if (input.model.analysis->type == AnalysisType::static_)
     run.solve_static();
   else
     run.march(progress);
 
   result.time = motion.time();
-  result.energy = motion.energy();
+  result.energy = result.energies.back();
   result.reactions = motion.reactions();
+  result.conditions = sum_reactions(input.covers, input.fixed, result.reactions,
+                                    static_cast<Index>(input.model.fixed.size()));
   const std::vector<Vec3> displacement = motion.state().displacement;
   result.blocks = average_block_motion(input.covers, moments, displacement,
                                        input.blocks.block_count(), input.model.analysis->large());
