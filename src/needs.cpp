@@ -85,23 +85,13 @@ std::vector<Vec3> monitor_points(const Model& model) {
   return points;
 }
 
-std::vector<Vec3> load_points(const Model& model) {
-  std::vector<Vec3> points;
-  for (const auto& load : model.point_loads) points.push_back(load.point);
-  return points;
-}
-
-void require_in_rock(const Model& model, const MaterialPoints& monitors,
-                     const MaterialPoints& loads) {
+void require_in_rock(const Model& model, const MaterialPoints& monitors) {
   std::vector<Diagnostic> outside;
   for (std::size_t n = 0; n < model.monitors.size(); ++n) {
     const auto& monitor = model.monitors[n];
     find_outside(" of monitor " + monitor.name, monitor.point, monitors.element[n], monitor.place,
                  outside);
   }
-  for (std::size_t n = 0; n < model.point_loads.size(); ++n)
-    find_outside("", model.point_loads[n].point, loads.element[n], model.point_loads[n].place,
-                 outside);
   if (!outside.empty()) throw Error(ErrorKind::model, outside);
 }
 

@@ -23,11 +23,9 @@ bool wants_run(const Options& options);
 Model load_model(const Options& options, Terminal& terminal);
 
 std::vector<Vec3> monitor_points(const Model& model);
-std::vector<Vec3> load_points(const Model& model);
 
-/// Throws Error(model) with every monitor and point load that lies outside the rock.
-void require_in_rock(const Model& model, const MaterialPoints& monitors,
-                     const MaterialPoints& loads);
+/// Throws Error(model) with every monitor that lies outside the rock.
+void require_in_rock(const Model& model, const MaterialPoints& monitors);
 
 void warn_of_cutting(const IntentReport& intent, Terminal& terminal);
 /// Blocks below cut.min_volume or above cut.max_aspect_ratio: they stay, but the user should look.

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "host/cover/cover.hpp"
+#include "host/cover/loads.hpp"
 #include "host/cut/cut.hpp"
 #include "host/files/load_files.hpp"
 #include "host/flatten/flatten.hpp"
@@ -36,29 +37,16 @@ struct CoveredRock {
   QuietPoints quiet;
 };
 
-LoadPoints point_loads(const Model& model, const Covering& covering) {
-  LoadPoints loads;
-  loads.points = locate_points(covering, load_points(model));
-  for (const PointLoad& load : model.point_loads) {
-    loads.force.push_back(load.force);
-    loads.table.push_back(load.table.empty() ? none : static_cast<Index>(loads.tables.size()));
-    if (!load.table.empty()) loads.tables.push_back(load.table);
-    loads.scale.push_back(1);
-    loads.area.push_back({});
-    loads.pressure.push_back(0);
-  }
-  return loads;
-}
-
 CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockArrays& blocks,
                        Progress& progress) {
   CoveredRock rock;
   rock.covering = build_covers(cutting, model, progress);
   rock.fixed = fixed_points(cutting, rock.covering, model);
   rock.monitors = locate_points(rock.covering, monitor_points(model));
-  rock.loads = point_loads(model, rock.covering);
+  rock.loads = load_points(cutting, rock.covering, model);
+  rock.quiet = quiet_points(cutting, rock.covering, model);
   rock.block_vertices = locate_block_vertices(rock.covering, blocks);
-  require_in_rock(model, rock.monitors, rock.loads.points);
+  require_in_rock(model, rock.monitors);
   return rock;
 }
 
