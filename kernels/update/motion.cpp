@@ -38,7 +38,8 @@ Motion::Data make_data(const MotionSetup& setup) {
   const Index covers = setup.covers.cover_count();
   Motion::Data m;
   m.held = solve::make_held_system(
-      solve::build_operator(setup.covers, setup.moments, setup.materials), setup.fixed);
+      setup.covers, solve::build_operator(setup.covers, setup.moments, setup.materials),
+      setup.fixed);
   const Index fixed = m.held.springs.points.count;
   m.elements = make_element_table(setup.covers, setup.materials);
   m.now = make_moving_state(covers, fixed);

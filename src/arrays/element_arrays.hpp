@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "src/base/types.hpp"
@@ -21,6 +22,14 @@ struct PieceMoments {
   std::vector<Real> volume;                 ///< [Q] ∫dV, m³
   std::vector<Vec3> first;                  ///< [Q] ∫x_i dV, m⁴
   std::vector<std::array<Real, 6>> second;  ///< [Q] ∫x_i x_j dV for xx yy zz xy yz zx, m⁵
+};
+
+/// What speeds conjugate gradients up. `automatic` chooses by size: see docs/user_guide.md, [solver].
+enum class Preconditioner : std::uint8_t {
+  automatic,
+  block_jacobi,       ///< the 3×3 blocks of each cover function
+  node_block_jacobi,  ///< one block for each lattice node
+  multigrid           ///< over lattices of doubled spacing that are cut as the rock is
 };
 
 /// The motion of the physical covers (order 0: the displacement of each cover's node).
