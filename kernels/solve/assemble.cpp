@@ -47,13 +47,6 @@ struct Assembly {
   Array<std::uint8_t> element_part;
 };
 
-/// The place of column q among the sorted columns of a row; padding repeats the row's own id at the end.
-KOKKOS_INLINE_FUNCTION Index find_column(const DeviceBlocks& block, Index begin, Index end,
-                                         int lane, Index q) {
-  while (begin < end && block.column(begin * slice_lanes + lane) != q) ++begin;
-  return begin;
-}
-
 /// Adds a block of 9 and a mass where row and column say.
 KOKKOS_INLINE_FUNCTION void add_entry(const DeviceBlocks& block, Index slot, Index q,
                                       const Real* entry) {
@@ -145,7 +138,7 @@ Array<Real> element_moments(const CoverArrays& covers, const PieceMoments& momen
 }
 
 Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
-                        const std::vector<ElasticMaterial>& materials) {
+                        const std::vector<ElasticMaterial>& materials, bool stencils) {
   const TetTable tets = make_tet_table(covers.lattice);
   const std::vector<Elastic> elastic = make_elastic(materials);
   std::vector<Real> cell_table(cell_table_size * materials.size(), 0.0);
@@ -156,7 +149,7 @@ Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
                        &stencil_table[DeviceStencil::table_size * m]);
   }
 
-  const Rows rows = sort_rows(covers, slice_lanes);
+  const Rows rows = sort_rows(covers, slice_lanes, stencils);
   Operator op;
   op.covers = covers.cover_count();
   op.stencil_rows = rows.stencil_rows;

@@ -50,7 +50,8 @@ constexpr Index many_iterations = 80;
 
 /// Whether the next solve is to use multigrid. A mass matrix needs none; nor do short time steps.
 bool wants_grid(const HeldSystem& system) {
-  if (system.grid.levels.empty() || system.combination.stiffness == 0) return false;
+  if (system.grid.levels.empty() || system.grid_failed || system.combination.stiffness == 0)
+    return false;
   return system.preconditioner == Preconditioner::multigrid || system.combination.mass == 0 ||
          system.slow;
 }
@@ -74,8 +75,9 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
                             Preconditioner preconditioner) {
   HeldSystem system;
   system.preconditioner = preconditioner;
-  if (preconditioner == Preconditioner::multigrid ||
-      (preconditioner == Preconditioner::automatic && op.covers >= least_for_multigrid))
+  if (covers.order == 0 &&
+      (preconditioner == Preconditioner::multigrid ||
+       (preconditioner == Preconditioner::automatic && op.covers >= least_for_multigrid)))
     system.grid = make_multigrid(covers);
   MergedPoints merged = merge_points(fixed);
   system.springs = build_springs(merged.fixed, op.covers);
@@ -90,7 +92,10 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
 void set_combination(HeldSystem& system, const Combination& c, Real spring_factor, bool stiffen) {
   system.combination = c;
   system.spring_factor = spring_factor;
-  diagonal_blocks(system.op, c, system.inverse);
+  if (system.other.diagonal)
+    system.other.diagonal(system.inverse);
+  else
+    diagonal_blocks(system.op, c, system.inverse);
   if (stiffen) stiffen_springs(system.springs, spring_factor, system.inverse);
   add_spring_diagonal(system.springs, spring_factor, system.inverse);
   const Blocks diagonal = system.inverse;
@@ -100,7 +105,7 @@ void set_combination(HeldSystem& system, const Combination& c, Real spring_facto
                                   device::math::fmax(diagonal(p, 1), diagonal(p, 2)));
       });
   invert_blocks(system.inverse);
-  system.grid_current = false;
+  system.grid_current = system.grid_failed = false;
   system.acceleration.forget();
 }
 
@@ -109,7 +114,10 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
   const Springs& springs = system.springs;
   const Real factor = system.spring_factor;
   const Apply a = [&](const Field& u, const Field& v) {
-    apply(system.op, system.combination, u, v);
+    if (system.other.apply)
+      system.other.apply(u, v);
+    else
+      apply(system.op, system.combination, u, v);
     apply_springs(springs, factor, u, v);
   };
   PcgOptions pcg = options.pcg;
@@ -118,8 +126,14 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
     Kokkos::deep_copy(system.load, b);
     add_spring_load(springs, factor, goal, system.load);
     pcg.reduction = reduction;
-    const Preconditioning m = choose(system);
+    Preconditioning m = choose(system);
     PcgReport done = solve_pcg(system.work, a, m, system.load, x, pcg);
+    if (m.grid && std::isnan(done.residual)) {  // not positive in single precision: do without it
+      system.grid_failed = true;
+      m.grid = nullptr;
+      Kokkos::deep_copy(x, 0.0);
+      done = solve_pcg(system.work, a, m, system.load, x, pcg);
+    }
     if (!m.grid && system.combination.stiffness != 0)
       system.slow = system.slow || done.iterations > many_iterations;
     report.preconditioner = m.grid ? Preconditioner::multigrid

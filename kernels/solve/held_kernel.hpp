@@ -11,9 +11,17 @@
 
 namespace rockfold::solve {
 
+/// What stands in place of αK + βM where that is not the whole matrix: dashpots, tangents of large deformation. Both are
+/// asked for the combination set last.
+struct OtherMatrix {
+  Apply apply;                                    ///< y = A x
+  std::function<void(const Blocks& d)> diagonal;  ///< its diagonal blocks
+};
+
 /// αK + βM + γ NᵀkN with its preconditioner.
 struct HeldSystem {
   Operator op;
+  OtherMatrix other;   ///< empty: αK + βM of `op`
   Springs springs;     ///< of the merged points
   PointShares shares;  ///< of the points given in them
   PcgWork work;
@@ -24,6 +32,7 @@ struct HeldSystem {
   Preconditioner preconditioner = Preconditioner::automatic;
   Multigrid grid;             ///< without levels where it is not wanted
   bool grid_current = false;  ///< its values are those of the present combination
+  bool grid_failed = false;   ///< it broke down with them
   bool slow = false;          ///< the diagonal blocks alone have taken many iterations
   Field load;                 ///< b with the springs' part
   /// What the multipliers' iteration has learned; it stays true from step to step. As deep as pays: each outer iteration costs

@@ -10,7 +10,7 @@ namespace rockfold::solve {
 namespace {
 
 using RoundedWeights = std::vector<std::pair<Index, long long>>;
-using Key = std::tuple<RoundedWeights, std::array<std::uint8_t, 3>, Vec3, std::uint8_t>;
+using Key = std::tuple<RoundedWeights, std::array<std::uint8_t, 3>, Vec3, std::uint8_t, Index>;
 
 Key key_of(const FixedPoints& given, std::size_t n) {
   RoundedWeights weights;
@@ -19,7 +19,8 @@ Key key_of(const FixedPoints& given, std::size_t n) {
     if (rounded != 0) weights.emplace_back(given.points.unknown[i], rounded);
   }
   std::sort(weights.begin(), weights.end());
-  return {weights, given.component[n], given.value[n], given.augmented[n]};
+  return {weights, given.component[n], given.value[n], given.augmented[n],
+          given.table.empty() ? none : given.table[n]};
 }
 
 void append(FixedPoints& to, const FixedPoints& from, std::size_t n) {

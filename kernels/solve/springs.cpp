@@ -3,48 +3,11 @@
 namespace rockfold::solve {
 namespace {
 
-/// Inverts points → unknowns: unknowns ascending, entries of an unknown ascending.
-void build_rows(const MaterialPoints& points, Index unknowns, Springs& springs) {
-  std::vector<Index> begin(static_cast<std::size_t>(unknowns) + 1, 0);
-  for (const Index p : points.unknown) ++begin[p + 1];
-  std::vector<Index> row, row_begin{0};
-  for (Index p = 0; p < unknowns; ++p) {
-    if (begin[p + 1] > 0) {
-      row.push_back(p);
-      row_begin.push_back(row_begin.back() + begin[p + 1]);
-    }
-    begin[p + 1] += begin[p];
-  }
-  std::vector<Index> entry(points.unknown.size()), point(points.unknown.size());
-  for (std::size_t n = 0; n < points.size(); ++n)
-    for (Index i = points.begin[n]; i < points.begin[n + 1]; ++i) {
-      entry[begin[points.unknown[i]]++] = i;
-      point[i] = static_cast<Index>(n);
-    }
-  springs.entry_point = device::to_device("solve::spring_entry_point", point);
-  springs.row = device::to_device("solve::spring_row", row);
-  springs.row_begin = device::to_device("solve::spring_row_begin", row_begin);
-  springs.row_entry = device::to_device("solve::spring_row_entry", entry);
-}
-
 Index points_of(const Springs& springs) {
   return springs.points.count;
 }
 
 }  // namespace
-
-DevicePoints upload(const MaterialPoints& points) {
-  return {static_cast<Index>(points.size()), device::to_device("solve::point_begin", points.begin),
-          device::to_device("solve::point_unknown", points.unknown),
-          device::to_device("solve::point_weight", points.weight)};
-}
-
-void interpolate(const DevicePoints& points, const Field& x, const Field& value) {
-  device::for_each(
-      "rockfold::solve::interpolate", points.count, KOKKOS_LAMBDA(const Index n) {
-        for (int d = 0; d < 3; ++d) value(n, d) = interpolate_one(points, n, d, x);
-      });
-}
 
 Springs build_springs(const FixedPoints& fixed, Index unknowns) {
   const std::size_t count = fixed.points.size();
@@ -56,7 +19,7 @@ Springs build_springs(const FixedPoints& fixed, Index unknowns) {
       augmented[i][d] = fixed.component[i][d] && fixed.augmented[i];
     }
   Springs springs;
-  springs.points = upload(fixed.points);
+  static_cast<PointRows&>(springs) = make_point_rows(fixed.points, unknowns);
   springs.given_stiffness = device::make_field("solve::given_stiffness", n);
   springs.stiffness = device::make_field("solve::stiffness", n);
   springs.augmented = device::make_field("solve::augmented", n);
@@ -68,21 +31,7 @@ Springs build_springs(const FixedPoints& fixed, Index unknowns) {
   device::copy_to_device(stiffness, springs.stiffness);
   device::copy_to_device(augmented, springs.augmented);
   device::copy_to_device(fixed.value, springs.target);
-  build_rows(fixed.points, unknowns, springs);
   return springs;
-}
-
-void scatter(const Springs& springs, Real scale, const Field& value, const Field& y) {
-  const auto row = springs.row, begin = springs.row_begin, entry = springs.row_entry;
-  const auto weight = springs.points.weight;
-  const auto point = springs.entry_point;
-  device::for_each(
-      "rockfold::solve::scatter", static_cast<Index>(row.extent(0)), KOKKOS_LAMBDA(const Index t) {
-        Real sum[3] = {0, 0, 0};
-        for (Index i = begin(t); i < begin(t + 1); ++i)
-          for (int d = 0; d < 3; ++d) sum[d] += weight(entry(i)) * value(point(entry(i)), d);
-        for (int d = 0; d < 3; ++d) y(row(t), d) += scale * sum[d];
-      });
 }
 
 void apply_springs(const Springs& springs, Real factor, const Field& x, const Field& y) {

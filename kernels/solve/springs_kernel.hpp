@@ -8,31 +8,11 @@
 #include "kernels/device/device_kernel.hpp"
 #include "kernels/device/sums_kernel.hpp"
 #include "kernels/solve/operator_kernel.hpp"
+#include "kernels/solve/point_rows_kernel.hpp"
 
 namespace rockfold::solve {
 
-/// Material points on the device.
-struct DevicePoints {
-  Index count = 0;
-  Array<Index> begin;    ///< [N+1]
-  Array<Index> unknown;  ///< see MaterialPoints
-  Array<Real> weight;
-};
-DevicePoints upload(const MaterialPoints& points);
-
-/// value(n, d) = Σ weight · x.
-void interpolate(const DevicePoints& points, const Field& x, const Field& value);
-
-KOKKOS_INLINE_FUNCTION Real interpolate_one(const DevicePoints& points, Index n, int d,
-                                            const Field& x) {
-  Real sum = 0;
-  for (Index i = points.begin(n); i < points.begin(n + 1); ++i)
-    sum += points.weight(i) * x(points.unknown(i), d);
-  return sum;
-}
-
-struct Springs {
-  DevicePoints points;
+struct Springs : PointRows {
   Field given_stiffness;  ///< (n, d) N/m as the model asks, 0 where a component is free
   Field
       stiffness;  ///< (n, d) N/m in use: raised for augmented points in stiff or heavy surroundings
@@ -41,20 +21,9 @@ struct Springs {
   Field target;       ///< (n, d) m, prescribed displacement
   Field force;        ///< (n, d) work space
   Array<Real> share;  ///< work space, one for each entry of `points`
-
-  // The transpose: which points act on an unknown, so that each is written by one thread.
-  Array<Index> row;          ///< [T] unknowns touched, ascending
-  Array<Index> row_begin;    ///< [T+1]
-  Array<Index> row_entry;    ///< into points.unknown
-  Array<Index> entry_point;  ///< the point of each entry
-
-  bool any() const { return points.count > 0; }
 };
 
 Springs build_springs(const FixedPoints& fixed, Index unknowns);
-
-/// y += scale · Nᵀ value.
-void scatter(const Springs& springs, Real scale, const Field& value, const Field& y);
 
 /// y += factor · Nᵀ k N x.
 void apply_springs(const Springs& springs, Real factor, const Field& x, const Field& y);

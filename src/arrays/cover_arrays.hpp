@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/arrays/lattice.hpp"
+#include "src/arrays/time_table.hpp"
 #include "src/base/types.hpp"
 
 namespace rockfold {
@@ -66,6 +67,8 @@ struct CoverArrays {
   Index unknown_count() const { return functions() * cover_count(); }
   int nodes_per_cell() const { return cell_split(lattice.kind).node_count(); }
   int parts_per_cell() const { return cell_split(lattice.kind).part_count(); }
+  /// Parts before this one are of the first of two overlaid splits; all, if there is one split.
+  int first_split_parts() const { return cell_split(lattice.kind).first_split_parts(); }
   int nodes_per_part() const { return cell_split(lattice.kind).nodes_per_part(); }
   Index element_count() const { return parts_per_cell() * regular_count() + cut_count(); }
   Index piece_count() const { return static_cast<Index>(piece_block.size()); }
@@ -83,13 +86,24 @@ struct MaterialPoints {
   std::size_t size() const { return element.size(); }
 };
 
-/// Points whose displacement is prescribed, in some components (essential boundary conditions).
+/// How the displacement of a fixed point is enforced.
+enum class Enforce : std::uint8_t {
+  penalty,    ///< a spring
+  augmented,  ///< a spring and a multiplier; a time step may leave a gap to the next one
+  exact       ///< likewise, but no gap is left beyond the solver's tolerance
+};
+
+/// Displacements that are prescribed, in some components (essential boundary conditions). Each is that of a row of `points`: the
+/// displacement of one point, a mean over several, or a moment of them (weights that sum to zero: how a face deforms; its value is 0).
 struct FixedPoints {
-  MaterialPoints points;                               ///< [N]
+  MaterialPoints points;  ///< [N] `element` and `local`: one point of the row
   std::vector<std::array<std::uint8_t, 3>> component;  ///< [N] 1 = fixed
-  std::vector<Vec3> value;                             ///< [N] m
+  std::vector<Vec3> value;                             ///< [N] m; at points with a table: unused
+  std::vector<Index> table;  ///< [N] into `tables`, or none (or all empty): the value is constant
+  std::vector<Index> condition;  ///< [N] into Model::fixed; may be empty
   std::vector<Real> stiffness;  ///< [N] N/m penalty of the point (its share of the area times Pa/m)
-  std::vector<std::uint8_t> augmented;  ///< [N] 1 = augmented Lagrangian, 0 = penalty alone
+  std::vector<std::uint8_t> augmented;  ///< [N] an Enforce
+  std::vector<TimeTable> tables;        ///< m over s
 };
 
 }  // namespace rockfold

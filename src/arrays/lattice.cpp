@@ -129,6 +129,12 @@ CellSplit overlaid() {
 
 }  // namespace
 
+const char* lattice_name(LatticeKind kind) {
+  constexpr const char* names[] = {"tet5",  "tet5 mixed", "tet6", "tet6_kuhn",
+                                   "tet24", "hex8",       "block"};
+  return names[static_cast<int>(kind)];
+}
+
 const CellSplit& cell_split(LatticeKind kind, bool odd) {
   static const CellSplit five_even = tetrahedra(corners(), five(false));
   static const CellSplit five_odd = tetrahedra(corners(), five(true));

@@ -20,6 +20,9 @@ enum class LatticeKind : std::uint8_t {
   block  ///< one cell, one part and one node for each block (the limit that is DDA)
 };
 
+/// "tet5", "tet5 mixed", "tet6", …
+const char* lattice_name(LatticeKind kind);
+
 /// A node of a lattice cell: its place in half edges (0, 1, 2) from the cell's lower corner.
 using HalfSteps = std::array<std::int8_t, 3>;
 
@@ -41,6 +44,8 @@ struct CellSplit {
   int node_count() const { return static_cast<int>(node.size()); }
   int part_count() const { return static_cast<int>(part.size()); }
   int nodes_per_part() const { return part.front().nodes; }
+  /// Parts of the first of the overlaid splits; all, if there is one.
+  int first_split_parts() const { return share < 1 ? part_count() / 2 : part_count(); }
 };
 
 /// The split of a lattice cell. `odd`: which of the two forms of tet5; others have one.

@@ -1,4 +1,5 @@
 #include "src/base/vector.hpp"
+#include "src/report/names.hpp"
 #include "src/report/document_parts.hpp"
 
 namespace rockfold {
@@ -13,7 +14,7 @@ Json run_totals_json(const RunReport& report) {
           {"elements", covers.element_count()},
           {"element_vertices", covers.element_vertices},
           {"element_faces", covers.element_faces},
-          {"dof", 3 * std::int64_t{covers.cover_count()}},
+          {"dof", 3 * std::int64_t{covers.unknown_count()}},
           {"steps", report.run.steps},
           {"time", report.run.time},
           {"interrupted", report.run.interrupted},
@@ -75,7 +76,8 @@ Json run_document(const DocumentHead& head, const RunReport& report) {
   if (report.keyblocks)
     add_support(document["support"] = Json::object(), report.blocks, *report.keyblocks);
   document["iterations"] = {{"pcg", report.run.iterations.pcg},
-                            {"open_close", report.run.iterations.open_close}};
+                            {"open_close", report.run.iterations.open_close},
+                            {"preconditioner", preconditioner_name(report.run.preconditioner)}};
   return document;
 }
 

@@ -1,3 +1,4 @@
+#include "src/report/names.hpp"
 #include "src/report/summary.hpp"
 
 #include <algorithm>
@@ -23,6 +24,16 @@ std::string point_text(const Vec3& x) {
 
 Index count_true(const std::vector<std::uint8_t>& flags) {
   return static_cast<Index>(std::count(flags.begin(), flags.end(), std::uint8_t{1}));
+}
+
+std::string cover_text(const CoverSpec& cover) {
+  const Vec3& h = cover.spacing;
+  std::string text = fmt::format("{}, order {}", lattice_name(cover.lattice), cover.order);
+  if (h[0] != h[1] || h[1] != h[2])
+    text += fmt::format(", spacing {:g}, {:g}, {:g} m", h[0], h[1], h[2]);
+  else if (h[0] > 0)
+    text += fmt::format(", spacing {:g} m", h[0]);
+  return text;
 }
 
 std::string counted(std::size_t n, const std::string& one, const std::string& many) {
@@ -116,7 +127,7 @@ std::string check_summary(const Model& model) {
   if (!model.merges.empty())
     text += fact("merges", counted(model.merges.size(), "region", "regions"));
   if (!model.excavations.empty()) text += fact("excavations", excavations_text(model));
-  if (model.cover) text += fact("covers", fmt::format("spacing {:g} m", model.cover->spacing));
+  if (model.cover) text += fact("covers", cover_text(*model.cover));
   if (model.analysis)
     text += fact("analysis", fmt::format("{}, {}", analysis_name(model.analysis->type),
                                          counted(model.analysis->steps, "step", "steps")));
@@ -185,8 +196,9 @@ std::string run_summary(const RunReport& report) {
       "covers", fmt::format("{} of {} elements, {} unknowns", grouped(report.covers.cover_count()),
                             grouped(report.covers.element_count()),
                             grouped(3 * std::int64_t{report.covers.cover_count()})));
-  text += fact("steps", fmt::format("{} to t = {:.6g} s, {} solver iterations", grouped(run.steps),
-                                    run.time, grouped(run.iterations.pcg)));
+  text += fact("steps", fmt::format("{} to t = {:.6g} s, {} solver iterations ({})",
+                                    grouped(run.steps), run.time, grouped(run.iterations.pcg),
+                                    preconditioner_name(run.preconditioner)));
   const LargestDisplacement& largest = run.largest_displacement;
   if (largest.block != none)
     text += fact("largest displacement", fmt::format("{:.4g} m, in block {} at {}", largest.length,

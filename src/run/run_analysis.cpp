@@ -34,13 +34,18 @@ MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
   const Analysis& analysis = *input.model.analysis;
   MotionSetup setup{input.covers, moments, materials, input.fixed};
   setup.gravity = input.model.gravity;
-  setup.loaded = input.loads;
-  for (const PointLoad& load : input.model.point_loads) setup.forces.push_back(load.force);
+  setup.loads = input.loads;
   setup.beta = analysis.newmark_beta;
   setup.gamma = analysis.newmark_gamma;
+  setup.damping = {analysis.rayleigh_alpha, analysis.rayleigh_beta};
+  setup.quiet = input.quiet;
+  setup.initial_stress = input.model.initial_stress;
+  if (input.model.base_acceleration)
+    setup.base_acceleration = input.model.base_acceleration->table;
   setup.dynamic_ratio = analysis.type == AnalysisType::quasi_static ? 0 : analysis.dynamic_ratio;
   setup.solver.tolerance = input.model.solver.tolerance;
   setup.solver.max_iterations = input.model.solver.max_iterations;
+  setup.preconditioner = input.model.solver.preconditioner;
   return setup;
 }
 
@@ -105,6 +110,7 @@ class Run {
 /// Counts a solve; where it failed, goes back to the last good state, stores it and throws.
 void Run::accept(const SolveReport& report, Index step, Real time) {
   result_.iterations.pcg += report.iterations;
+  result_.preconditioner = report.preconditioner;
   result_.support_gap = report.gap;
   if (report.converged) return;
   if (step > 0) {
