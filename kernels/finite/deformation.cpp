@@ -3,6 +3,7 @@
 #include "kernels/device/sums_kernel.hpp"
 #include "kernels/finite/deformation_kernel.hpp"
 #include "kernels/finite/strain_kernel.hpp"
+#include "kernels/solve/assemble_kernel.hpp"
 #include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
 
@@ -288,12 +289,13 @@ KOKKOS_INLINE_FUNCTION PointStiffness stiffness_at(const Deformation& body, cons
 void assemble_tangent(const Deformation& body, const ForceRule& rule,
                       const solve::DeviceBlocks& block) {
   device::for_each(
-      "rockfold::finite::tangent", static_cast<Index>(block.row.extent(0)),
-      KOKKOS_LAMBDA(const Index slot) {
-        if (block.row(slot) == none) return;
-        solve::clear_stiffness(block, slot);
-        const Index p = block.row(slot) % body.covers;
-        const int k = static_cast<int>(block.row(slot) / body.covers);
+      "rockfold::finite::tangent", block.slots() * body.functions,
+      KOKKOS_LAMBDA(const Index row_id) {
+        const int k = row_id % body.functions;
+        const solve::RowSink sink(block, row_id / body.functions, k);
+        const Index p = sink.cover();
+        if (p == none) return;
+        sink.clear_stiffness();
         for (Index s = body.begin(p); s < body.begin(p + 1); ++s) {
           const Index e = static_cast<Index>(body.entry(s) / body.nodes);
           const int i = static_cast<int>(body.entry(s) % body.nodes) * body.functions + k;
@@ -306,11 +308,10 @@ void assemble_tangent(const Deformation& body, const ForceRule& rule,
             for (int j = 0; j < body.width(); ++j)
               add_point_stiffness(at, g + 3 * i, g + 3 * j, row + 9 * j);
           }
-          for (int j = 0; j < body.width(); ++j) {
-            const Index cover =
-                body.cover(static_cast<std::size_t>(e) * body.nodes + j / body.functions);
-            solve::add_stiffness_entry(block, slot, j % body.functions * body.covers + cover,
-                                       row + 9 * j);
+          for (int b = 0; b < body.nodes; ++b) {
+            const Index at = sink.find(body.cover(static_cast<std::size_t>(e) * body.nodes + b));
+            for (int l = 0; l < body.functions; ++l)
+              sink.add(at, l, row + 9 * (b * body.functions + l), 9);
           }
         }
       });

@@ -80,11 +80,11 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
        (preconditioner == Preconditioner::automatic && op.covers >= least_for_multigrid)))
     system.grid = make_multigrid(covers);
   MergedPoints merged = merge_points(fixed);
-  system.springs = build_springs(merged.fixed, op.covers);
+  system.springs = build_springs(merged.fixed, op.unknowns);
   system.shares = std::move(merged.shares);
-  system.work = make_pcg_work(op.covers);
-  system.inverse = Blocks("rockfold::solve::inverse_diagonal", op.covers);
-  system.load = device::make_field("solve::load", op.covers);
+  system.work = make_pcg_work(op.unknowns);
+  system.inverse = Blocks("rockfold::solve::inverse_diagonal", op.unknowns);
+  system.load = device::make_field("solve::load", op.unknowns);
   system.op = std::move(op);
   return system;
 }
@@ -150,12 +150,20 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
   if (!augmented || !report.converged) return report;
 
   system.acceleration.begin_again();
+  bool fresh = false;  // whether what it knows is of this solve alone
   Real best = std::numeric_limits<Real>::infinity();
   for (int stalled = 0; report.converged;) {
     const Real gap = multiplier_change(springs, factor, x, goal, springs.force);
     report.gap = gap > 0 ? gap / std::max(largest_sum(x, base), largest_entry(goal)) : 0;
     stalled = gap < 0.5 * best ? 0 : stalled + 1;
     if (stalled == 0) best = gap;
+    // What was learned in earlier steps may have grown stale: every inner solve is inexact, and old pairs carry its noise on.
+    if (stalled == 2 && !fresh) {
+      system.acceleration.forget();
+      fresh = true;
+      stalled = 0;
+      best = gap;
+    }
     const bool close = report.gap <= options.gap_tolerance;
     if (close && report.residual <= pcg.tolerance) break;
     if (!close && (report.outer == options.max_outer || stalled == options.patience)) {

@@ -50,7 +50,8 @@ struct Frame {
     for (int d = 0; d < 3; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
   }
   Vec3 centre() const { return 0.5 * (low + high); }
-  Real size() const { return 0.5 * norm(high - low); }
+  /// A single block has but one node.
+  Real size() const { return norm(high - low) > 0 ? 0.5 * norm(high - low) : 1; }
 };
 
 /// Σ over fixed components of the outer product of what a rigid motion (t, ω·size) does to that component.

@@ -21,6 +21,7 @@ constexpr int most_iterations = 30;
 struct Balance {
   Real dt = 0;          ///< s; 0: equilibrium, without inertia
   bool middle = false;  ///< twice the mean of both ends
+  bool steered = false;  ///< augmented points go as supports.cpp says, not straight to their places
   Real load = 1;        ///< share of the loads and of the supports' way, in equilibrium
 };
 
@@ -88,12 +89,16 @@ Real find_residual(Motion::Data& m, const Balance& balance) {
 void aim(const Motion::Data& m, const Balance& balance) {
   const solve::Springs s = m.held.springs;
   const auto d = m.now.displacement, goal = m.goal, before = m.goal_before;
-  const bool middle = balance.middle;
+  const auto increment = m.increment, way = m.support_way;
+  const bool middle = balance.middle, steered = balance.steered;
   const Real share = balance.load;
   device::for_each(
       "rockfold::update::large_aim", s.points.count, KOKKOS_LAMBDA(const Index n) {
         for (int i = 0; i < 3; ++i) {
-          goal(n, i) = share * s.target(n, i) - solve::interpolate_one(s.points, n, i, d);
+          if (steered && s.augmented(n, i) > 0)
+            goal(n, i) = way(n, i) - solve::interpolate_one(s.points, n, i, increment);
+          else
+            goal(n, i) = share * s.target(n, i) - solve::interpolate_one(s.points, n, i, d);
           if (middle && !(s.augmented(n, i) > 0)) goal(n, i) += before(n, i);
         }
       });
@@ -234,7 +239,8 @@ void count_large_work(Motion::Data& m, const finite::ForceRule& rule, const Fiel
 SolveReport advance_large(Motion::Data& m, Real dt) {
   Balance balance;
   balance.dt = dt;
-  balance.middle = m.beta == 0.25 && m.gamma == 0.5 && m.dynamic_ratio > 0;
+  balance.steered = m.dynamic_ratio > 0;
+  balance.middle = m.beta == 0.25 && m.gamma == 0.5 && balance.steered;
   finite::ForceRule rule;
   rule.middle = balance.middle;
   rule.viscosity = m.damping.stiffness / dt;
@@ -246,6 +252,7 @@ SolveReport advance_large(Motion::Data& m, Real dt) {
   update::aim(m);
   Kokkos::deep_copy(m.goal_before, m.goal);
   m.large->begin_step(m.now.displacement, rule);
+  if (balance.steered) steer(m, dt);
   m.now.time += dt;
   set_time(m, m.now.time);
   predict(m, dt);

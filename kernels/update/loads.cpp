@@ -56,6 +56,17 @@ Array<Real> DeviceTables::slope_after(Real t) const {
   return flat(values);
 }
 
+Array<Real> DeviceTables::at_or_before(Real t, Real start) const {
+  if (t >= start) return at(t);
+  std::vector<Vec3> values;
+  for (const TimeTable& table : tables_) {
+    values.push_back(table.at(start));
+    const Vec3 slope = table.slope_after(start);
+    for (int d = 0; d < 3; ++d) values.back()[d] += (t - start) * slope[d];
+  }
+  return flat(values);
+}
+
 bool DeviceTables::moving_after(Real t) const {
   return std::any_of(tables_.begin(), tables_.end(),
                      [&](const TimeTable& table) { return table.slope_after(t) != Vec3{}; });

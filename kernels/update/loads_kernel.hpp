@@ -18,6 +18,8 @@ class DeviceTables {
   /// [tables][3] at t, or the slopes after t.
   Array<Real> at(Real t) const;
   Array<Real> slope_after(Real t) const;
+  /// At t; before `start` as if they had always moved as they do just after it.
+  Array<Real> at_or_before(Real t, Real start) const;
   /// Whether one of them moves just after t.
   bool moving_after(Real t) const;
 

@@ -98,6 +98,7 @@ void make_data(Motion::Data& m, const MotionSetup& setup) {
   m.right = device::make_field("update::right", m.unknowns);
   m.work = device::make_field("update::work", m.unknowns);
   m.goal = device::make_field("update::goal", fixed);
+  m.support_way = device::make_field("update::support_way", fixed);
   m.partial = device::allocate<Real>("update::partial",
                                      3 * device::chunk_count(std::max(m.unknowns, fixed)));
   m.sums = device::Array<Real>("rockfold::update::sums", 3);

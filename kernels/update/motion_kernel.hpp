@@ -1,6 +1,7 @@
 // What Motion keeps on the device.
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "kernels/solve/held_kernel.hpp"
@@ -50,7 +51,8 @@ struct Motion::Data {
   device::Field correction;  ///< of the prediction: what is solved for
   device::Field right;       ///< right-hand side
   device::Field work;
-  device::Field goal;  ///< of the fixed points, for the unknown being solved for
+  device::Field goal;         ///< of the fixed points, for the unknown being solved for
+  device::Field support_way;  ///< of the fixed points in the step
   device::Array<Real> partial, sums;
 
   Vec3 gravity{};
@@ -81,6 +83,16 @@ void set_time(Motion::Data& m, Real t);
 Real find_residual(Motion::Data& m, bool moving);
 /// goal = ū − N d: how far the fixed points still have to go.
 void aim(const Motion::Data& m);
+/// k of supports.cpp.
+std::array<Real, 3> steering(Real beta, Real gamma);
+/// Finds how far augmented points go in the step that begins (support_way), …
+void steer(const Motion::Data& m, Real dt);
+/// … and, once it is predicted, what is left of it: the goal of augmented points.
+void aim_steered(const Motion::Data& m);
+/// goal of the first acceleration: none at augmented points; others pull with what their springs are stretched by.
+void aim_acceleration(const Motion::Data& m);
+/// goal of the first velocity: that of their tables at augmented points with one, what they have at others.
+void aim_velocity(const Motion::Data& m);
 solve::HeldOptions solve_options(const Motion::Data& m, Real reference);
 
 SolveReport solve_initial_acceleration(Motion::Data& m, Real dt);

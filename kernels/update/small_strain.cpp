@@ -36,7 +36,7 @@ class SmallStrain : public Deformation {
   SmallStrain(const MotionSetup& setup, const solve::HeldSystem& held)
       : op_(held.op),
         sums_(held.work),
-        elements_(make_element_table(setup.covers, setup.materials)),
+        elements_(solve::make_element_table(setup.covers, setup.moments, setup.materials)),
         before_(make_stress_before(setup)),
         work_(device::make_field("update::small_strain", setup.covers.unknown_count())) {
     if (!before_.any()) return;
@@ -74,7 +74,7 @@ class SmallStrain : public Deformation {
   }
 
   void element_stress(const Field& d, const Array<Real>& stress) const override {
-    const ElementTable table = elements_;
+    const solve::ElementTable table = elements_;
     const StressBefore before = before_;
     const bool any = before.any();
     device::for_each(
@@ -86,23 +86,25 @@ class SmallStrain : public Deformation {
   }
 
   void point_stress(const Field& d, const TrackedPoints::Data& at) const override {
-    const ElementTable table = elements_;
+    const solve::ElementTable table = elements_;
     const StressBefore before = before_;
     const bool any = before.any();
     const auto element = at.element;
-    const auto local_z = at.local_z, stress = at.stress;
+    const auto local = at.local;
+    const auto stress = at.stress;
     device::for_each(
         "rockfold::update::point_stress", at.points.count, KOKKOS_LAMBDA(const Index n) {
           Real* s = &stress(6 * static_cast<std::size_t>(n));
-          stress_of_element(table, d, element(n), s);
-          if (any) add_stress_before(before, before.cell_z(element(n)) + local_z(n), s);
+          const Real x[3] = {local(n, 0), local(n, 1), local(n, 2)};
+          stress_at(table, d, element(n), x, s);
+          if (any) add_stress_before(before, before.cell_z(element(n)) + x[2], s);
         });
   }
 
  private:
   solve::Operator op_;  // the same arrays as the system's
   solve::PcgWork sums_;
-  ElementTable elements_;
+  solve::ElementTable elements_;
   StressBefore before_;
   Field initial_;  // f0
   Field work_;

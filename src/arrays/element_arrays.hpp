@@ -17,11 +17,13 @@ struct ElasticMaterial {
 };
 
 /// Integrals over each convex piece, about the centre of its lattice cell.
-/// Example: a cube of side 2 centred there: volume 8, first {0,0,0}, second {8/3,8/3,8/3,0,0,0}.
+/// Example: a cube of side 2 centred there: volume 8, first {0,0,0}; in a lattice of edges 4, local[4] = ∫ η_0² dV = 1/6.
 struct PieceMoments {
-  std::vector<Real> volume;                 ///< [Q] ∫dV, m³
-  std::vector<Vec3> first;                  ///< [Q] ∫x_i dV, m⁴
-  std::vector<std::array<Real, 6>> second;  ///< [Q] ∫x_i x_j dV for xx yy zz xy yz zx, m⁵
+  std::vector<Real> volume;  ///< [Q] ∫dV, m³
+  std::vector<Vec3> first;   ///< [Q] ∫x_i dV, m⁴
+  int degree = 0;            ///< of `local`
+  /// [Q][(degree+1)(degree+2)(degree+3)/6] ∫ η^m dV, m³; η in units of the cell's edges, monomials as monomial_index has them
+  std::vector<Real> local;
 };
 
 /// What speeds conjugate gradients up. `automatic` chooses by size: see docs/user_guide.md, [solver].

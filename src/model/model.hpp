@@ -41,7 +41,7 @@ struct Material {
   Real density = 0;        ///< kg/m³, > 0; 0 = not given
   Real young_modulus = 0;  ///< Pa, > 0; 0 = neither it nor poisson_ratio is given
   Real poisson_ratio = 0;  ///< (−1, 0.5)
-  std::variant<std::monostate, MohrCoulombStrength, HoekBrownStrength> strength;
+  std::variant<std::monostate, MohrCoulombStrength, HoekBrownStrength> strength = {};
   Place place = {};  ///< where the model defines it, for messages of later stages
 };
 
@@ -407,6 +407,9 @@ struct Analysis {
                                                ///< height, if limited
   /// As given; none: large for dynamic and quasi_static, small for static.
   std::optional<Kinematics> kinematics;
+  bool large() const {
+    return kinematics ? *kinematics == Kinematics::large : type != AnalysisType::static_;
+  }
   Real newmark_beta = 0.25;  ///< > 0
   Real newmark_gamma = 0.5;  ///< ≥ 0
   Real rayleigh_alpha = 0;   ///< 1/s, ≥ 0: damping α M …

@@ -77,8 +77,7 @@ void read_newmark(TableReader& in, Analysis& analysis) {
   if (!value) return;
   TableReader newmark(*value, in.path_of("newmark"), in.out());
   newmark.read("beta", analysis.newmark_beta,
-               positive("0 would be the explicit scheme, which is not offered"),
-               Need::optional);
+               positive("0 would be the explicit scheme, which is not offered"), Need::optional);
   newmark.read("gamma", analysis.newmark_gamma, not_negative(""), Need::optional);
 }
 
@@ -96,8 +95,8 @@ void read_ratio_at_frequencies(TableReader& rayleigh, Analysis& analysis) {
   const bool known = rayleigh.read("damping_ratio", ratio, share);
   const auto* value = rayleigh.find("frequencies", "two frequencies (Hz)");
   if (!value) return;
-  const auto* list = array_from(*value, rayleigh.path_of("frequencies"), 2, "2 frequencies (Hz)",
-                                rayleigh.out());
+  const auto* list =
+      array_from(*value, rayleigh.path_of("frequencies"), 2, "2 frequencies (Hz)", rayleigh.out());
   if (!list) return;
   if (list->size() > 2) {
     rayleigh.wrong("frequencies", "found " + std::to_string(list->size()) + ", must be 2 (Hz)");

@@ -17,7 +17,7 @@ struct RunInput {
   const CoverArrays& covers;
   const BlockArrays& blocks;
   const FixedPoints& fixed;
-  const MaterialPoints& monitors;        ///< one for each of Model::monitors, all in the rock
+  const MaterialPoints& monitors;  ///< one for each of Model::monitors, all in the rock
   const LoadPoints& loads;
   const QuietPoints& quiet;
   const MaterialPoints& block_vertices;  ///< in the order of BlockArrays::vertex
