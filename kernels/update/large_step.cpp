@@ -191,6 +191,7 @@ SolveReport balance_forces(Motion::Data& m, const Balance& balance) {
         solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how);
     total.iterations += report.iterations;
     total.outer += report.outer;
+    total.preconditioner = report.preconditioner;
     if (!report.converged) {
       m.large->soften();
       set_matrix(m, m.held.combination, m.dashpot_factor, 1, false);
@@ -302,6 +303,7 @@ SolveReport solve_equilibrium_large(Motion::Data& m) {
     const SolveReport report = balance_forces(m, balance);
     total.iterations += report.iterations;
     total.outer += report.outer;
+    total.preconditioner = report.preconditioner;
     total.residual = report.residual;
     total.gap = report.gap;
     total.converged = report.converged;
