@@ -57,6 +57,7 @@ HeldSystem make_held_system(Operator op, const FixedPoints& fixed) {
   system.work = make_pcg_work(op.unknowns);
   system.inverse = Blocks("rockfold::solve::inverse_diagonal", op.unknowns);
   system.load = device::make_field("solve::load", op.unknowns);
+  if (op.functions > 1) system.cover_blocks = make_cover_blocks(op);
   system.op = std::move(op);
   return system;
 }
@@ -71,6 +72,8 @@ void set_combination(HeldSystem& system, const Combination& c, Real spring_facto
   if (stiffen) stiffen_springs(system.springs, spring_factor, system.inverse);
   add_spring_diagonal(system.springs, spring_factor, system.inverse);
   invert_blocks(system.inverse);
+  if (system.op.functions > 1)
+    set_values(system.cover_blocks, system.op, system.springs, c, spring_factor);
   system.acceleration.forget();
 }
 
@@ -85,13 +88,15 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
       apply(system.op, system.combination, u, v);
     apply_springs(springs, factor, u, v);
   };
+  const Preconditioning preconditioning{system.inverse,
+                                        system.op.functions > 1 ? &system.cover_blocks : nullptr};
   PcgOptions pcg = options.pcg;
   SolveReport report;
   auto solve = [&](Real reduction) {
     Kokkos::deep_copy(system.load, b);
     add_spring_load(springs, factor, goal, system.load);
     pcg.reduction = reduction;
-    const PcgReport done = solve_pcg(system.work, a, system.inverse, system.load, x, pcg);
+    const PcgReport done = solve_pcg(system.work, a, preconditioning, system.load, x, pcg);
     pcg.reference = done.reference;  // one measure for all solves
     report.iterations += done.iterations;
     report.residual = done.residual;

@@ -27,8 +27,9 @@ struct HeldSystem {
   PcgWork work;
   Combination combination;
   Real spring_factor = 1;
-  Blocks inverse;  ///< inverted diagonal blocks
-  Field load;      ///< b with the springs' part
+  Blocks inverse;            ///< inverted diagonal blocks
+  CoverBlocks cover_blocks;  ///< of covers with more functions than one
+  Field load;                ///< b with the springs' part
   /// What the multipliers' iteration has learned; it stays true from step to step. As deep as pays: each outer iteration costs
   /// some ten applications, a pair costs two vectors of the fixed points.
   Anderson acceleration{40};

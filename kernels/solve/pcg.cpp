@@ -32,10 +32,8 @@ void fetch_scalars(const PcgWork& work) {
   Kokkos::deep_copy(work.host_scalar, work.scalar);
 }
 
-/// r = b − A x, z = D⁻¹ r, p = z; returns ‖r‖.
-Real start(const PcgWork& work, const Apply& a, const Blocks& inverse, const Field& b,
-           const Field& x) {
-  a(x, work.q);
+/// With the diagonal blocks: r = b − A x, z = D⁻¹ r, p = z.
+void start_blocks(const PcgWork& work, const Blocks& inverse, const Field& b) {
   const PcgWork w = work;
   device::sum_then<2>(
       "rockfold::solve::pcg_start", rows(w), w.partial,
@@ -54,8 +52,6 @@ Real start(const PcgWork& work, const Apply& a, const Blocks& inverse, const Fie
         w.scalar(squared_residual) = sum.value[0];
         w.scalar(residual_energy) = sum.value[1];
       });
-  fetch_scalars(work);
-  return std::sqrt(work.host_scalar(squared_residual));
 }
 
 /// α = r·z / p·q.
@@ -66,12 +62,12 @@ void find_step(const PcgWork& work) {
       KOKKOS_LAMBDA(const Index i, Sums<1>& sum) { sum.value[0] += dot_row(w.p, w.q, i); },
       KOKKOS_LAMBDA(const Sums<1>& sum) {
         w.scalar(direction_energy) = sum.value[0];
-        w.scalar(alpha) = w.scalar(residual_energy) / sum.value[0];
+        w.scalar(alpha) = sum.value[0] > 0 ? w.scalar(residual_energy) / sum.value[0] : 0;
       });
 }
 
-/// x += α p, r −= α q, z = D⁻¹ r, β = new r·z / old r·z.
-void take_step(const PcgWork& work, const Blocks& inverse, const Field& x) {
+/// With the diagonal blocks: x += α p, r −= α q, z = D⁻¹ r, β = new r·z / old r·z.
+void take_step_blocks(const PcgWork& work, const Blocks& inverse, const Field& x) {
   const PcgWork w = work;
   device::sum_then<2>(
       "rockfold::solve::pcg_update", rows(w), w.partial,
@@ -97,6 +93,63 @@ void take_step(const PcgWork& work, const Blocks& inverse, const Field& x) {
       });
 }
 
+/// start_blocks with the blocks of whole covers.
+void start_covers(const PcgWork& work, const CoverBlocks& blocks, const Field& b) {
+  const PcgWork w = work;
+  const CoverBlocks m = blocks;
+  device::sum_then<2>(
+      "rockfold::solve::pcg_start_covers", m.covers, w.partial,
+      KOKKOS_LAMBDA(const Index i, Sums<2>& sum) {
+        Real r[most_block_width], z[most_block_width];
+        for (int e = 0; e < m.width(); ++e) {
+          const Index u = e / 3 * m.covers + i;
+          r[e] = b(u, e % 3) - w.q(u, e % 3);
+        }
+        precondition_cover(m, i, r, z);
+        for (int e = 0; e < m.width(); ++e) {
+          const Index u = e / 3 * m.covers + i;
+          w.r(u, e % 3) = r[e];
+          w.p(u, e % 3) = z[e];
+          sum.value[0] += r[e] * r[e];
+          sum.value[1] += r[e] * z[e];
+        }
+      },
+      KOKKOS_LAMBDA(const Sums<2>& sum) {
+        w.scalar(squared_residual) = sum.value[0];
+        w.scalar(residual_energy) = sum.value[1];
+      });
+}
+
+/// take_step_blocks with the blocks of whole covers.
+void take_step_covers(const PcgWork& work, const CoverBlocks& blocks, const Field& x) {
+  const PcgWork w = work;
+  const CoverBlocks m = blocks;
+  device::sum_then<2>(
+      "rockfold::solve::pcg_update_covers", m.covers, w.partial,
+      KOKKOS_LAMBDA(const Index i, Sums<2>& sum) {
+        const Real step = w.scalar(alpha);
+        Real r[most_block_width], z[most_block_width];
+        for (int e = 0; e < m.width(); ++e) {
+          const Index u = e / 3 * m.covers + i;
+          x(u, e % 3) += step * w.p(u, e % 3);
+          r[e] = w.r(u, e % 3) - step * w.q(u, e % 3);
+        }
+        precondition_cover(m, i, r, z);
+        for (int e = 0; e < m.width(); ++e) {
+          const Index u = e / 3 * m.covers + i;
+          w.r(u, e % 3) = r[e];
+          w.z(u, e % 3) = z[e];
+          sum.value[0] += r[e] * r[e];
+          sum.value[1] += r[e] * z[e];
+        }
+      },
+      KOKKOS_LAMBDA(const Sums<2>& sum) {
+        w.scalar(beta) = sum.value[1] / w.scalar(residual_energy);
+        w.scalar(residual_energy) = sum.value[1];
+        w.scalar(squared_residual) = sum.value[0];
+      });
+}
+
 /// p = z + β p.
 void turn(const PcgWork& work) {
   const PcgWork w = work;
@@ -107,19 +160,34 @@ void turn(const PcgWork& work) {
       });
 }
 
-/// Iterates until the recurrence's residual is at most `target`. Returns that residual; NaN where A or b are not fit.
-Real iterate(const PcgWork& work, const Apply& a, const Blocks& inverse, const Field& x,
+/// r = b − A x, p = B r; returns ‖r‖.
+Real start(const PcgWork& work, const Apply& a, const Preconditioning& m, const Field& b,
+           const Field& x) {
+  a(x, work.q);
+  if (m.covers)
+    start_covers(work, *m.covers, b);
+  else
+    start_blocks(work, m.inverse, b);
+  fetch_scalars(work);
+  return std::sqrt(work.host_scalar(squared_residual));
+}
+
+/// Iterates until the recurrence's residual is at most `target`, or a direction has no energy. Returns that residual; NaN where A or b are not fit.
+Real iterate(const PcgWork& work, const Apply& a, const Preconditioning& m, const Field& x,
              Real target, Index max_iterations, Index& iterations) {
   while (iterations < max_iterations) {
     a(work.p, work.q);
     find_step(work);
-    take_step(work, inverse, x);
+    if (m.covers)
+      take_step_covers(work, *m.covers, x);
+    else
+      take_step_blocks(work, m.inverse, x);
     fetch_scalars(work);
     ++iterations;
     const Real residual = std::sqrt(work.host_scalar(squared_residual));
-    // A direction without energy: A is singular there (or not positive), or numbers have left their range.
-    if (!(work.host_scalar(direction_energy) > 0) || !std::isfinite(residual))
-      return std::numeric_limits<Real>::quiet_NaN();
+    if (!std::isfinite(residual)) return std::numeric_limits<Real>::quiet_NaN();
+    // A direction without energy: rounding where A is singular or nearly so (no step was taken), or A is not positive.
+    if (!(work.host_scalar(direction_energy) > 0)) return residual;
     if (residual <= target) return residual;
     turn(work);
   }
@@ -150,8 +218,8 @@ Real dot(const PcgWork& work, const Field& x, const Field& y) {
   return work.host_scalar(result);
 }
 
-PcgReport solve_pcg(const PcgWork& work, const Apply& a, const Blocks& inverse, const Field& b,
-                    const Field& x, const PcgOptions& options) {
+PcgReport solve_pcg(const PcgWork& work, const Apply& a, const Preconditioning& preconditioning,
+                    const Field& b, const Field& x, const PcgOptions& options) {
   PcgReport report;
   report.reference = std::max(std::sqrt(dot(work, b, b)), options.reference);
   if (report.reference == 0) {  // nothing pulls: the answer is rest
@@ -159,7 +227,7 @@ PcgReport solve_pcg(const PcgWork& work, const Apply& a, const Blocks& inverse, 
     report.converged = true;
     return report;
   }
-  Real residual = start(work, a, inverse, b, x);
+  Real residual = start(work, a, preconditioning, b, x);
   // Below the rounding of b alone a residual means nothing.
   const Real floor = std::numeric_limits<Real>::epsilon() * report.reference;
   const Real target = options.reduction > 0 ? std::max(options.reduction * residual, floor)
@@ -169,12 +237,12 @@ PcgReport solve_pcg(const PcgWork& work, const Apply& a, const Blocks& inverse, 
   while (!(residual <= target) && report.iterations < options.max_iterations) {
     if (!(residual < 0.5 * before)) break;  // a restart that gains nothing: rounding, or NaN
     before = residual;
-    if (std::isnan(
-            iterate(work, a, inverse, x, target, options.max_iterations, report.iterations))) {
+    if (std::isnan(iterate(work, a, preconditioning, x, target, options.max_iterations,
+                           report.iterations))) {
       residual = std::numeric_limits<Real>::quiet_NaN();
       break;
     }
-    residual = start(work, a, inverse, b, x);
+    residual = start(work, a, preconditioning, b, x);
   }
   report.residual = residual / report.reference;
   report.converged = residual <= target;

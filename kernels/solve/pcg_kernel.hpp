@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "kernels/device/sums_kernel.hpp"
-#include "kernels/solve/operator_kernel.hpp"
+#include "kernels/solve/cover_blocks_kernel.hpp"
 
 namespace rockfold::solve {
 
@@ -29,6 +29,12 @@ struct PcgReport {
 /// y = A x, A symmetric and positive semi-definite.
 using Apply = std::function<void(const Field& x, const Field& y)>;
 
+/// What approximates A⁻¹: the inverted 3×3 blocks of the diagonal, or those of whole covers.
+struct Preconditioning {
+  Blocks inverse;
+  const CoverBlocks* covers = nullptr;
+};
+
 /// The vectors that a solve needs; allocated once.
 struct PcgWork {
   Field r, z, p, q;
@@ -38,9 +44,9 @@ struct PcgWork {
 };
 PcgWork make_pcg_work(Index covers);
 
-/// Solves A x = b from the x given. `inverse` are the inverted diagonal blocks.
-PcgReport solve_pcg(const PcgWork& work, const Apply& a, const Blocks& inverse, const Field& b,
-                    const Field& x, const PcgOptions& options);
+/// Solves A x = b from the x given.
+PcgReport solve_pcg(const PcgWork& work, const Apply& a, const Preconditioning& preconditioning,
+                    const Field& b, const Field& x, const PcgOptions& options);
 
 /// Σ x·y, the same for any number of threads.
 Real dot(const PcgWork& work, const Field& x, const Field& y);
