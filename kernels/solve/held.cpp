@@ -57,12 +57,13 @@ bool wants_grid(const HeldSystem& system) {
 }
 
 Preconditioning choose(HeldSystem& system) {
-  if (!wants_grid(system)) return {system.inverse, nullptr};
+  const CoverBlocks* covers = system.op.functions > 1 ? &system.cover_blocks : nullptr;
+  if (!wants_grid(system)) return {system.inverse, nullptr, covers};
   if (!system.grid_current && system.largest_diagonal > 0)
     set_values(system.grid, system.op, system.springs, system.combination, system.spring_factor,
                system.inverse, system.largest_diagonal);
   system.grid_current = system.largest_diagonal > 0;
-  return {system.inverse, system.grid_current ? &system.grid : nullptr};
+  return {system.inverse, system.grid_current ? &system.grid : nullptr, covers};
 }
 
 bool any_augmented(const Springs& springs) {
@@ -85,6 +86,7 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
   system.work = make_pcg_work(op.unknowns);
   system.inverse = Blocks("rockfold::solve::inverse_diagonal", op.unknowns);
   system.load = device::make_field("solve::load", op.unknowns);
+  if (op.functions > 1) system.cover_blocks = make_cover_blocks(op);
   system.op = std::move(op);
   return system;
 }
@@ -105,6 +107,8 @@ void set_combination(HeldSystem& system, const Combination& c, Real spring_facto
                                   device::math::fmax(diagonal(p, 1), diagonal(p, 2)));
       });
   invert_blocks(system.inverse);
+  if (system.op.functions > 1)
+    set_values(system.cover_blocks, system.op, system.springs, c, spring_factor);
   system.grid_current = system.grid_failed = false;
   system.acceleration.forget();
 }

@@ -28,6 +28,7 @@ struct HeldSystem {
   Combination combination;
   Real spring_factor = 1;
   Blocks inverse;             ///< inverted diagonal blocks
+  CoverBlocks cover_blocks;   ///< of covers with more functions than one
   Real largest_diagonal = 0;  ///< before their inversion
   Preconditioner preconditioner = Preconditioner::automatic;
   Multigrid grid;             ///< without levels where it is not wanted

@@ -62,7 +62,7 @@ void find_step(const PcgWork& work) {
       KOKKOS_LAMBDA(const Index i, Sums<1>& sum) { sum.value[0] += dot_row(w.p, w.q, i); },
       KOKKOS_LAMBDA(const Sums<1>& sum) {
         w.scalar(direction_energy) = sum.value[0];
-        w.scalar(alpha) = w.scalar(residual_energy) / sum.value[0];
+        w.scalar(alpha) = sum.value[0] > 0 ? w.scalar(residual_energy) / sum.value[0] : 0;
       });
 }
 
@@ -93,7 +93,64 @@ void take_step_blocks(const PcgWork& work, const Blocks& inverse, const Field& x
       });
 }
 
-/// With the diagonal blocks: p = z + β p.
+/// start_blocks with the blocks of whole covers.
+void start_covers(const PcgWork& work, const CoverBlocks& blocks, const Field& b) {
+  const PcgWork w = work;
+  const CoverBlocks m = blocks;
+  device::sum_then<2>(
+      "rockfold::solve::pcg_start_covers", m.covers, w.partial,
+      KOKKOS_LAMBDA(const Index i, Sums<2>& sum) {
+        Real r[most_block_width], z[most_block_width];
+        for (int e = 0; e < m.width(); ++e) {
+          const Index u = e / 3 * m.covers + i;
+          r[e] = b(u, e % 3) - w.q(u, e % 3);
+        }
+        precondition_cover(m, i, r, z);
+        for (int e = 0; e < m.width(); ++e) {
+          const Index u = e / 3 * m.covers + i;
+          w.r(u, e % 3) = r[e];
+          w.p(u, e % 3) = z[e];
+          sum.value[0] += r[e] * r[e];
+          sum.value[1] += r[e] * z[e];
+        }
+      },
+      KOKKOS_LAMBDA(const Sums<2>& sum) {
+        w.scalar(squared_residual) = sum.value[0];
+        w.scalar(residual_energy) = sum.value[1];
+      });
+}
+
+/// take_step_blocks with the blocks of whole covers.
+void take_step_covers(const PcgWork& work, const CoverBlocks& blocks, const Field& x) {
+  const PcgWork w = work;
+  const CoverBlocks m = blocks;
+  device::sum_then<2>(
+      "rockfold::solve::pcg_update_covers", m.covers, w.partial,
+      KOKKOS_LAMBDA(const Index i, Sums<2>& sum) {
+        const Real step = w.scalar(alpha);
+        Real r[most_block_width], z[most_block_width];
+        for (int e = 0; e < m.width(); ++e) {
+          const Index u = e / 3 * m.covers + i;
+          x(u, e % 3) += step * w.p(u, e % 3);
+          r[e] = w.r(u, e % 3) - step * w.q(u, e % 3);
+        }
+        precondition_cover(m, i, r, z);
+        for (int e = 0; e < m.width(); ++e) {
+          const Index u = e / 3 * m.covers + i;
+          w.r(u, e % 3) = r[e];
+          w.z(u, e % 3) = z[e];
+          sum.value[0] += r[e] * r[e];
+          sum.value[1] += r[e] * z[e];
+        }
+      },
+      KOKKOS_LAMBDA(const Sums<2>& sum) {
+        w.scalar(beta) = sum.value[1] / w.scalar(residual_energy);
+        w.scalar(residual_energy) = sum.value[1];
+        w.scalar(squared_residual) = sum.value[0];
+      });
+}
+
+/// With diagonal blocks of either kind: p = z + β p.
 void turn_blocks(const PcgWork& work) {
   const PcgWork w = work;
   device::for_each(
@@ -165,13 +222,16 @@ Real start(const PcgWork& work, const Apply& a, const Preconditioning& m, const 
   a(x, work.q);
   if (m.grid)
     start_grid(work, b);
+  else if (m.covers)
+    start_covers(work, *m.covers, b);
   else
     start_blocks(work, m.inverse, b);
   fetch_scalars(work);
   return std::sqrt(work.host_scalar(squared_residual));
 }
 
-/// Iterates until the recurrence's residual is at most `target`. Returns that residual; NaN where A, B or b are not fit.
+/// Iterates until the recurrence's residual is at most `target`, or a direction has no energy. Returns that residual; NaN where A, B
+/// or b are not fit.
 Real iterate(const PcgWork& work, const Apply& a, const Preconditioning& m, const Field& x,
              Real target, Index max_iterations, Index& iterations) {
   if (m.grid) turn_grid(work, *m.grid, true);
@@ -180,14 +240,16 @@ Real iterate(const PcgWork& work, const Apply& a, const Preconditioning& m, cons
     find_step(work);
     if (m.grid)
       take_step_grid(work, x);
+    else if (m.covers)
+      take_step_covers(work, *m.covers, x);
     else
       take_step_blocks(work, m.inverse, x);
     fetch_scalars(work);
     ++iterations;
     const Real residual = std::sqrt(work.host_scalar(squared_residual));
-    // A direction without energy: A is singular there (or not positive), or numbers have left their range.
-    if (!(work.host_scalar(direction_energy) > 0) || !std::isfinite(residual))
-      return std::numeric_limits<Real>::quiet_NaN();
+    if (!std::isfinite(residual)) return std::numeric_limits<Real>::quiet_NaN();
+    // A direction without energy: rounding where A is singular or nearly so (no step was taken), or A is not positive.
+    if (!(work.host_scalar(direction_energy) > 0)) return residual;
     if (residual <= target) return residual;
     if (m.grid)
       turn_grid(work, *m.grid, false);

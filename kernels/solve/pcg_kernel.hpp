@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "kernels/device/sums_kernel.hpp"
+#include "kernels/solve/cover_blocks_kernel.hpp"
 #include "kernels/solve/multigrid_kernel.hpp"
 #include "kernels/solve/operator_kernel.hpp"
 
@@ -31,10 +32,12 @@ struct PcgReport {
 /// y = A x, A symmetric and positive semi-definite.
 using Apply = std::function<void(const Field& x, const Field& y)>;
 
-/// What approximates A⁻¹: multigrid where there is one, otherwise the inverted diagonal blocks.
+/// What approximates A⁻¹: multigrid where there is one, otherwise the inverted blocks of whole covers, otherwise the inverted 3×3
+/// blocks of the diagonal.
 struct Preconditioning {
   Blocks inverse;
   const Multigrid* grid = nullptr;
+  const CoverBlocks* covers = nullptr;
 };
 
 /// The vectors that a solve needs; allocated once.
