@@ -85,24 +85,24 @@ std::vector<Vec3> monitor_points(const Model& model) {
   return points;
 }
 
-std::vector<Vec3> load_points(const Model& model) {
-  std::vector<Vec3> points;
-  for (const auto& load : model.point_loads) points.push_back(load.point);
-  return points;
-}
-
-void require_in_rock(const Model& model, const MaterialPoints& monitors,
-                     const MaterialPoints& loads) {
+void require_in_rock(const Model& model, const MaterialPoints& monitors) {
   std::vector<Diagnostic> outside;
   for (std::size_t n = 0; n < model.monitors.size(); ++n) {
     const auto& monitor = model.monitors[n];
     find_outside(" of monitor " + monitor.name, monitor.point, monitors.element[n], monitor.place,
                  outside);
   }
-  for (std::size_t n = 0; n < model.point_loads.size(); ++n)
-    find_outside("", model.point_loads[n].point, loads.element[n], model.point_loads[n].place,
-                 outside);
   if (!outside.empty()) throw Error(ErrorKind::model, outside);
+}
+
+void warn_of_conditional_stability(const Model& model, Terminal& terminal) {
+  const Analysis& analysis = *model.analysis;
+  const Real beta = analysis.newmark_beta, gamma = analysis.newmark_gamma;
+  if (analysis.type != AnalysisType::dynamic || (gamma >= 0.5 && beta >= gamma / 2)) return;
+  terminal.warn(fmt::format(
+      "newmark = {{beta = {}, gamma = {}}} is stable for short time steps only: gamma >= "
+      "0.5 and beta >= gamma / 2 are stable for any",
+      beta, gamma));
 }
 
 void warn_of_cutting(const IntentReport& intent, Terminal& terminal) {
@@ -134,7 +134,8 @@ void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Term
       blocks.block_count()));
 }
 
-void warn_of_large_rotation(const RunResult& run, Terminal& terminal) {
+void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal) {
+  if (model.analysis->large()) return;
   Real largest = 0;
   std::size_t at = 0;
   for (std::size_t b = 0; b < run.blocks.size(); ++b)

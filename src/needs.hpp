@@ -23,11 +23,9 @@ bool wants_run(const Options& options);
 Model load_model(const Options& options, Terminal& terminal);
 
 std::vector<Vec3> monitor_points(const Model& model);
-std::vector<Vec3> load_points(const Model& model);
 
-/// Throws Error(model) with every monitor and point load that lies outside the rock.
-void require_in_rock(const Model& model, const MaterialPoints& monitors,
-                     const MaterialPoints& loads);
+/// Throws Error(model) with every monitor that lies outside the rock.
+void require_in_rock(const Model& model, const MaterialPoints& monitors);
 
 void warn_of_cutting(const IntentReport& intent, Terminal& terminal);
 /// Blocks below cut.min_volume or above cut.max_aspect_ratio: they stay, but the user should look.
@@ -35,7 +33,9 @@ void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& mode
                             Terminal& terminal);
 void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal);
 /// Strains are linear in the displacement yet, which is right for small rotations only.
-void warn_of_large_rotation(const RunResult& run, Terminal& terminal);
+void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal);
+/// Newmark parameters that blow up where the time step is long for the stiffest element.
+void warn_of_conditional_stability(const Model& model, Terminal& terminal);
 /// An augmented Lagrangian that could not bring the fixed points to their places.
 void warn_of_support_gap(const RunResult& run, Terminal& terminal);
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "host/cover/cover.hpp"
+#include "host/cover/loads.hpp"
 #include "host/cut/cut.hpp"
 #include "host/files/load_files.hpp"
 #include "host/flatten/flatten.hpp"
@@ -34,21 +35,8 @@ struct CoveredRock {
   MaterialPoints monitors, block_vertices;
   LoadPoints loads;
   QuietPoints quiet;
+  std::vector<RigidVelocity> velocities;
 };
-
-LoadPoints point_loads(const Model& model, const Covering& covering) {
-  LoadPoints loads;
-  loads.points = locate_points(covering, load_points(model));
-  for (const PointLoad& load : model.point_loads) {
-    loads.force.push_back(load.force);
-    loads.table.push_back(load.table.empty() ? none : static_cast<Index>(loads.tables.size()));
-    if (!load.table.empty()) loads.tables.push_back(load.table);
-    loads.scale.push_back(1);
-    loads.area.push_back({});
-    loads.pressure.push_back(0);
-  }
-  return loads;
-}
 
 CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockArrays& blocks,
                        Progress& progress) {
@@ -56,17 +44,20 @@ CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockAr
   rock.covering = build_covers(cutting, model, progress);
   rock.fixed = fixed_points(cutting, rock.covering, model);
   rock.monitors = locate_points(rock.covering, monitor_points(model));
-  rock.loads = point_loads(model, rock.covering);
+  rock.loads = load_points(cutting, rock.covering, model);
+  rock.quiet = quiet_points(cutting, rock.covering, model);
+  rock.velocities = rigid_velocities(rock.covering, blocks.block_count(), model);
   rock.block_vertices = locate_block_vertices(rock.covering, blocks);
-  require_in_rock(model, rock.monitors, rock.loads.points);
+  require_in_rock(model, rock.monitors);
   return rock;
 }
 
 /// Steps through the analysis and stores its states. If it fails, the states so far are kept.
 RunResult analyse(const CoveredRock& rock, const Model& model, const BlockArrays& blocks,
                   ResultWriter& writer, int threads, Terminal& terminal) {
-  const RunInput input{model,      rock.covering.arrays, blocks, rock.fixed, rock.monitors,
-                       rock.loads, rock.quiet,          rock.block_vertices};
+  const RunInput input{model,      rock.covering.arrays, blocks,
+                       rock.fixed, rock.monitors,        rock.loads,
+                       rock.quiet, rock.velocities,      rock.block_vertices};
   const auto store = [&](const StoredState& state) {
     add_stored_state(writer, rock.block_vertices, state);
   };
@@ -120,6 +111,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   std::optional<CoveredRock> rock;
   if (wants_run(options)) {
     warn_of_missing_contact(model, blocks, terminal);
+    warn_of_conditional_stability(model, terminal);
     rock = clock.measure("cover", [&] { return cover_rock(cutting, model, blocks, terminal); });
   }
 
@@ -143,8 +135,9 @@ int analyse_rock(const Options& options, Terminal& terminal) {
     clock.measure("output", "writing elements",
                   [&] { writer.write_elements(rock->covering.arrays); });
     run = analyse(*rock, model, blocks, writer, options.threads, terminal);
+    writer.write_energies(run->energy_time, run->energies);
     add_run_seconds(clock, *run);
-    warn_of_large_rotation(*run, terminal);
+    warn_of_large_rotation(model, *run, terminal);
     warn_of_support_gap(*run, terminal);
   }
   clock.measure("output", [&] { writer.finish(); });

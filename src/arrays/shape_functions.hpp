@@ -22,13 +22,8 @@ constexpr int functions_of_order(int order) {
 /// m_k(ξ), k < functions.
 std::array<Real, most_functions> cover_functions(const Vec3& xi, int functions);
 
-/// Their derivatives by ξ.
-std::array<Vec3, most_functions> cover_slopes(const Vec3& xi, int functions);
-
 /// N_a(η) of a part's nodes.
 std::array<Real, 8> part_weights(const CellPart& part, const Vec3& eta);
-/// Their derivatives by η.
-std::array<Vec3, 8> part_slopes(const CellPart& part, const Vec3& eta);
 
 /// Where an element lies and which physical covers it belongs to.
 struct ElementNodes {
@@ -38,6 +33,8 @@ struct ElementNodes {
 };
 /// Elements are numbered as in CoverArrays.
 ElementNodes element_nodes(const CoverArrays& covers, Index element);
+/// Into Model::materials.
+Index material_of(const CoverArrays& covers, Index element);
 
 /// Adds the material point x (m) of an element to `points`. Where two splits are overlaid (tet5_mixed), `other` is
 /// the element of the second split that holds it, and the point moves by the mean of the two.
