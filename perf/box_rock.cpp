@@ -14,11 +14,13 @@ void add_regular(CoverArrays& a, Index cell, const Index (&node)[8]) {
 
 void add_whole_tetrahedra(CoverArrays& a, Index cell, const Index (&node)[8], Real side) {
   for (int t = 0; t < 6; ++t) {
+    const CellPart& part = cell_split(LatticeKind::tet6).part[t];
     a.element_cell.push_back(cell);
     a.element_part.push_back(static_cast<std::uint8_t>(t));
     a.element_material.push_back(0);
     const Index first = static_cast<Index>(a.vertex_xyz.size() / 3);
-    for (int c : tet6_corner[t]) {
+    for (int n = 0; n < part.nodes; ++n) {
+      const int c = static_cast<unsigned char>(part.node[n]);
       a.element_cover.push_back(node[c]);
       for (int d = 0; d < 3; ++d) a.vertex_xyz.push_back(((c >> d & 1) - 0.5) * side);
     }

@@ -12,12 +12,6 @@
 
 namespace rockfold {
 
-/// The thesis' split of a lattice cell (INTERFACE.md §2): {000,010,011,110} {001,100,101,111} {000,001,100,111}
-/// {000,001,011,111} {000,100,110,111} {000,011,110,111}, node "abc" = corner a + 2b + 4c; here with corners
-/// ordered so that each tetrahedron has positive volume in a right-handed lattice.
-inline constexpr int tet6_corner[6][4] = {{0, 2, 6, 3}, {4, 1, 7, 5}, {0, 4, 1, 7},
-                                          {0, 4, 7, 6}, {0, 1, 3, 7}, {0, 6, 7, 3}};
-
 /// P physical covers, R regular lattice cells, E cut elements made of Q convex pieces with T triangles and V vertices.
 ///
 /// A regular lattice cell lies wholly inside one block and no joint enters it: it stands for all its parts, whole, and is

@@ -153,12 +153,13 @@ CoverArrays lattice_with_cut(Index n) {
     for (int c = 0; c < 8; ++c) out.regular_cover.push_back(corner_cover(cell, c));
   }
   constexpr int tet = 4;
+  const CellPart& part = cell_split(LatticeKind::tet6).part[tet];
   out.element_cell = {last};
   out.element_part = {tet};
   out.element_material = {0};
   Vec3 corner[4];
   for (int a = 0; a < 4; ++a) {
-    const int c = tet6_corner[tet][a];
+    const int c = static_cast<unsigned char>(part.node[a]);
     out.element_cover.push_back(corner_cover(last, c));
     corner[a] = ((c & 1) - 0.5) * lattice.edge[0] + ((c >> 1 & 1) - 0.5) * lattice.edge[1] +
                 ((c >> 2) - 0.5) * lattice.edge[2];
