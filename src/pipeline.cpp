@@ -137,7 +137,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
     run = analyse(*rock, model, blocks, writer, options.threads, terminal);
     writer.write_energies(run->energy_time, run->energies);
     add_run_seconds(clock, *run);
-    warn_of_large_rotation(*run, terminal);
+    warn_of_large_rotation(model, *run, terminal);
     warn_of_support_gap(*run, terminal);
   }
   clock.measure("output", [&] { writer.finish(); });

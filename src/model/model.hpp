@@ -406,6 +406,9 @@ struct Analysis {
                                                ///< height, if limited
   /// As given; none: large for dynamic and quasi_static, small for static.
   std::optional<Kinematics> kinematics;
+  bool large() const {
+    return kinematics ? *kinematics == Kinematics::large : type != AnalysisType::static_;
+  }
   Real newmark_beta = 0.25;  ///< > 0
   Real newmark_gamma = 0.5;  ///< ≥ 0
   Real rayleigh_alpha = 0;   ///< 1/s, ≥ 0: damping α M …

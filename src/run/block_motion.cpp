@@ -1,23 +1,73 @@
 #include "src/run/block_motion.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "kernels/solve/part_functions.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
 namespace {
 
-/// Sums over the parts of a block: displacement and rotation times volume until they are divided by it.
+Real determinant(const Mat3& a) {
+  return dot(a[0], cross(a[1], a[2]));
+}
+
+/// The rotation of a's polar decomposition: a ← (a + a⁻ᵀ)/2 until it stays (Higham 1986). det a > 0.
+Mat3 nearest_rotation(Mat3 a) {
+  for (int step = 0; step < 50; ++step) {
+    const Real det = determinant(a);
+    Real change = 0;
+    Mat3 next;
+    for (int i = 0; i < 3; ++i) {
+      // Row i of the inverse's transpose.
+      const Vec3 cofactor = (1 / det) * cross(a[(i + 1) % 3], a[(i + 2) % 3]);
+      next[i] = 0.5 * (a[i] + cofactor);
+      change = std::max(change, norm(next[i] - a[i]));
+    }
+    a = next;
+    if (change < 1e-14) break;
+  }
+  return a;
+}
+
+/// Axis times angle, up to π.
+Vec3 rotation_vector(const Mat3& r) {
+  const Vec3 twice_sine{r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]};
+  const Real sine = 0.5 * norm(twice_sine), cosine = 0.5 * (r[0][0] + r[1][1] + r[2][2] - 1);
+  const Real angle = std::atan2(sine, cosine);
+  if (sine > 1e-7) return (0.5 * angle / sine) * twice_sine;
+  if (cosine > 0) return 0.5 * twice_sine;
+  // Half a turn: R + I = 2 n nᵀ.
+  int most = 0;
+  for (int i = 1; i < 3; ++i)
+    if (r[i][i] > r[most][most]) most = i;
+  Vec3 axis = r[most];
+  axis[most] += 1;
+  return angle * normalized(axis);
+}
+
+/// Sums over the parts of a block: displacement and its gradient times volume until they are divided by it.
 class Averages {
  public:
-  Averages(const CoverArrays& covers, const std::vector<Vec3>& displacement, Index blocks)
-      : covers_(covers), functions_(lattice_functions(covers)), d_(displacement), sums_(blocks) {}
+  Averages(const CoverArrays& covers, const std::vector<Vec3>& displacement, Index blocks,
+           bool large)
+      : covers_(covers),
+        functions_(lattice_functions(covers)),
+        d_(displacement),
+        sums_(blocks),
+        gradient_(blocks, Mat3{}),
+        before_(blocks, 0),
+        large_(large) {}
 
   const LatticeFunctions& functions() const { return functions_; }
 
   /// A body of a part (counted through all forms) with covers `cover`, its moments in m³ times `share`.
   void add(Index block, int part, const Index* cover, const Real* moments, Real share) {
     BlockMotion& sum = sums_[block];
-    sum.volume += share * moments[0];
+    const Real volume = share * moments[0];
+    before_[block] += volume;
+    Mat3 gradient{};  // ∫ ∂u/∂x dV
     const PartFunctions& of = functions_.part[part];
     const int n = functions_.functions;
     const auto integral = [&](const Real* coefficients, int terms) {
@@ -32,16 +82,30 @@ class Averages {
       for (int i = 0; i < 3; ++i)
         slope[i] =
             integral(&of.slope[(3 * f + i) * functions_.slope_terms()], functions_.slope_terms());
-      // Half the curl of φ d; functions 0 by differences to the first node's, so that a translation turns nothing.
-      sum.rotation += 0.5 * cross(slope, f % n == 0 ? d - d_[cover[0]] : d);
+      // Functions 0 by differences to the first node's, so that a translation has no gradient.
+      const Vec3 by = f % n == 0 ? d - d_[cover[0]] : d;
+      for (int i = 0; i < 3; ++i) gradient[i] += by[i] * slope;
     }
+    Mat3 deformed = gradient;
+    for (int i = 0; i < 3; ++i) {
+      gradient_[block][i] += gradient[i];
+      deformed[i] = (volume > 0 ? 1 / volume : 0) * deformed[i];
+      deformed[i][i] += 1;
+    }
+    sum.volume += large_ ? volume * determinant(deformed) : volume;
   }
 
   std::vector<BlockMotion> take() {
-    for (BlockMotion& block : sums_) {
-      if (!(block.volume > 0)) continue;
-      block.displacement = (1 / block.volume) * block.displacement;
-      block.rotation = (1 / block.volume) * block.rotation;
+    for (std::size_t b = 0; b < sums_.size(); ++b) {
+      if (!(before_[b] > 0)) continue;
+      BlockMotion& block = sums_[b];
+      block.displacement = (1 / before_[b]) * block.displacement;
+      Mat3 mean = gradient_[b];
+      for (Vec3& row : mean) row = (1 / before_[b]) * row;
+      block.rotation =
+          0.5 * Vec3{mean[2][1] - mean[1][2], mean[0][2] - mean[2][0], mean[1][0] - mean[0][1]};
+      for (int i = 0; i < 3; ++i) mean[i][i] += 1;
+      if (large_ && determinant(mean) > 0) block.rotation = rotation_vector(nearest_rotation(mean));
     }
     return std::move(sums_);
   }
@@ -51,6 +115,9 @@ class Averages {
   LatticeFunctions functions_;
   const std::vector<Vec3>& d_;
   std::vector<BlockMotion> sums_;
+  std::vector<Mat3> gradient_;  // ∫ ∂u/∂x dV
+  std::vector<Real> before_;    // m³, volume before the motion
+  bool large_;
 };
 
 /// The part of a cut element, counted through all forms.
@@ -63,8 +130,9 @@ int part_of(const CoverArrays& covers, Index e) {
 
 std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
                                               const PieceMoments& moments,
-                                              const std::vector<Vec3>& displacement, Index blocks) {
-  Averages sums(covers, displacement, blocks);
+                                              const std::vector<Vec3>& displacement, Index blocks,
+                                              bool large) {
+  Averages sums(covers, displacement, blocks, large);
   const LatticeFunctions& all = sums.functions();
   for (Index r = 0; r < covers.regular_count(); ++r) {
     const int first = all.parts * LatticeFunctions::form(covers.lattice, covers.regular_cell[r]);

@@ -42,6 +42,7 @@ MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
   setup.quiet = input.quiet;
   setup.initial_stress = input.model.initial_stress;
   if (input.model.base_acceleration) setup.base_acceleration = input.model.base_acceleration->table;
+  setup.large = analysis.large();
   setup.dynamic_ratio = analysis.type == AnalysisType::quasi_static ? 0 : analysis.dynamic_ratio;
   setup.solver.tolerance = input.model.solver.tolerance;
   setup.solver.max_iterations = input.model.solver.max_iterations;
@@ -145,6 +146,12 @@ void Run::take_step(Index step) {
                       number(motion_.largest_increment()) + " m each, more than " + number(limit_) +
                       " m (analysis.max_displacement_ratio)");
     const SolveReport report = motion_.step(dt, substeps, watched_ ? &*watched_ : nullptr, limit_);
+    // Newton's method may find its way by shorter steps.
+    if (!report.converged && analysis_.large() && substeps < most_substeps) {
+      result_.iterations.pcg += report.iterations;
+      motion_.restore();
+      continue;
+    }
     accept(report, step, start + dt);
     result_.largest_substeps = std::max(result_.largest_substeps, substeps);
     if (!watched_ || motion_.largest_increment() <= limit_) break;
@@ -194,8 +201,8 @@ RunResult run_analysis(const RunInput& input, const StoreState& store, Progress&
   result.conditions = sum_reactions(input.covers, input.fixed, result.reactions,
                                     static_cast<Index>(input.model.fixed.size()));
   const std::vector<Vec3> displacement = motion.state().displacement;
-  result.blocks =
-      average_block_motion(input.covers, moments, displacement, input.blocks.block_count());
+  result.blocks = average_block_motion(input.covers, moments, displacement,
+                                       input.blocks.block_count(), input.model.analysis->large());
   result.largest_displacement = find_largest_displacement(input.covers, displacement);
   return result;
 }
