@@ -1,12 +1,18 @@
-// Essential boundary conditions as points of the material (thesis 2.3.3): a face's polygons are split over the elements
-// and held at their corners, which holds the linear displacement of an element exactly.
+// Essential boundary conditions as rows over the unknowns (thesis 2.3.3): surfaces by held_rows.hpp, whole elements by all of their
+// unknowns, points one by one.
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include <fmt/format.h>
 
 #include "host/cover/cover.hpp"
-#include "host/cover/surface_split.hpp"
+#include "host/cover/free_faces.hpp"
+#include "host/cover/held_rows.hpp"
+#include "host/cover/locate.hpp"
+#include "host/cut/union_find.hpp"
+#include "src/arrays/shape_functions.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 
@@ -18,13 +24,64 @@ constexpr Real augmented_factor = 10;  // of E/h: the multipliers do the rest (D
 constexpr Real penalty_factor =
     1000;  // of E/h: displacement off by about 1e-3 of the element's own
 
+/// Elements and their covers; regular cells by their parts.
+class Elements {
+ public:
+  explicit Elements(const CoverArrays& covers) : covers_(covers), joined_(covers.cover_count()) {
+    for (Index e = 0; e < covers.element_count(); ++e) {
+      const auto cover = covers_of(e);
+      for (const Index p : cover) joined_.join(p, cover[0]);
+    }
+  }
+
+  std::vector<Index> covers_of(Index element) const {
+    const ElementNodes nodes = element_nodes(covers_, element);
+    return {nodes.cover.begin(), nodes.cover.begin() + covers_.nodes_per_part()};
+  }
+  /// The connected part of the rock that it belongs to.
+  Index body(Index element) { return joined_.find(covers_of(element)[0]); }
+
+  /// Calls visit(element, block, vertices in m) for the part of an element that is one piece, or a part of a regular cell.
+  template <class Visit>
+  void each(const Visit& visit) const {
+    const int parts = covers_.parts_per_cell();
+    std::vector<Vec3> vertex;
+    for (Index r = 0; r < covers_.regular_count(); ++r)
+      for (int t = 0; t < parts; ++t) {
+        vertex.clear();
+        const Index cell = covers_.regular_cell[r];
+        const CellPart& part = covers_.lattice.split(cell).part[t];
+        for (int a = 0; a < part.nodes; ++a)
+          vertex.push_back(
+              covers_.lattice.node_position(covers_.lattice.cell_node(cell, part.node[a])));
+        visit(parts * r + t, covers_.regular_block[r], vertex);
+      }
+    for (Index e = 0; e < covers_.cut_count(); ++e)
+      for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q) {
+        vertex.clear();
+        const Vec3 centre = covers_.lattice.cell_centre(covers_.element_cell[e]);
+        for (Index v = covers_.vertex_begin[q]; v < covers_.vertex_begin[q + 1]; ++v)
+          vertex.push_back(centre + Vec3{covers_.vertex_xyz[3 * v], covers_.vertex_xyz[3 * v + 1],
+                                         covers_.vertex_xyz[3 * v + 2]});
+        visit(parts * covers_.regular_count() + e, covers_.piece_block[q], vertex);
+      }
+  }
+
+ private:
+  const CoverArrays& covers_;
+  UnionFind joined_;
+};
+
 class Fixer {
  public:
   Fixer(const Cutting& cutting, const Covering& covering, const Model& model)
-      : complex_(*cutting.complex),
+      : cutting_(cutting),
         covering_(covering),
+        covers_(covering.arrays),
         model_(model),
         locator_(covering),
+        elements_(covering.arrays),
+        slack_(1e-9 * covering.pieces->planes.model_size()),
         spacing_(std::cbrt(
             dot(covering.arrays.lattice.edge[0],
                 cross(covering.arrays.lattice.edge[1], covering.arrays.lattice.edge[2])))) {}
@@ -33,126 +90,149 @@ class Fixer {
     for (const Fixed& f : model_.fixed) {
       const std::size_t before = result_.points.size();
       fixed_ = &f;
+      table_ = none;
+      if (!f.table.empty()) {
+        table_ = static_cast<Index>(result_.tables.size());
+        result_.tables.push_back(f.table);
+      }
       std::visit([this](const auto& region) { add(region); }, f.where);
-      if (result_.points.size() == before)
-        refuse(static_cast<std::size_t>(&f - model_.fixed.data()));
+      if (result_.points.size() == before) refuse();
     }
     return std::move(result_);
   }
 
  private:
-  [[noreturn]] void refuse(std::size_t i) const {
-    throw Error(ErrorKind::model, "holds nothing: no rock lies there",
-                Place{model_.fixed[i].place.file, model_.fixed[i].place.line,
-                      model_.fixed[i].place.column, fmt::format("fixed[{}].where", i + 1)});
+  [[noreturn]] void refuse() const {
+    Place place = fixed_->place;
+    place.key = fmt::format("fixed[{}].where", fixed_ - model_.fixed.data() + 1);
+    throw Error(ErrorKind::model, "holds nothing: no rock lies there", place);
   }
 
-  Real young_modulus(Index rock) const {
-    return model_.materials[model_.solids[complex_.zone(rock).solid].material].young_modulus;
+  Real young_modulus(Index element) const {
+    return model_.materials[material_of(covers_, element)].young_modulus;
   }
 
-  // `area` is the point's share, m².
-  void add_point(const Vec3& x, const Holder& holder, Real area) {
-    locator_.add(x, holder, result_.points);
+  /// Pa/m; N/m for a point, whose area is then 1.
+  Real stiffness(Index element) const {
+    const Real factor = fixed_->method == FixMethod::penalty ? penalty_factor : augmented_factor;
+    return fixed_->stiffness.value_or(factor * young_modulus(element) / spacing_);
+  }
+
+  void add_row(const HeldRow& row, Real stiffness) {
+    MaterialPoints& points = result_.points;
+    points.element.push_back(row.element);
+    points.local.push_back(row.x -
+                           covers_.lattice.cell_centre(element_nodes(covers_, row.element).cell));
+    points.unknown.insert(points.unknown.end(), row.unknown.begin(), row.unknown.end());
+    points.weight.insert(points.weight.end(), row.weight.begin(), row.weight.end());
+    points.begin.push_back(static_cast<Index>(points.unknown.size()));
     std::array<std::uint8_t, 3> component{};
     for (int d = 0; d < 3; ++d) component[d] = fixed_->components[d];
-    const bool augmented = fixed_->method == FixMethod::augmented_lagrangian;
     result_.component.push_back(component);
-    result_.value.push_back(fixed_->value);
-    result_.stiffness.push_back((augmented ? augmented_factor : penalty_factor) *
-                                young_modulus(holder.rock) / spacing_ * area);
-    result_.augmented.push_back(augmented);
+    result_.value.push_back(row.moment ? Vec3{} : fixed_->value);
+    result_.table.push_back(row.moment ? none : table_);
+    result_.condition.push_back(static_cast<Index>(fixed_ - model_.fixed.data()));
+    result_.stiffness.push_back(stiffness);
+    const auto enforce = fixed_->method == FixMethod::penalty    ? Enforce::penalty
+                         : fixed_->method == FixMethod::lagrange ? Enforce::exact
+                                                                 : Enforce::augmented;
+    result_.augmented.push_back(static_cast<std::uint8_t>(enforce));
   }
 
-  void add(const FaceRegion& region) {
-    SurfaceSplitter surface(complex_, covering_);
-    for (const FreePart& part : complex_.free_parts) {
-      const FaceOrigin& origin = complex_.origins[part.origin];
-      if (origin.solid == region.solid && std::find(region.faces.begin(), region.faces.end(),
-                                                    origin.solid_face) != region.faces.end())
-        surface.split(part, [this](const Holder& holder, const Polygon& polygon) {
-          add_polygon(holder, polygon);
-        });
-    }
+  void add_point(const Vec3& x, Index element, Index other, Real stiffness) {
+    MaterialPoints at;
+    add_material_point(covers_, x, element, at, other);
+    add_row({element, x, at.unknown, at.weight, 0, false}, stiffness);
   }
 
-  // Corners share the area so that the sum over them integrates linear functions exactly (a fan of triangles, a third each).
-  void add_polygon(const Holder& holder, const Polygon& polygon) {
-    const std::size_t n = polygon.corner.size();
-    std::vector<Real> share(n, 0);
-    for (std::size_t k = 1; k + 1 < n; ++k) {
-      const Vec3& o = polygon.corner[0].x;
-      const Real third = cell_split(covering_.arrays.lattice.kind).share *
-                         norm(cross(polygon.corner[k].x - o, polygon.corner[k + 1].x - o)) / 6;
-      share[0] += third, share[k] += third, share[k + 1] += third;
+  /// The free faces of a region. Whether there are any.
+  bool add_surface(const Region& region) {
+    std::map<std::tuple<Index, Index>, std::vector<FacePolygon>> surfaces;  // by plane and body
+    visit_free_faces(cutting_, covering_, region, [&](const FacePolygon& polygon) {
+      surfaces[{polygon.plane, elements_.body(polygon.element)}].push_back(polygon);
+    });
+    for (const auto& [key, surface] : surfaces) {
+      std::vector<HeldRow> rows;
+      hold_surface(covers_, surface, spacing_, rows);
+      for (const HeldRow& row : rows) add_row(row, row.area * stiffness(row.element));
     }
-    for (std::size_t k = 0; k < n; ++k)
-      if (share[k] > 0) add_point(polygon.corner[k].x + complex_.planes.centre(), holder, share[k]);
+    return !surfaces.empty();
+  }
+
+  /// Whole elements that `inside` holds, by all unknowns of their covers; of other elements the vertices in it.
+  template <class Inside>
+  void add_volume(const Inside& inside, bool whole_elements) {
+    std::map<Index, Index> covers;  // each with its first element
+    elements_.each([&](Index element, Index block, const std::vector<Vec3>& vertex) {
+      const bool whole =
+          whole_elements && std::all_of(vertex.begin(), vertex.end(),
+                                        [&](const Vec3& x) { return inside(x, block); });
+      if (whole)
+        for (const Index p : elements_.covers_of(element)) covers.emplace(p, element);
+      else
+        for (const Vec3& x : vertex)
+          if (inside(x, block)) add_vertex(x, element);
+    });
+    for (const auto& [cover, element] : covers) add_cover(cover, element);
+  }
+
+  /// A vertex of an element stands for some h²/8 of area, of the order of its share.
+  void add_vertex(const Vec3& x, Index element) {
+    add_point(x, element, none, spacing_ * spacing_ / 8 * stiffness(element));
+  }
+
+  void add_cover(Index cover, Index element) {
+    const Vec3 node = covers_.lattice.node_position(covers_.cover_node[cover]);
+    for (int k = 0; k < covers_.functions(); ++k)
+      add_row({element, node, {k * covers_.cover_count() + cover}, {1}, 0, k > 0},
+              spacing_ * spacing_ * stiffness(element));
+  }
+
+  void add(const FaceRegion& region) { add_surface(region); }
+
+  void add(const PlaneRegion& region) {
+    if (add_surface(region)) return;
+    const Real tolerance = std::max(region.tolerance, slack_);
+    add_volume([&](const Vec3& x,
+                   Index) { return std::abs(dot(region.normal, x - region.point)) <= tolerance; },
+               false);
+  }
+
+  void add(const BoxRegion& region) {
+    Real thickness = region.max[0] - region.min[0];
+    for (int d = 1; d < 3; ++d) thickness = std::min(thickness, region.max[d] - region.min[d]);
+    const bool flat = thickness <= slack_;
+    if (flat && add_surface(region)) return;
+    add_volume(
+        [&](const Vec3& x, Index) {
+          for (int d = 0; d < 3; ++d)
+            if (x[d] < region.min[d] - slack_ || x[d] > region.max[d] + slack_) return false;
+          return true;
+        },
+        !flat);
   }
 
   void add(const PointRegion& region) {
     const Holder h = locator_.find(region.point);
-    if (h.found()) add_point(region.point, h, spacing_ * spacing_);
-  }
-
-  void add(const BoxRegion& region) {
-    add_vertices([&](const Vec3& x, Index) {
-      for (int d = 0; d < 3; ++d)
-        if (x[d] < region.min[d] || x[d] > region.max[d]) return false;
-      return true;
-    });
-  }
-
-  void add(const PlaneRegion& region) {
-    add_vertices([&](const Vec3& x, Index) {
-      return std::abs(dot(region.normal, x - region.point)) <= region.tolerance;
-    });
+    if (!h.found()) return;
+    const Real by_area = fixed_->stiffness ? 1 : spacing_ * spacing_;
+    add_point(region.point, h.element, h.other, by_area * stiffness(h.element));
   }
 
   void add(const BlockRegion& region) {
     const Holder h = locator_.find(region.point);
-    if (h.found()) add_vertices([&](const Vec3&, Index block) { return block == h.block; });
+    if (h.found()) add_volume([&](const Vec3&, Index block) { return block == h.block; }, true);
   }
 
-  // The vertices of elements that `wanted` picks; each stands for some h²/8 of area, of the order of its share.
-  template <class Wanted>
-  void add_vertices(const Wanted& wanted) {
-    const CoverArrays& covers = covering_.arrays;
-    const Real area = spacing_ * spacing_ / 8;
-    for (Index r = 0; r < covers.regular_count(); ++r) {
-      const Index cell = covers.regular_cell[r];
-      const auto& parts = covers.lattice.split(cell).part;
-      for (int c = 0; c < covers.nodes_per_cell(); ++c) {
-        const Vec3 x = covers.lattice.node_position(covers.lattice.cell_node(cell, c));
-        if (!wanted(x, covers.regular_block[r])) continue;
-        const auto part = std::find_if(parts.begin(), parts.end(), [&](const CellPart& p) {
-          return std::find(p.node.begin(), p.node.begin() + p.nodes, c) != p.node.begin() + p.nodes;
-        });
-        add_point(x,
-                  holder_of(complex_, covering_, cell, static_cast<int>(part - parts.begin()),
-                            covering_.pieces->regular_rock[r]),
-                  area);
-      }
-    }
-    for (Index e = 0; e < covers.cut_count(); ++e)
-      for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q) {
-        const Holder h = holder_of(complex_, covering_, covers.element_cell[e],
-                                   covers.element_part[e], covering_.pieces->piece_rock[q]);
-        const Vec3 centre = covers.lattice.cell_centre(covers.element_cell[e]);
-        for (Index v = covers.vertex_begin[q]; v < covers.vertex_begin[q + 1]; ++v) {
-          const Vec3 x = centre + Vec3{covers.vertex_xyz[3 * v], covers.vertex_xyz[3 * v + 1],
-                                       covers.vertex_xyz[3 * v + 2]};
-          if (wanted(x, covers.piece_block[q])) add_point(x, h, area);
-        }
-      }
-  }
-
-  const Complex& complex_;
+  const Cutting& cutting_;
   const Covering& covering_;
+  const CoverArrays& covers_;
   const Model& model_;
   const Locator locator_;
-  const Real spacing_;
+  Elements elements_;
+  const Real slack_, spacing_;
   const Fixed* fixed_ = nullptr;
+  Index table_ = none;
   FixedPoints result_;
 };
 

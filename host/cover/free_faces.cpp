@@ -4,9 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "host/cover/lattice_walk.hpp"
-#include "host/cover/piece_index.hpp"
-#include "host/cut/complex.hpp"
+#include "host/cover/surface_split.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -15,17 +13,6 @@ namespace {
 
 constexpr Real relative_slack =
     1e-9;  // of the model's size: corners that close to a box's side lie on it
-
-/// The element of a cell of the complex in a part of a lattice cell; none where the rock there is thinner than rounding.
-Index element_of(const Covering& covering, Index lattice_cell, int part, Index rock) {
-  const CoverArrays& covers = covering.arrays;
-  const Index whole_parts = covers.parts_per_cell() * covers.regular_count();
-  const Index piece = covering.pieces->find_piece(covers, lattice_cell, part, rock);
-  if (piece != none) return whole_parts + covering.pieces->piece_element[piece];
-  const Index r = PieceIndex::find_regular(covers, lattice_cell);
-  return r != none && covering.pieces->regular_rock[r] == rock ? covers.parts_per_cell() * r + part
-                                                               : none;
-}
 
 /// What of a convex polygon lies where sign · x[axis] ≤ limit.
 std::vector<Vec3> clip(const std::vector<Vec3>& corner, int axis, Real sign, Real limit,
@@ -49,7 +36,7 @@ class Visitor {
         covering_(covering),
         region_(region),
         visit_(visit),
-        walker_(covering.pieces->lattice, covering.pieces->planes),
+        surface_(complex_, covering),
         slack_(relative_slack * covering.pieces->planes.model_size()) {}
 
   void run() {
@@ -82,18 +69,10 @@ class Visitor {
     found.plane = polygon.plane;
     found.normal = outward(polygon, inside);
     found.share = cell_split(covering_.arrays.lattice.kind).share;
-    const auto take = [&](Index lattice_cell, int part, const Polygon& within) {
-      found.element = element_of(covering_, lattice_cell, part, rock);
-      if (found.element != none) take_corners(within, found);
-    };
-    if (covering_.arrays.lattice.kind == LatticeKind::block) {
-      take(complex_.cell_block[rock], 0, polygon);
-      return;
-    }
-    walker_.walk(polygon, inside,
-                 [&](const std::array<Index, 3>& ijk, int part, const Polygon& within) {
-                   take(covering_.arrays.lattice.cell_index(ijk[0], ijk[1], ijk[2]), part, within);
-                 });
+    surface_.split(polygon, rock, local_face, [&](const Holder& holder, const Polygon& within) {
+      found.element = holder.element;
+      take_corners(within, found);
+    });
   }
 
   void take_corners(const Polygon& within, FacePolygon& found) const {
@@ -126,7 +105,7 @@ class Visitor {
   const Covering& covering_;
   const Region& region_;
   const std::function<void(const FacePolygon&)>& visit_;
-  LatticeWalker walker_;
+  SurfaceSplitter surface_;
   const Real slack_;
 };
 

@@ -65,12 +65,6 @@ class FaceIntegral {
   const std::vector<RulePoint> rule_;
 };
 
-Index material_of(const CoverArrays& covers, Index element) {
-  const Index whole_parts = covers.parts_per_cell() * covers.regular_count();
-  return element < whole_parts ? covers.regular_material[element / covers.parts_per_cell()]
-                               : covers.element_material[element - whole_parts];
-}
-
 /// A force without area or table; the caller changes what is otherwise.
 void add_force(LoadPoints& loads, const Vec3& force) {
   loads.force.push_back(force);

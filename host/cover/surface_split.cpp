@@ -22,16 +22,14 @@ Holder holder_of(const Complex& complex, const Covering& covering, Index lattice
   return h;
 }
 
-void SurfaceSplitter::split(const FreePart& part, const Visit& visit) {
-  const Polygon polygon = complex_.polygon_of(part);
+void SurfaceSplitter::split(const Polygon& polygon, Index cell, Index face, const Visit& visit) {
   const Lattice& lattice = covering_.arrays.lattice;
   const auto visit_part = [&](Index lattice_cell, int p, const Polygon& piece) {
-    const Holder h = holder_of(complex_, covering_, lattice_cell, p, part.cell);
+    const Holder h = holder_of(complex_, covering_, lattice_cell, p, cell);
     if (h.found()) visit(h, piece);
   };
-  if (lattice.kind == LatticeKind::block)
-    return visit_part(complex_.cell_block[part.cell], 0, polygon);
-  walker_.walk(polygon, complex_.cells[part.cell].faces[part.face].inside,
+  if (lattice.kind == LatticeKind::block) return visit_part(complex_.cell_block[cell], 0, polygon);
+  walker_.walk(polygon, complex_.cells[cell].faces[face].inside,
                [&](const std::array<Index, 3>& ijk, int p, const Polygon& piece) {
                  visit_part(lattice.cell_index(ijk[0], ijk[1], ijk[2]), p, piece);
                });

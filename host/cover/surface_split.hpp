@@ -21,9 +21,9 @@ class SurfaceSplitter {
 
   using Visit = std::function<void(const Holder&, const Polygon&)>;
 
-  /// Calls visit(holder, polygon) for the parts of a free part of a cell's face. Where two splits are overlaid
+  /// Calls visit(holder, polygon) for the parts of a polygon on face `face` (local) of a cell of the complex. Where two splits are overlaid
   /// (tet5_mixed) each covers the whole face: then each part stands for CellSplit::share = 1/2 of its area.
-  void split(const FreePart& part, const Visit& visit);
+  void split(const Polygon& polygon, Index cell, Index face, const Visit& visit);
 
  private:
   const Complex& complex_;

@@ -71,6 +71,12 @@ ElementNodes element_nodes(const CoverArrays& covers, Index element) {
   return nodes;
 }
 
+Index material_of(const CoverArrays& covers, Index element) {
+  const Index parts = covers.parts_per_cell(), whole = parts * covers.regular_count();
+  return element < whole ? covers.regular_material[element / parts]
+                         : covers.element_material[element - whole];
+}
+
 namespace {
 
 void add_unknowns(const CoverArrays& covers, const Vec3& local, Index element, Real share,

@@ -38,6 +38,8 @@ struct ElementNodes {
 };
 /// Elements are numbered as in CoverArrays.
 ElementNodes element_nodes(const CoverArrays& covers, Index element);
+/// Into Model::materials.
+Index material_of(const CoverArrays& covers, Index element);
 
 /// Adds the material point x (m) of an element to `points`. Where two splits are overlaid (tet5_mixed), `other` is
 /// the element of the second split that holds it, and the point moves by the mean of the two.

@@ -1,0 +1,263 @@
+#include "host/cover/held_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "host/cover/triangle_rule.hpp"
+#include "src/arrays/shape_functions.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+
+namespace {
+
+constexpr Real patch_width = 2;    // spacings
+constexpr Real least_share = 0.4;  // of a patch's area: smaller ones join their neighbours
+// A polynomial that differs less than this from those of lower degree, in the mean over a patch, says nothing new there: [degree]
+constexpr Real least_residual[] = {0, 2e-2, 2e-3, 5e-4};
+
+using Points = std::vector<SurfacePoint>;
+
+/// Exponents of the monomials in x, y, z up to a degree, by degree.
+std::vector<std::array<int, 3>> exponents(int degree) {
+  std::vector<std::array<int, 3>> list;
+  for (int d = 0; d <= degree; ++d)
+    for (int i = d; i >= 0; --i)
+      for (int j = d - i; j >= 0; --j) list.push_back({i, j, d - i - j});
+  return list;
+}
+
+Real monomial(const Vec3& x, const std::array<int, 3>& exponent) {
+  Real value = 1;
+  for (int d = 0; d < 3; ++d)
+    for (int i = 0; i < exponent[d]; ++i) value *= x[d];
+  return value;
+}
+
+/// Polynomials that are orthonormal in the mean over points (Gram & Schmidt, twice), by their values there; the first is 1. What the
+/// points cannot tell apart (across their plane, along a line) is left out.
+std::vector<std::vector<Real>> orthonormal_polynomials(const Points& points, Real spacing,
+                                                       int degree) {
+  Real area = 0;
+  Vec3 centre{};
+  for (const auto& p : points) area += p.area, centre += p.area * p.x;
+  centre = (1 / area) * centre;
+  const auto mean = [&](const std::vector<Real>& a, const std::vector<Real>& b) {
+    Real sum = 0;
+    for (std::size_t n = 0; n < points.size(); ++n) sum += points[n].area * a[n] * b[n];
+    return sum / area;
+  };
+  std::vector<std::vector<Real>> found;
+  for (const auto& exponent : exponents(degree)) {
+    std::vector<Real> value(points.size());
+    for (std::size_t n = 0; n < points.size(); ++n)
+      value[n] = monomial((1 / spacing) * (points[n].x - centre), exponent);
+    for (int pass = 0; pass < 2; ++pass)
+      for (const auto& known : found) {
+        const Real share = mean(known, value);
+        for (std::size_t n = 0; n < value.size(); ++n) value[n] -= share * known[n];
+      }
+    const Real size = std::sqrt(mean(value, value));
+    if (!(size > least_residual[exponent[0] + exponent[1] + exponent[2]])) continue;
+    for (Real& v : value) v /= size;
+    found.push_back(std::move(value));
+  }
+  return found;
+}
+
+/// The rows of all polynomials up to a degree over the points.
+void add_moments(const CoverArrays& covers, const Points& points, Real spacing, int degree,
+                 std::vector<HeldRow>& rows) {
+  MaterialPoints at;
+  Real area = 0;
+  for (const auto& p : points) {
+    add_material_point(covers, p.x, p.element, at);
+    area += p.area;
+  }
+  const auto polynomials = orthonormal_polynomials(points, spacing, degree);
+  for (std::size_t k = 0; k < polynomials.size(); ++k) {
+    std::map<Index, Real> weight;
+    for (std::size_t n = 0; n < points.size(); ++n)
+      for (Index i = at.begin[n]; i < at.begin[n + 1]; ++i)
+        weight[at.unknown[i]] += points[n].area / area * polynomials[k][n] * at.weight[i];
+    HeldRow row{points[0].element, points[0].x, {}, {}, area, k > 0};
+    for (const auto& [unknown, w] : weight) {
+      row.unknown.push_back(unknown);
+      row.weight.push_back(w);
+    }
+    rows.push_back(std::move(row));
+  }
+}
+
+/// The corners of a polygon share its area so that the sum over them integrates linear functions exactly (a fan of triangles).
+void add_corners(const CoverArrays& covers, const FacePolygon& polygon,
+                 std::vector<HeldRow>& rows) {
+  const auto& corner = polygon.corner;
+  std::vector<Real> share(corner.size(), 0);
+  for (std::size_t k = 1; k + 1 < corner.size(); ++k) {
+    const Real third =
+        polygon.share * norm(cross(corner[k] - corner[0], corner[k + 1] - corner[0])) / 6;
+    share[0] += third, share[k] += third, share[k + 1] += third;
+  }
+  for (std::size_t k = 0; k < corner.size(); ++k) {
+    if (!(share[k] > 0)) continue;
+    MaterialPoints at;
+    add_material_point(covers, corner[k], polygon.element, at);
+    rows.push_back({polygon.element, corner[k], at.unknown, at.weight, share[k], false});
+  }
+}
+
+/// Points that integrate polynomials up to a degree over the surface.
+Points surface_points(const std::vector<FacePolygon>& surface, int degree) {
+  const auto rule = triangle_rule(degree);
+  Points points;
+  for (const FacePolygon& polygon : surface) {
+    const auto& corner = polygon.corner;
+    for (std::size_t k = 1; k + 1 < corner.size(); ++k) {
+      const Real area =
+          0.5 * polygon.share * norm(cross(corner[k] - corner[0], corner[k + 1] - corner[0]));
+      if (!(area > 0)) continue;
+      for (const auto& [at, weight] : rule)
+        points.push_back({polygon.element,
+                          at[0] * corner[0] + at[1] * corner[k] + at[2] * corner[k + 1],
+                          weight * area});
+    }
+  }
+  return points;
+}
+
+/// The covers of an element with the weights of their nodes at x.
+std::vector<std::pair<Index, Real>> node_weights(const CoverArrays& covers, Index element,
+                                                 const Vec3& x) {
+  const ElementNodes nodes = element_nodes(covers, element);
+  const CellPart& part = covers.lattice.split(nodes.cell).part[nodes.part];
+  const auto weight =
+      part_weights(part, covers.lattice.to_local(x - covers.lattice.cell_centre(nodes.cell)));
+  std::vector<std::pair<Index, Real>> found;
+  for (int a = 0; a < part.nodes; ++a) found.emplace_back(nodes.cover[a], weight[a]);
+  return found;
+}
+
+/// Whether only covers whose nodes lie in its plane move the surface.
+bool runs_through_nodes(const CoverArrays& covers, const std::vector<FacePolygon>& surface,
+                        Real spacing) {
+  constexpr Real rounding = 1e-9;
+  for (const FacePolygon& polygon : surface)
+    for (const Vec3& x : polygon.corner)
+      for (const auto& [cover, weight] : node_weights(covers, polygon.element, x)) {
+        const Vec3 node = covers.lattice.node_position(covers.cover_node[cover]);
+        if (std::abs(weight) > rounding &&
+            std::abs(dot(polygon.normal, node - polygon.corner[0])) > rounding * spacing)
+          return false;
+      }
+  return true;
+}
+
+/// Orders 1 and 2 on nodes: each cover's weight times all polynomials of its functions.
+void hold_traces(const CoverArrays& covers, const Points& points, Real spacing,
+                 std::vector<HeldRow>& rows) {
+  std::map<Index, Points> of_cover;
+  for (const auto& p : points)
+    for (const auto& [cover, weight] : node_weights(covers, p.element, p.x))
+      if (weight > 1e-9) of_cover[cover].push_back({p.element, p.x, weight * p.area});
+  for (const auto& [cover, share] : of_cover)
+    add_moments(covers, share, spacing, covers.order, rows);
+}
+
+/// Cuts the plane of the points into rectangles of nearly the given width, the first side along the projection of a lattice edge.
+std::vector<Points> patches(const CoverArrays& covers, const Points& points, const Vec3& normal,
+                            Real width) {
+  std::array<Vec3, 2> axis{};
+  for (const Vec3& edge : covers.lattice.edge) {
+    const Vec3 across = edge - dot(edge, normal) * normal;
+    if (norm(across) > norm(axis[0])) axis[0] = across;
+  }
+  axis[0] = normalized(axis[0]);
+  axis[1] = cross(normal, axis[0]);
+  std::array<Real, 2> low{}, step{};
+  std::array<Index, 2> count{};
+  for (int d = 0; d < 2; ++d) {
+    Real high = -std::numeric_limits<Real>::infinity();
+    low[d] = -high;
+    for (const auto& p : points) {
+      low[d] = std::min(low[d], dot(axis[d], p.x));
+      high = std::max(high, dot(axis[d], p.x));
+    }
+    count[d] = std::max<Index>(1, static_cast<Index>(std::lround((high - low[d]) / width)));
+    step[d] = (high - low[d]) / count[d];
+  }
+  const auto place = [&](const Vec3& x, int d) {
+    const Index i = step[d] > 0 ? static_cast<Index>((dot(axis[d], x) - low[d]) / step[d]) : 0;
+    return std::clamp<Index>(i, 0, count[d] - 1);
+  };
+  std::map<std::array<Index, 2>, Points> found;
+  for (const auto& p : points) found[{place(p.x, 0), place(p.x, 1)}].push_back(p);
+  std::vector<Points> list;
+  for (auto& [at, patch] : found) list.push_back(std::move(patch));
+  return list;
+}
+
+struct Extent {
+  Vec3 centre{};
+  Real area = 0;
+};
+Extent extent(const Points& points) {
+  Extent e;
+  for (const auto& p : points) e.centre += p.area * p.x, e.area += p.area;
+  e.centre = (1 / e.area) * e.centre;
+  return e;
+}
+
+/// Patches that are small beside the largest go to the nearest one that is not.
+std::vector<Points> join_small(std::vector<Points> all) {
+  std::vector<Extent> of;
+  Real largest = 0;
+  for (const auto& patch : all) {
+    of.push_back(extent(patch));
+    largest = std::max(largest, of.back().area);
+  }
+  std::vector<Points> joined(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::size_t to = i;
+    Real nearest = std::numeric_limits<Real>::infinity();
+    if (of[i].area < least_share * largest)
+      for (std::size_t j = 0; j < all.size(); ++j) {
+        const Real distance = norm(of[j].centre - of[i].centre);
+        if (of[j].area >= least_share * largest && distance < nearest) to = j, nearest = distance;
+      }
+    joined[to].insert(joined[to].end(), all[i].begin(), all[i].end());
+  }
+  joined.erase(
+      std::remove_if(joined.begin(), joined.end(), [](const Points& p) { return p.empty(); }),
+      joined.end());
+  return joined;
+}
+
+}  // namespace
+
+void hold_surface(const CoverArrays& covers, const std::vector<FacePolygon>& surface, Real spacing,
+                  std::vector<HeldRow>& rows) {
+  const bool block = covers.lattice.kind == LatticeKind::block;
+  const int of_weights = covers.lattice.kind == LatticeKind::hex8 ? 3 : block ? 0 : 1;
+  const int of_functions = of_weights + covers.order;
+  if (!block && runs_through_nodes(covers, surface, spacing)) {
+    if (covers.order == 0)
+      for (const FacePolygon& polygon : surface) add_corners(covers, polygon, rows);
+    else
+      hold_traces(covers, surface_points(surface, of_functions + covers.order + of_weights),
+                  spacing, rows);
+    return;
+  }
+  const int degree = block ? covers.order : covers.order + 1;
+  const Points points = surface_points(surface, of_functions + degree);
+  if (points.empty()) return;
+  if (block) return add_moments(covers, points, spacing, degree, rows);
+  for (const Points& patch :
+       join_small(patches(covers, points, surface[0].normal, patch_width * spacing)))
+    add_moments(covers, patch, spacing, degree, rows);
+}
+
+}  // namespace rockfold
