@@ -50,7 +50,8 @@ struct Frame {
     for (int d = 0; d < 3; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
   }
   Vec3 centre() const { return 0.5 * (low + high); }
-  Real size(Real least) const { return std::max(0.5 * norm(high - low), least); }
+  /// A single block has but one node.
+  Real size() const { return norm(high - low) > 0 ? 0.5 * norm(high - low) : 1; }
 };
 
 /// What a rigid motion (t, ω·size) does to the row of a fixed point: shift · t + (ω·size) × arm.
@@ -74,7 +75,7 @@ RigidRow rigid_row(const CoverArrays& covers, const MaterialPoints& points, std:
       row.arm += weight * covers.lattice.edge[function - 1];
     }
   }
-  row.arm = (1 / frame.size(norm(covers.lattice.edge[0]))) * row.arm;
+  row.arm = (1 / frame.size()) * row.arm;
   return row;
 }
 
