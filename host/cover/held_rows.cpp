@@ -14,7 +14,7 @@ namespace rockfold {
 
 namespace {
 
-constexpr Real patch_width = 2;    // spacings
+constexpr Real patch_width = 2.5;  // spacings
 constexpr Real least_share = 0.4;  // of a patch's area: smaller ones join their neighbours
 // A polynomial that differs less than this from those of lower degree, in the mean over a patch, says nothing new there: [degree]
 constexpr Real least_residual[] = {0, 2e-2, 2e-3, 5e-4};

@@ -81,10 +81,10 @@ KOKKOS_INLINE_FUNCTION void state_at(const Deformation& body, const ForceRule& r
 
 }  // namespace
 
-Deformation make_deformation(const CoverArrays& covers,
+Deformation make_deformation(const CoverArrays& covers, const PieceMoments& moments,
                              const std::vector<ElasticMaterial>& materials,
                              const InitialStress& initial) {
-  const Quadrature quadrature = make_quadrature(covers);
+  const Quadrature quadrature = make_quadrature(covers, moments);
   Deformation body;
   body.elements = covers.element_count();
   body.covers = covers.cover_count();
@@ -181,40 +181,19 @@ Real strain_energy(const Deformation& body, const Array<Real>& partial, const Ar
   return device::to_host(sums)[0];
 }
 
-namespace {
-
-KOKKOS_INLINE_FUNCTION void mean_stress_at(const Deformation& body, Index e, Real* stress) {
-  Real sum[6] = {0, 0, 0, 0, 0, 0}, volume = 0;
-  for (int q = 0; q < body.points; ++q) {
-    const std::size_t at = static_cast<std::size_t>(e) * body.points + q;
-    Real h[9], s[6], p[9], f[9];
-    state_at(body, {}, e, q, h, s);
-    first_stress(h, s, p);
-    for (int i = 0; i < 9; ++i) f[i] = h[i] + (i % 4 == 0 ? 1 : 0);
-    const Real share = body.weight(at) / determinant(f);
-    volume += body.weight(at);
-    for (int k = 0; k < 6; ++k) {
-      const int i = k < 3 ? k : k - 3, j = k < 3 ? k : (k - 2) % 3;
-      for (int m = 0; m < 3; ++m) sum[k] += share * p[3 * i + m] * f[3 * j + m];
-    }
-  }
-  for (int k = 0; k < 6; ++k) stress[k] = sum[k] / volume;
-}
-
-}  // namespace
-
 void mean_stress(const Deformation& body, const Array<Real>& stress) {
   device::for_each(
       "rockfold::finite::mean_stress", body.elements, KOKKOS_LAMBDA(const Index e) {
-        mean_stress_at(body, e, &stress(6 * static_cast<std::size_t>(e)));
-      });
-}
-
-void mean_stress_of(const Deformation& body, const Array<Index>& of, const Array<Real>& stress) {
-  device::for_each(
-      "rockfold::finite::point_stress", static_cast<Index>(of.extent(0)),
-      KOKKOS_LAMBDA(const Index n) {
-        mean_stress_at(body, of(n), &stress(6 * static_cast<std::size_t>(n)));
+        Real sum[6] = {0, 0, 0, 0, 0, 0}, volume = 0;
+        for (int q = 0; q < body.points; ++q) {
+          const std::size_t at = static_cast<std::size_t>(e) * body.points + q;
+          Real h[9], s[6], cauchy[6];
+          state_at(body, {}, e, q, h, s);
+          cauchy_stress(h, s, cauchy);
+          volume += body.weight(at);
+          for (int k = 0; k < 6; ++k) sum[k] += body.weight(at) * cauchy[k];
+        }
+        for (int k = 0; k < 6; ++k) stress(6 * static_cast<std::size_t>(e) + k) = sum[k] / volume;
       });
 }
 

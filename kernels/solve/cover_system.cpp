@@ -28,9 +28,10 @@ struct CoverSystem::Data {
 };
 
 CoverSystem::CoverSystem(const CoverArrays& covers, const PieceMoments& moments,
-                         const std::vector<ElasticMaterial>& materials, const FixedPoints& fixed)
-    : data_(new Data{
-          solve::make_held_system(solve::build_operator(covers, moments, materials), fixed)}) {}
+                         const std::vector<ElasticMaterial>& materials, const FixedPoints& fixed,
+                         Preconditioner preconditioner)
+    : data_(new Data{solve::make_held_system(
+          covers, solve::build_operator(covers, moments, materials), fixed, preconditioner)}) {}
 CoverSystem::~CoverSystem() = default;
 CoverSystem::CoverSystem(CoverSystem&&) noexcept = default;
 CoverSystem& CoverSystem::operator=(CoverSystem&&) noexcept = default;

@@ -51,7 +51,8 @@ struct SolveOptions {
 class CoverSystem {
  public:
   CoverSystem(const CoverArrays& covers, const PieceMoments& moments,
-              const std::vector<ElasticMaterial>& materials, const FixedPoints& fixed = {});
+              const std::vector<ElasticMaterial>& materials, const FixedPoints& fixed = {},
+              Preconditioner preconditioner = Preconditioner::automatic);
   ~CoverSystem();
   CoverSystem(CoverSystem&&) noexcept;
   CoverSystem& operator=(CoverSystem&&) noexcept;

@@ -54,18 +54,48 @@ struct Frame {
   Real size() const { return norm(high - low) > 0 ? 0.5 * norm(high - low) : 1; }
 };
 
+/// What a rigid motion (t, ω·size) does to the row of a fixed point: shift · t + (ω·size) × arm.
+struct RigidRow {
+  Real shift = 0;
+  Vec3 arm{};  ///< about the frame's centre, in units of its size
+};
+
+/// In the covers' functions a rigid motion is that of their nodes and, with functions ξ, its slope (shape_functions.hpp).
+RigidRow rigid_row(const CoverArrays& covers, const MaterialPoints& points, std::size_t n,
+                   const Frame& frame) {
+  RigidRow row;
+  for (Index i = points.begin[n]; i < points.begin[n + 1]; ++i) {
+    const Index function = points.unknown[i] / covers.cover_count();
+    const Index cover = points.unknown[i] % covers.cover_count();
+    const Real weight = points.weight[i];
+    if (function == 0) {
+      row.shift += weight;
+      row.arm += weight * (covers.lattice.node_position(covers.cover_node[cover]) - frame.centre());
+    } else if (function <= 3) {
+      row.arm += weight * covers.lattice.edge[function - 1];
+    }
+  }
+  row.arm = (1 / frame.size()) * row.arm;
+  return row;
+}
+
 /// Σ over fixed components of the outer product of what a rigid motion (t, ω·size) does to that component.
 struct Holding {
   Mat6 gram{};
   bool any = false;
-  void add(const Vec3& arm, int component) {
+  void add(const RigidRow& at, int component) {
     Vec3 axis{};
     axis[component] = 1;
-    const Vec3 turn = cross(arm, axis);  // axis · (ω × arm) = ω · (arm × axis)
-    const std::array<Real, 6> row{axis[0], axis[1], axis[2], turn[0], turn[1], turn[2]};
+    const Vec3 turn = cross(at.arm, axis);  // axis · (ω × arm) = ω · (arm × axis)
+    const Vec3 shift = at.shift * axis;
+    const std::array<Real, 6> row{shift[0], shift[1], shift[2], turn[0], turn[1], turn[2]};
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j) gram[i][j] += row[i] * row[j];
     any = true;
+  }
+  /// Blocks that have no function but a translation cannot turn.
+  void forbid_rotation() {
+    for (int i = 3; i < 6; ++i) gram[i][i] += 1;
   }
 };
 
@@ -149,16 +179,17 @@ std::vector<LoosePart> find_loose_parts(const CoverArrays& covers, const FixedPo
   for (std::size_t n = 0; n < fixed.points.size(); ++n) {
     const Index part = parts.root(element_nodes(covers, fixed.points.element[n]).cover[0]);
     const Frame& frame = frames[part];
-    const Vec3 arm =
-        (1 / frame.size()) * (point_position(covers, fixed.points, n) - frame.centre());
+    const RigidRow row = rigid_row(covers, fixed.points, n, frame);
     for (int d = 0; d < 3; ++d)
-      if (fixed.component[n][d]) holdings[part].add(arm, d);
+      if (fixed.component[n][d]) holdings[part].add(row, d);
   }
 
+  const bool cannot_turn = covers.lattice.kind == LatticeKind::block && covers.order == 0;
   std::vector<LoosePart> loose;
   for (const auto& [part, ids] : blocks) {
     LoosePart found{{ids.begin(), ids.end()}, {}};
-    const Holding& holding = holdings[part];
+    Holding& holding = holdings[part];
+    if (cannot_turn) holding.forbid_rotation();
     if (holding.any) found.motions = free_motions(holding);
     if (!holding.any || !found.motions.empty()) loose.push_back(found);
   }

@@ -1,21 +1,6 @@
 #include "kernels/solve/simd.hpp"
 
-// Function versions are chosen when the program starts, before the sanitizers are ready: not both.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && \
-    !defined(__SANITIZE_ADDRESS__)
-#define ROCKFOLD_SIMD_VERSIONS __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define ROCKFOLD_SIMD_VERSIONS
-#endif
-
-// y never overlaps the others: a row's own x is another vector.
-#if defined(__clang__)
-#define ROCKFOLD_NO_ALIAS _Pragma("clang loop vectorize(assume_safety)")
-#elif defined(__GNUC__)
-#define ROCKFOLD_NO_ALIAS _Pragma("GCC ivdep")
-#else
-#define ROCKFOLD_NO_ALIAS
-#endif
+#include "kernels/solve/simd_versions.hpp"
 
 namespace rockfold::solve {
 

@@ -13,7 +13,7 @@ struct TrackedPoints::Data {
   device::Array<Index> element;
   device::Field local;         ///< m, from the centre of the element's lattice cell
   device::Field value;         ///< work space
-  device::Array<Real> stress;   ///< [N][6] work space
+  device::Array<Real> stress;  ///< [N][6] work space
 };
 
 namespace update {

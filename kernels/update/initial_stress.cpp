@@ -1,7 +1,6 @@
-#include "kernels/update/initial_stress.hpp"
-
 #include "kernels/integrate/moments.hpp"
 #include "kernels/solve/part_functions.hpp"
+#include "kernels/update/initial_stress_kernel.hpp"
 #include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
 
@@ -100,6 +99,18 @@ std::vector<Vec3> initial_stress_force(const CoverArrays& covers, const PieceMom
     }
   });
   return force;
+}
+
+StressBefore make_stress_before(const MotionSetup& setup) {
+  const InitialStress& given = setup.initial_stress;
+  if (!given.any) return {};
+  const ElementHeights heights = element_heights(setup.covers, setup.moments);
+  std::vector<Real> law(given.at.begin(), given.at.end());
+  law.insert(law.end(), given.gradient.begin(), given.gradient.end());
+  law.push_back(given.reference_z);
+  return {device::to_device("update::cell_z", heights.cell),
+          device::to_device("update::centroid_z", heights.centroid),
+          device::to_device("update::stress_law", law)};
 }
 
 }  // namespace rockfold::update

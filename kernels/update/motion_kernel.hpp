@@ -7,6 +7,7 @@
 #include "kernels/solve/held_kernel.hpp"
 #include "kernels/update/deformation_kernel.hpp"
 #include "kernels/update/finite_strain_kernel.hpp"
+#include "kernels/update/following_kernel.hpp"
 #include "kernels/update/loads_kernel.hpp"
 #include "kernels/update/motion.hpp"
 
@@ -36,6 +37,7 @@ struct Motion::Data {
   std::unique_ptr<update::Deformation> rock;
   update::LargeDeformation* large = nullptr;  ///< the rock, under large kinematics
   update::VaryingLoads varying_loads;
+  update::FollowingPressures following;  ///< large kinematics
   update::Dashpots dashpots;
   update::MovingSupports supports;
   update::MovingState now, saved;
@@ -45,8 +47,8 @@ struct Motion::Data {
   device::Field varying_before;  ///< … and at the start of the step; empty where no load changes
   device::Field
       velocity_before;  ///< at the start of the step; empty without damping or large kinematics
-  device::Field displacement_before, acceleration_before,
-      goal_before;           ///< likewise; large kinematics
+  device::Field displacement_before, acceleration_before, goal_before,
+      following_before;      ///< likewise; large kinematics
   device::Field increment;   ///< Δd of the step
   device::Field correction;  ///< of the prediction: what is solved for
   device::Field right;       ///< right-hand side

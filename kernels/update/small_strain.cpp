@@ -1,35 +1,12 @@
 // Small strain: f = K d + f0, f0 that of the initial stress.
 #include "kernels/update/deformation_kernel.hpp"
-#include "kernels/update/initial_stress.hpp"
+#include "kernels/update/initial_stress_kernel.hpp"
 #include "kernels/update/stress_kernel.hpp"
 
 namespace rockfold::update {
 namespace {
 
 constexpr solve::Combination stiffness_only{1, 0};
-
-/// The initial stress where stresses are asked for. Empty: none.
-struct StressBefore {
-  Array<Real> cell_z, centroid_z;  ///< [elements] m
-  Array<Real> law;  ///< [13] Pa at the reference, Pa a metre of depth, and the reference, m
-  bool any() const { return law.extent(0) > 0; }
-};
-
-KOKKOS_INLINE_FUNCTION void add_stress_before(const StressBefore& before, Real z, Real* stress) {
-  for (int k = 0; k < 6; ++k) stress[k] += before.law(k) + (before.law(12) - z) * before.law(6 + k);
-}
-
-StressBefore make_stress_before(const MotionSetup& setup) {
-  const InitialStress& given = setup.initial_stress;
-  if (!given.any) return {};
-  const ElementHeights heights = element_heights(setup.covers, setup.moments);
-  std::vector<Real> law(given.at.begin(), given.at.end());
-  law.insert(law.end(), given.gradient.begin(), given.gradient.end());
-  law.push_back(given.reference_z);
-  return {device::to_device("update::cell_z", heights.cell),
-          device::to_device("update::centroid_z", heights.centroid),
-          device::to_device("update::stress_law", law)};
-}
 
 class SmallStrain : public Deformation {
  public:

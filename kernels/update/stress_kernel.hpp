@@ -19,14 +19,21 @@ KOKKOS_INLINE_FUNCTION void stress_of_element(const solve::ElementTable& table, 
   solve::elastic_stress(table.elastic(table.material(e)), h, stress);
 }
 
-/// At a point x m from the centre of the element's lattice cell.
-KOKKOS_INLINE_FUNCTION void stress_at(const solve::ElementTable& table, const Field& d, Index e,
-                                      const Real* x, Real* stress) {
+/// ∂u/∂x at a point x m from the centre of the element's lattice cell.
+KOKKOS_INLINE_FUNCTION void gradient_at(const solve::ElementTable& table, const Field& d, Index e,
+                                        const Real* x, Real (*h)[3]) {
   const auto& r = table.parts.reciprocal;
-  Real gradient[most_width][3], h[3][3], eta[3];
+  Real gradient[most_width][3], eta[3];
   for (int i = 0; i < 3; ++i) eta[i] = r[i][0] * x[0] + r[i][1] * x[1] + r[i][2] * x[2];
   solve::part_gradients(table.parts, table.part(e), eta, gradient);
   solve::displacement_gradient(table, e, gradient, d, h);
+}
+
+/// At such a point.
+KOKKOS_INLINE_FUNCTION void stress_at(const solve::ElementTable& table, const Field& d, Index e,
+                                      const Real* x, Real* stress) {
+  Real h[3][3];
+  gradient_at(table, d, e, x, h);
   solve::elastic_stress(table.elastic(table.material(e)), h, stress);
 }
 

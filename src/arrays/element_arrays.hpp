@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "src/base/types.hpp"
@@ -23,6 +24,14 @@ struct PieceMoments {
   int degree = 0;            ///< of `local`
   /// [Q][(degree+1)(degree+2)(degree+3)/6] ∫ η^m dV, m³; η in units of the cell's edges, monomials as monomial_index has them
   std::vector<Real> local;
+};
+
+/// What speeds conjugate gradients up. `automatic` chooses by size: see docs/user_guide.md, [solver].
+enum class Preconditioner : std::uint8_t {
+  automatic,
+  block_jacobi,       ///< the 3×3 blocks of each cover function
+  node_block_jacobi,  ///< one block for each lattice node
+  multigrid           ///< over lattices of doubled spacing that are cut as the rock is
 };
 
 /// The motion of the physical covers, in the order of unknowns (order 0: of each cover's node).

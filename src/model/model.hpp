@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "src/arrays/element_arrays.hpp"
 #include "src/arrays/lattice.hpp"
 #include "src/arrays/load_arrays.hpp"
 #include "src/base/error.hpp"
@@ -418,6 +419,7 @@ struct Analysis {
 struct SolverSpec {
   Real tolerance = 1e-8;  ///< ‖r‖/‖b‖, (0, 1)
   Index max_iterations = 5000;
+  Preconditioner preconditioner = Preconditioner::automatic;
 };
 
 struct Output {

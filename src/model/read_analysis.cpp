@@ -154,11 +154,13 @@ void read_solver(Draft& draft) {
     in.read("tolerance", draft.model.solver.tolerance, tolerance, Need::optional);
     in.read("max_iterations", draft.model.solver.max_iterations, IntegerRange{.low = 1},
             Need::optional);
-    std::string preconditioner;
-    if (in.read("preconditioner", preconditioner, Need::optional) &&
-        preconditioner != "block_jacobi")
-      in.wrong("preconditioner",
-               "\"" + preconditioner + "\" is not supported yet, must be \"block_jacobi\"");
+    const auto preconditioner =
+        in.choose("preconditioner",
+                  {{"auto", "block_jacobi", "node_block_jacobi", "multigrid"}, {}}, Need::optional);
+    constexpr Preconditioner names[] = {Preconditioner::automatic, Preconditioner::block_jacobi,
+                                        Preconditioner::node_block_jacobi,
+                                        Preconditioner::multigrid};
+    if (preconditioner) draft.model.solver.preconditioner = names[*preconditioner];
   });
 }
 

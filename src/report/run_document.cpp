@@ -1,4 +1,5 @@
 #include "src/base/vector.hpp"
+#include "src/report/names.hpp"
 #include "src/report/document_parts.hpp"
 
 namespace rockfold {
@@ -94,7 +95,8 @@ Json run_document(const DocumentHead& head, const RunReport& report) {
   if (report.keyblocks)
     add_support(document["support"] = Json::object(), report.blocks, *report.keyblocks);
   document["iterations"] = {{"pcg", report.run.iterations.pcg},
-                            {"open_close", report.run.iterations.open_close}};
+                            {"open_close", report.run.iterations.open_close},
+                            {"preconditioner", preconditioner_name(report.run.preconditioner)}};
   return document;
 }
 

@@ -46,6 +46,7 @@ MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
   setup.dynamic_ratio = analysis.type == AnalysisType::quasi_static ? 0 : analysis.dynamic_ratio;
   setup.solver.tolerance = input.model.solver.tolerance;
   setup.solver.max_iterations = input.model.solver.max_iterations;
+  setup.preconditioner = input.model.solver.preconditioner;
   return setup;
 }
 
@@ -111,6 +112,7 @@ class Run {
 /// Counts a solve; where it failed, goes back to the last good state, stores it and throws.
 void Run::accept(const SolveReport& report, Index step, Real time) {
   result_.iterations.pcg += report.iterations;
+  result_.preconditioner = report.preconditioner;
   result_.support_gap = report.gap;
   if (report.converged) return;
   if (step > 0) {

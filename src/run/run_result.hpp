@@ -71,6 +71,7 @@ struct RunResult {
     std::int64_t pcg = 0;
     std::int64_t open_close = 0;  ///< 0 until contact exists
   } iterations;
+  Preconditioner preconditioner = Preconditioner::automatic;  ///< of the last solve
 
   struct Seconds {
     Real assemble = 0, solve = 0, output = 0;

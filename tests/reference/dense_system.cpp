@@ -264,6 +264,41 @@ Dense assemble_springs(const CoverArrays& covers, const FixedPoints& fixed) {
   return k;
 }
 
+std::vector<Vec3> assemble_load(const CoverArrays& a,
+                                const std::function<Vec3(const Vec3&)>& body_force,
+                                const std::function<Vec3(const Vec3&, const Vec3&)>& traction,
+                                const std::vector<std::function<Real(const Vec3&)>>& on) {
+  std::vector<Vec3> load(a.unknown_count());
+  const int n = a.functions(), points = 8;
+  const auto add = [&](const ElementView& e, const Vec3& x, const Vec3& force) {
+    for (std::size_t f = 0; f < e.cover.size() * n; ++f) {
+      const int k = static_cast<int>(f) % n;
+      const Sample value = times(weight(e, a.lattice.edge, f / n, x),
+                                 cover_function(a.lattice.edge, e.node[f / n], k, x));
+      load[k * a.cover_count() + e.cover[f / n]] += e.share * value.value * force;
+    }
+  };
+  const auto rule = gauss(points);
+  for_each_element(a, [&](const ElementView& e, const std::vector<Tetrahedron>& filling) {
+    for (const auto& tet : filling) {
+      integrate(tet, points, [&](const Vec3& x, Real dv) { add(e, x, dv * body_force(x)); });
+      // The last three corners are a triangle of the boundary, where the element is cut.
+      for (const auto& plane : on) {
+        if (std::abs(plane(tet[1])) + std::abs(plane(tet[2])) + std::abs(plane(tet[3])) > 1e-9)
+          continue;
+        const Vec3 twice = cross(tet[2] - tet[1], tet[3] - tet[1]);
+        if (norm(twice) == 0) continue;
+        for (const auto& [r, wr] : rule)
+          for (const auto& [s, ws] : rule) {
+            const Vec3 x = tet[1] + r * ((tet[2] - tet[1]) + s * (tet[3] - tet[2]));
+            add(e, x, r * wr * ws * norm(twice) * traction(x, normalized(twice)));
+          }
+      }
+    }
+  });
+  return load;
+}
+
 std::vector<Real> eigenvalues(Dense a) {
   const std::size_t n = a.n;
   for (int sweep = 0; sweep < 30; ++sweep) {

@@ -2,6 +2,7 @@
 // by Gauss points in tetrahedra that fill the elements. An oracle for the operator; slow and short.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "src/arrays/cover_arrays.hpp"
@@ -23,6 +24,12 @@ Dense assemble_stiffness(const CoverArrays& covers, const std::vector<ElasticMat
 Dense assemble_mass(const CoverArrays& covers, const std::vector<ElasticMaterial>& materials);
 /// Σ k N Nᵀ.
 Dense assemble_springs(const CoverArrays& covers, const FixedPoints& fixed);
+
+/// [U] ∫ φ b dV over the rock + ∫ φ t dA over the triangles of pieces all of whose corners lie `on` one plane: t(x, outward normal).
+std::vector<Vec3> assemble_load(const CoverArrays& covers,
+                                const std::function<Vec3(const Vec3&)>& body_force,
+                                const std::function<Vec3(const Vec3&, const Vec3&)>& traction,
+                                const std::vector<std::function<Real(const Vec3&)>>& on);
 
 /// Of a symmetric matrix, ascending (Jacobi's rotations).
 std::vector<Real> eigenvalues(Dense a);

@@ -1,10 +1,10 @@
 // The operator in every lattice with covers of every order.
 #include <cmath>
-#include <string>
 
 #include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
+#include "tests/solve/spaces.hpp"
 #include "tests/solve/systems.hpp"
 
 namespace rockfold {
@@ -12,31 +12,11 @@ namespace {
 
 using reference::Dense;
 
-struct Space {
-  LatticeKind kind;
-  int order;
-};
-
-std::string name(const testing::TestParamInfo<Space>& info) {
-  const char* names[] = {"tet5", "tet5_mixed", "tet6", "tet6_kuhn", "tet24", "hex8", "block"};
-  return std::string(names[static_cast<int>(info.param.kind)]) + "_order" +
-         std::to_string(info.param.order);
-}
-
-std::vector<Space> spaces(bool blocks) {
-  std::vector<Space> all;
-  for (const LatticeKind kind :
-       {LatticeKind::tet5, LatticeKind::tet5_mixed, LatticeKind::tet6, LatticeKind::tet6_kuhn,
-        LatticeKind::tet24, LatticeKind::hex8, LatticeKind::block})
-    for (int order = 0; order < 3; ++order)
-      if (kind != LatticeKind::block || (blocks && order > 0)) all.push_back({kind, order});
-  return all;
-}
-
 class EveryLattice : public testing::TestWithParam<Space> {};
 class EveryLatticeOfCells : public testing::TestWithParam<Space> {};
-INSTANTIATE_TEST_SUITE_P(Operator, EveryLattice, testing::ValuesIn(spaces(true)), name);
-INSTANTIATE_TEST_SUITE_P(Operator, EveryLatticeOfCells, testing::ValuesIn(spaces(false)), name);
+INSTANTIATE_TEST_SUITE_P(Operator, EveryLattice, testing::ValuesIn(spaces(true)), space_name);
+INSTANTIATE_TEST_SUITE_P(Operator, EveryLatticeOfCells, testing::ValuesIn(spaces(false)),
+                         space_name);
 
 Real largest_entry(const Dense& a) {
   Real most = 0;
