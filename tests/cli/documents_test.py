@@ -134,8 +134,12 @@ class Run(ProgramTest):
         self.assertLessEqual({"cut", "cover", "contact", "assemble", "solve", "output", "total"}, set(document["seconds"]))
         self.assertEqual(set(document["iterations"]), {"pcg", "open_close", "preconditioner"})
         self.assertAlmostEqual(document["blocks"][0]["displacement"][2], -5, delta=1e-8)
-        states = self.json_of("info", "free_fall.vtkhdf")["states"]
-        self.assertEqual(states["step"], [0, 5, 10, 15, 20])
+        info = self.json_of("info", "free_fall.vtkhdf")
+        self.assertEqual(info["states"]["step"], [0, 5, 10, 15, 20])
+        shapes = {entry["path"]: entry["shape"] for entry in info["datasets"]}
+        self.assertEqual(shapes["/rockfold/states/block_stress"], [5, 1, 6])
+        for name in document["energy_history"]:
+            self.assertEqual(shapes[f"/rockfold/energy/{name}"], [21])
 
     def test_of_a_column_under_its_own_weight(self):
         self.copy_case("column")

@@ -322,7 +322,8 @@ time_step = 0.02
 end_time = 0.5
 dynamic_ratio = 0.9
 max_displacement_ratio = 0.01
-newmark = {beta = 0.25, gamma = 0.5}
+newmark = {beta = 0.3025, gamma = 0.6}
+rayleigh = {alpha = 0.5, beta = 0.001}
 
 [solver]
 tolerance = 1e-9

@@ -169,6 +169,10 @@ TEST_F(CompleteModel, HasItsAnalysis) {
   EXPECT_EQ(model.analysis->steps, 25);
   EXPECT_EQ(model.analysis->dynamic_ratio, 0.9);
   EXPECT_EQ(model.analysis->max_displacement_ratio, 0.01);
+  EXPECT_EQ(model.analysis->newmark_beta, 0.3025);
+  EXPECT_EQ(model.analysis->newmark_gamma, 0.6);
+  EXPECT_EQ(model.analysis->rayleigh_alpha, 0.5);
+  EXPECT_EQ(model.analysis->rayleigh_beta, 0.001);
   EXPECT_EQ(model.solver.tolerance, 1e-9);
   EXPECT_EQ(model.solver.max_iterations, 100);
   EXPECT_EQ(model.output.every, 0);

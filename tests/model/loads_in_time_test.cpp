@@ -1,0 +1,47 @@
+// What only a motion in time can make use of is refused elsewhere; and what [analysis] says of damping.
+#include <gtest/gtest.h>
+
+#include "tests/model/model_errors.hpp"
+
+namespace rockfold {
+namespace {
+
+std::string model_of(const std::string& type, const std::string& rest) {
+  return "[[material]]\nname = 'granite'\ndensity = 2700.0\nyoung_modulus = 1e9\npoisson_ratio = "
+         "0.2\n" ROCK
+         "material = 'granite'\n[cover]\nspacing = 1.0\n[[fixed]]\nwhere = {face = 'rock.zmin'}\n"
+         "[analysis]\ntype = '" +
+         type + "'\n" + rest;
+}
+
+TEST(LoadsInTime, AreRefusedWhereNothingMoves) {
+  const std::string base = "[base_acceleration]\ntable = [[0, 0, 0, 0], [1, 1, 0, 0]]\n";
+  const std::string start = "[[initial_velocity]]\nwhere = {all = true}\nvelocity = [1, 0, 0]\n";
+  expect_error({model_of("static", base).c_str(), 18, 0, "base_acceleration", "static analysis"},
+               Purpose::run);
+  for (const char* type : {"static", "quasi_static"})
+    expect_error(
+        {model_of(type, start).c_str(), 18, 0, "initial_velocity[1]", "type = \"dynamic\""},
+        Purpose::run);
+  EXPECT_TRUE(errors_of(model_of("dynamic", base + start), {}, Purpose::run).empty());
+  EXPECT_TRUE(errors_of(model_of("quasi_static", base), {}, Purpose::run).empty());
+}
+
+/// REFERENCES C9.
+TEST(Rayleigh, FollowsFromADampingRatioAtTwoFrequencies) {
+  const Model model =
+      parse_model(model_of("dynamic", "rayleigh = {damping_ratio = 0.05, frequencies = [1, 10]}"),
+                  "m.toml", {}, Purpose::run);
+  EXPECT_NEAR(model.analysis->rayleigh_alpha, 0.57119866, 1e-8);
+  EXPECT_NEAR(model.analysis->rayleigh_beta, 0.00144686, 1e-8);
+  const Model given = parse_model(
+      model_of("dynamic", "rayleigh = {alpha = 0.3}\nnewmark = {beta = 0.5, gamma = 1}"), "m.toml",
+      {}, Purpose::run);
+  EXPECT_EQ(given.analysis->rayleigh_alpha, 0.3);
+  EXPECT_EQ(given.analysis->rayleigh_beta, 0);
+  EXPECT_EQ(given.analysis->newmark_beta, 0.5);
+  EXPECT_EQ(given.analysis->newmark_gamma, 1);
+}
+
+}  // namespace
+}  // namespace rockfold
