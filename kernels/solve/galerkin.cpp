@@ -98,14 +98,13 @@ KOKKOS_INLINE_FUNCTION void add_row(const Products& g, const ProductRow& row, In
   float diagonal[9] = {}, sum[3];
   if (place < 0) {
     const SingleStencil& s = g.fine.stencil;
-    const Index run = -1 - place, k = i - s.first(run);
-    const float* table = &s.table(s.material(run) * SingleStencil::table_size);
-    for (int o = 0; o < 2 * half_neighbours; ++o) {
-      const float* block = table + 9 * (o / 2);
-      add_column(g, row, s.neighbour(2 * half_neighbours * run + o) + k, weight, block, 1);
+    const Index run = -1 - place, along = i - s.first(run), offsets = 2 * s.run_pairs(run);
+    const float* block = &s.table(s.run_table(run));
+    for (Index o = 0; o < offsets; ++o, block += 9) {
+      add_column(g, row, s.neighbour(s.neighbour_begin(run) + o) + along, weight, block, 1);
       for (int m = 0; m < 9; ++m) diagonal[m] -= block[m];
     }
-    for (int d = 0; d < 3; ++d) sum[d] = table[9 * half_neighbours];
+    for (int d = 0; d < 3; ++d) sum[d] = *block;
   } else {
     const SingleBlocks& b = g.fine.block;
     const Index slice = place / slice_lanes;

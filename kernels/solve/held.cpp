@@ -76,11 +76,11 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
                             Preconditioner preconditioner) {
   HeldSystem system;
   system.preconditioner = preconditioner;
+  MergedPoints merged = merge_points(fixed);
   if (covers.order == 0 &&
       (preconditioner == Preconditioner::multigrid ||
        (preconditioner == Preconditioner::automatic && op.covers >= least_for_multigrid)))
-    system.grid = make_multigrid(covers);
-  MergedPoints merged = merge_points(fixed);
+    system.grid = make_multigrid(covers, merged.fixed.points);
   system.springs = build_springs(merged.fixed, op.unknowns);
   system.shares = std::move(merged.shares);
   system.work = make_pcg_work(op.unknowns);
@@ -102,7 +102,7 @@ void set_combination(HeldSystem& system, const Combination& c, Real spring_facto
   add_spring_diagonal(system.springs, spring_factor, system.inverse);
   const Blocks diagonal = system.inverse;
   system.largest_diagonal = device::largest(
-      "rockfold::solve::largest_diagonal", system.op.covers, KOKKOS_LAMBDA(const Index p) {
+      "rockfold::solve::largest_diagonal", system.op.unknowns, KOKKOS_LAMBDA(const Index p) {
         return device::math::fmax(diagonal(p, 0),
                                   device::math::fmax(diagonal(p, 1), diagonal(p, 2)));
       });

@@ -31,25 +31,52 @@ KOKKOS_INLINE_FUNCTION void finish_row(const Sweep& s, Index p, const float* y) 
   }
 }
 
+KOKKOS_INLINE_FUNCTION void sweep_stencil_row(const SingleStencil& stencil, Index run, Index k,
+                                              const Sweep& s) {
+  const Index along = stencil.stride * k, p = stencil.first(run) + along;
+  const Index offsets = 2 * stencil.run_pairs(run);
+  const float* block = &stencil.table(stencil.run_table(run));
+  float own[3], y[3];
+  for (int i = 0; i < 3; ++i) {
+    own[i] = s.d(p, i);
+    y[i] = block[9 * offsets] * own[i];
+  }
+  for (Index o = 0; o < offsets; ++o, block += 9) {
+    const Index q = stencil.neighbour(stencil.neighbour_begin(run) + o) + along;
+    float t[3];
+    for (int j = 0; j < 3; ++j) t[j] = s.d(q, j) - own[j];
+    for (int i = 0; i < 3; ++i)
+      y[i] += block[3 * i] * t[0] + block[3 * i + 1] * t[1] + block[3 * i + 2] * t[2];
+  }
+  finish_row(s, p, y);
+}
+
 #ifndef ROCKFOLD_ON_GPU
 
 SingleComponents components(const SingleField& x, Index p) {
   return {{&x(p, 0), &x(p, 1), &x(p, 2)}};
 }
 
+/// Rows that do not stand side by side.
+void sweep_strided_run(const SingleStencil& stencil, Index run, const Sweep& s) {
+  for (Index k = 0; k < stencil.length(run); ++k) sweep_stencil_row(stencil, run, k, s);
+}
+
 void sweep_run(const SingleStencil& stencil, Index run, const Sweep& s) {
+  if (stencil.stride != 1) return sweep_strided_run(stencil, run, s);
   const Index first = stencil.first(run), length = stencil.length(run);
-  const float* table = &stencil.table(stencil.material(run) * SingleStencil::table_size);
+  const Index pairs = stencil.run_pairs(run);
+  const float* table = &stencil.table(stencil.run_table(run));
   float y[3][StencilRuns::max_length];
   float* const out[3] = {y[0], y[1], y[2]};
   const SingleComponents own = components(s.d, first);
-  const float whole = table[9 * half_neighbours];
+  const float whole = table[18 * pairs];
   for (int i = 0; i < 3; ++i)
     for (Index k = 0; k < length; ++k) y[i][k] = whole * own.x[i][k];
-  for (int o = 0; o < half_neighbours; ++o) {
-    const Index* q = &stencil.neighbour(2 * (half_neighbours * run + o));
-    stencil_add(length, table + 9 * o, own, components(s.d, q[0]), components(s.d, q[1]), out);
-  }
+  const Index* q = &stencil.neighbour(stencil.neighbour_begin(run));
+  for (Index o = 0; o < pairs; ++o)
+    stencil_add(length, table + 18 * o, own, components(s.d, q[2 * o]),
+                components(s.d, q[2 * o + 1]), out);
   if (!s.smooths) {
     for (int i = 0; i < 3; ++i)
       for (Index k = 0; k < length; ++k) s.r(first + k, i) -= y[i][k];
@@ -93,7 +120,7 @@ void sweep(const LevelMatrix& a, const Sweep& s) {
   const SingleStencil stencil = a.stencil;
   const SingleBlocks block = a.block;
   const Index slices = block.slices();
-  const Index portions = slices + static_cast<Index>(stencil.first.extent(0));
+  const Index portions = slices + stencil.runs();
   const auto sweep_portion = KOKKOS_LAMBDA(const Index i) {
     if (i < slices)
       sweep_slice(block, i, s);
@@ -130,27 +157,6 @@ KOKKOS_INLINE_FUNCTION void sweep_block_row(const SingleBlocks& block, Index slo
   finish_row(s, p, y);
 }
 
-KOKKOS_INLINE_FUNCTION void sweep_stencil_row(const SingleStencil& stencil, Index run, Index k,
-                                              const Sweep& s) {
-  const Index p = stencil.first(run) + k;
-  const float* table = &stencil.table(stencil.material(run) * SingleStencil::table_size);
-  float own[3], y[3];
-  for (int i = 0; i < 3; ++i) {
-    own[i] = s.d(p, i);
-    y[i] = table[9 * half_neighbours] * own[i];
-  }
-  for (int o = 0; o < half_neighbours; ++o) {
-    const Index plus = stencil.neighbour(2 * (half_neighbours * run + o)) + k;
-    const Index minus = stencil.neighbour(2 * (half_neighbours * run + o) + 1) + k;
-    const float* block = table + 9 * o;
-    float t[3];
-    for (int j = 0; j < 3; ++j) t[j] = (s.d(plus, j) - own[j]) + (s.d(minus, j) - own[j]);
-    for (int i = 0; i < 3; ++i)
-      y[i] += block[3 * i] * t[0] + block[3 * i + 1] * t[1] + block[3 * i + 2] * t[2];
-  }
-  finish_row(s, p, y);
-}
-
 void sweep(const LevelMatrix& a, const Sweep& s) {
   const SingleStencil stencil = a.stencil;
   const SingleBlocks block = a.block;
@@ -158,7 +164,7 @@ void sweep(const LevelMatrix& a, const Sweep& s) {
       "rockfold::solve::sweep_blocks", block.slices() * slice_lanes,
       KOKKOS_LAMBDA(const Index slot) { sweep_block_row(block, slot, s); });
   device::for_each(
-      "rockfold::solve::sweep_stencil", static_cast<Index>(stencil.first.extent(0)) * slice_lanes,
+      "rockfold::solve::sweep_stencil", stencil.runs() * slice_lanes,
       KOKKOS_LAMBDA(const Index i) {
         const Index run = i / slice_lanes;
         for (Index k = i % slice_lanes; k < stencil.length(run); k += slice_lanes)

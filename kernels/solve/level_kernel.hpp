@@ -11,11 +11,14 @@ namespace rockfold::solve {
 
 using SingleField = Kokkos::View<float* [3], Kokkos::LayoutLeft, device::Memory>;
 
-/// Stencil rows: for each material 7 × block of 9, then D.
+/// Stencil rows. A table holds the blocks of 9 at offsets +1, −1, +2, −2, … and D.
 struct SingleStencil {
-  static constexpr int table_size = 9 * half_neighbours + 1;
-  Array<Index> first, length, material, neighbour;
+  int stride = 1;  ///< between the covers of a run
+  Array<Index> first, length, neighbour_begin, neighbour;
+  Array<Index> run_table, run_pairs;  ///< [runs] where its table begins, how many pairs of offsets it has
   Array<float> table;
+
+  KOKKOS_INLINE_FUNCTION Index runs() const { return static_cast<Index>(first.extent(0)); }
 };
 
 /// Block rows, as DeviceBlocks: a slice's values stand as [column][9][lane].
@@ -28,10 +31,8 @@ struct SingleBlocks {
 };
 
 /// Springs between the rock and the ground, y += Nᵀ k N x.
-struct SingleSprings {
-  DevicePoints points;
+struct SingleSprings : PointRows {
   SingleField stiffness, force;
-  Array<Index> row, row_begin, row_entry, entry_point;
 };
 
 /// Inverted diagonal blocks, [rows] xx yy zz xy yz zx.
@@ -45,9 +46,9 @@ struct LevelMatrix {
   Array<Index> place;  ///< [rows] where a row stands: its slot of `block`, or −1 − its run
 };
 
-/// The finest level. `diagonal`: the diagonal blocks of the whole operator, inverted, unscaled.
-LevelMatrix finest_matrix(const Operator& op, const Springs& springs, const Combination& c,
-                          Real spring_factor, Real scale);
+/// The finest level: functions 0 of all covers. `points`: those of the springs, with the weights of functions 0 alone.
+LevelMatrix finest_matrix(const Operator& op, const Springs& springs, const PointRows& points,
+                          const Combination& c, Real spring_factor, Real scale);
 
 /// Interpolation from a level to the next finer one, and its transpose.
 struct Interpolation {

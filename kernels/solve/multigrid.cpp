@@ -264,14 +264,30 @@ void allocate_fields(GridLevel& level, Index rows) {
   level.inverse = SingleInverse("rockfold::solve::level_inverse", rows);
 }
 
+/// The points with their weights of functions 0 alone: unknowns below `covers`.
+MaterialPoints of_constants(const MaterialPoints& points, Index covers) {
+  MaterialPoints result;
+  result.element = points.element;
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    for (Index i = points.begin[n]; i < points.begin[n + 1]; ++i)
+      if (points.unknown[i] < covers) {
+        result.unknown.push_back(points.unknown[i]);
+        result.weight.push_back(points.weight[i]);
+      }
+    result.begin.push_back(static_cast<Index>(result.unknown.size()));
+  }
+  return result;
+}
+
 }  // namespace
 
-Multigrid make_multigrid(const CoverArrays& covers) {
+Multigrid make_multigrid(const CoverArrays& covers, const MaterialPoints& points) {
   Multigrid grid;
   const std::vector<CoarseCovers> coarse = coarsen_covers(covers, small_part);
   if (coarse.empty()) return grid;
   grid.levels.resize(coarse.size() + 1);
   allocate_fields(grid.levels[0], covers.cover_count());
+  grid.points = make_point_rows(of_constants(points, covers.cover_count()), covers.cover_count());
   for (std::size_t l = 0; l < coarse.size(); ++l) {
     GridLevel& level = grid.levels[l + 1];
     allocate_fields(level, coarse[l].count());
@@ -287,7 +303,7 @@ void set_values(Multigrid& grid, const Operator& op, const Springs& springs, con
                 Real spring_factor, const Blocks& inverse, Real scale) {
   grid.scale = scale;
   GridLevel& finest = grid.levels[0];
-  finest.a = finest_matrix(op, springs, c, spring_factor, scale);
+  finest.a = finest_matrix(op, springs, grid.points, c, spring_factor, scale);
   const auto to = finest.inverse;
   device::for_each(
       "rockfold::solve::single_inverse", finest.a.rows, KOKKOS_LAMBDA(const Index p) {

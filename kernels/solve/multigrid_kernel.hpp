@@ -23,12 +23,13 @@ struct GridLevel {
 
 struct Multigrid {
   std::vector<GridLevel> levels;  ///< finest first; two at least
+  PointRows points;  ///< of the springs, with the weights of functions 0 alone
   DenseParts coarsest;  ///< empty where the last level's parts are too large: smoothed only
   Real scale = 1;       ///< what all values are divided by
 };
 
-/// Levels without values, from topology; none for a lattice that has no coarser one.
-Multigrid make_multigrid(const CoverArrays& covers);
+/// Levels without values, from topology; none for a lattice that has no coarser one. `points`: those of the springs.
+Multigrid make_multigrid(const CoverArrays& covers, const MaterialPoints& points);
 
 /// Values for αK + βM + γ NᵀkN. `diagonal`: its inverted diagonal blocks; `scale`: its largest diagonal entry.
 void set_values(Multigrid& grid, const Operator& op, const Springs& springs, const Combination& c,

@@ -16,6 +16,7 @@ struct StencilCovers {
   std::vector<Index> material;  ///< [P] none for block rows
   std::vector<NodeClass> classes;
   std::vector<std::uint8_t> of;  ///< [P] class
+  std::vector<std::uint8_t> shares_node;  ///< [P] 1 where the node has other covers; empty where none has
 
   Index cell_at(Index p, int node) const {
     return cell[static_cast<std::size_t>(nodes) * p + node];
@@ -34,6 +35,33 @@ Index common_material(const CoverArrays& covers, const StencilCovers& found, Ind
   return material;
 }
 
+/// Whether p's cells agree on the covers of their common nodes. They do not where a joint on a lattice plane, which enters no cell,
+/// ends at p.
+bool cells_agree(const CoverArrays& covers, const StencilCovers& found, Index p) {
+  std::vector<Index> split;  // covers of split nodes
+  for (const auto& corner : found.classes[found.of[p]].cell) {
+    const Index* cell = &covers.regular_cover[found.nodes * found.cell_at(p, corner.node)];
+    for (int b = 0; b < found.nodes; ++b)
+      if (found.shares_node[cell[b]] != 0) split.push_back(cell[b]);
+  }
+  std::sort(split.begin(), split.end());
+  split.erase(std::unique(split.begin(), split.end()), split.end());
+  return std::adjacent_find(split.begin(), split.end(), [&](Index a, Index b) {
+           return covers.cover_node[a] == covers.cover_node[b];
+         }) == split.end();
+}
+
+/// See StencilCovers.
+std::vector<std::uint8_t> find_shared_nodes(const CoverArrays& covers) {
+  std::vector<std::uint8_t> shares;
+  for (std::size_t p = 1; p < covers.cover_node.size(); ++p)
+    if (covers.cover_node[p - 1] == covers.cover_node[p]) {
+      shares.resize(covers.cover_node.size(), 0);
+      shares[p - 1] = shares[p] = 1;
+    }
+  return shares;
+}
+
 StencilCovers find_stencil_covers(const CoverArrays& covers) {
   const std::size_t count = covers.cover_node.size();
   StencilCovers found;
@@ -48,9 +76,13 @@ StencilCovers find_stencil_covers(const CoverArrays& covers) {
       const std::size_t p = covers.regular_cover[found.nodes * r + c];
       found.cell[found.nodes * p + c] = r;
     }
+  found.shares_node = find_shared_nodes(covers);
   for (std::size_t p = 0; p < count; ++p) {
     found.of[p] = static_cast<std::uint8_t>(class_of_node(covers.lattice, covers.cover_node[p]));
     found.material[p] = common_material(covers, found, static_cast<Index>(p));
+    if (found.material[p] != none && !found.shares_node.empty() &&
+        !cells_agree(covers, found, static_cast<Index>(p)))
+      found.material[p] = none;
   }
   return found;
 }
