@@ -10,7 +10,7 @@ constexpr Real least_pivot = 1e-10;
 
 /// Where the couplings of each cover with itself stand: its slot of block rows, or −1 − its run.
 Array<Index> places(const Operator& op) {
-  const auto place = device::allocate<Index>("solve::cover_place", op.covers);
+  auto place = device::allocate<Index>("solve::cover_place", op.covers);
   const DeviceStencil stencil = op.stencil;
   const auto row = op.block.row;
   device::for_each(
@@ -127,7 +127,6 @@ CoverBlocks make_cover_blocks(const Operator& op) {
 void set_values(const CoverBlocks& blocks, const Operator& op, const Springs& springs,
                 const Combination& c, Real spring_factor) {
   const CoverBlocks to = blocks;
-  const Springs s = springs;
   const DeviceStencil stencil = op.stencil;
   const DeviceBlocks block = op.block;
   const auto place = places(op);
@@ -136,7 +135,7 @@ void set_values(const CoverBlocks& blocks, const Operator& op, const Springs& sp
         Real a[most_entries];
         const int n = to.functions, width = to.width();
         own_matrix(block, stencil, place(p), c, n, a);
-        if (s.any()) add_springs(s, spring_factor, p, to.covers, n, a);
+        if (springs.any()) add_springs(springs, spring_factor, p, to.covers, n, a);
         for (int i = 0; i < width; ++i) {
           const Real d = a[i * width + i];
           to.scale(i / 3 * to.covers + p, i % 3) = d > 0 ? 1 / device::math::sqrt(d) : 0;
