@@ -1,7 +1,5 @@
 #include "perf/box_rock.hpp"
 
-#include <algorithm>
-
 namespace rockfold {
 namespace {
 
@@ -32,17 +30,16 @@ void add_whole_tetrahedra(CoverArrays& a, Index cell, const Index (&node)[8], Re
   }
 }
 
-/// Whether node (i, j) of the plane above layer k, k % 3 = 2, lies inside an open joint: three of nine squares, shifted from plane
+/// Whether node (i, j) of the plane above layer k, k % 3 = 2, lies inside an open joint: every third square, shifted from plane
 /// to plane.
-bool in_open_joint(Index n, Index i, Index j, Index k) {
-  if (k % 3 != 2 || k + 1 >= n) return false;
-  const Index square = std::max<Index>(n / 3, 2);
+bool in_open_joint(Index n, Index square, Index i, Index j, Index k) {
+  if (square == 0 || k % 3 != 2 || k + 1 >= n) return false;
   const Index a = i / square, b = j / square;
   const bool inside = i % square != 0 && j % square != 0;
   return inside && i < n && j < n && (a + b + k / 3) % 3 == 0;
 }
 
-CoverArrays make_rock(Index n, int cut_layers, bool jointed) {
+CoverArrays make_rock(Index n, int cut_layers, Index square) {
   CoverArrays a;
   const Real side = 1.0 / n;
   a.lattice.edge = {{{side, 0, 0}, {0, side, 0}, {0, 0, side}}};
@@ -54,7 +51,7 @@ CoverArrays make_rock(Index n, int cut_layers, bool jointed) {
       for (Index i = 0; i <= n; ++i) {
         first.push_back(a.cover_count());
         a.cover_node.push_back(a.lattice.node_index(i, j, k));
-        if (jointed && in_open_joint(n, i, j, k - 1)) a.cover_node.push_back(a.cover_node.back());
+        if (in_open_joint(n, square, i, j, k - 1)) a.cover_node.push_back(a.cover_node.back());
       }
   a.piece_begin = a.triangle_begin = a.vertex_begin = {0};
   for (Index k = 0; k < n; ++k)
@@ -64,7 +61,7 @@ CoverArrays make_rock(Index n, int cut_layers, bool jointed) {
         for (int c = 0; c < 8; ++c) {
           const Index x = i + (c & 1), y = j + (c >> 1 & 1), z = k + (c >> 2);
           node[c] = first[a.lattice.node_index(x, y, z)];
-          if (jointed && c < 4 && in_open_joint(n, x, y, z - 1)) ++node[c];
+          if (c < 4 && in_open_joint(n, square, x, y, z - 1)) ++node[c];
         }
         if (k % 3 >= 3 - cut_layers)
           add_whole_tetrahedra(a, a.lattice.cell_index(i, j, k), node, side);
@@ -77,11 +74,11 @@ CoverArrays make_rock(Index n, int cut_layers, bool jointed) {
 }  // namespace
 
 CoverArrays box_rock(Index n, int cut_layers) {
-  return make_rock(n, cut_layers, false);
+  return make_rock(n, cut_layers, 0);
 }
 
-CoverArrays jointed_rock(Index n, int cut_layers) {
-  return make_rock(n, cut_layers, true);
+CoverArrays jointed_rock(Index n, int cut_layers, Index square) {
+  return make_rock(n, cut_layers, square);
 }
 
 }  // namespace rockfold

@@ -164,8 +164,7 @@ void sweep(const LevelMatrix& a, const Sweep& s) {
       "rockfold::solve::sweep_blocks", block.slices() * slice_lanes,
       KOKKOS_LAMBDA(const Index slot) { sweep_block_row(block, slot, s); });
   device::for_each(
-      "rockfold::solve::sweep_stencil", stencil.runs() * slice_lanes,
-      KOKKOS_LAMBDA(const Index i) {
+      "rockfold::solve::sweep_stencil", stencil.runs() * slice_lanes, KOKKOS_LAMBDA(const Index i) {
         const Index run = i / slice_lanes;
         for (Index k = i % slice_lanes; k < stencil.length(run); k += slice_lanes)
           sweep_stencil_row(stencil, run, k, s);

@@ -15,7 +15,8 @@ using SingleField = Kokkos::View<float* [3], Kokkos::LayoutLeft, device::Memory>
 struct SingleStencil {
   int stride = 1;  ///< between the covers of a run
   Array<Index> first, length, neighbour_begin, neighbour;
-  Array<Index> run_table, run_pairs;  ///< [runs] where its table begins, how many pairs of offsets it has
+  Array<Index> run_table,
+      run_pairs;  ///< [runs] where its table begins, how many pairs of offsets it has
   Array<float> table;
 
   KOKKOS_INLINE_FUNCTION Index runs() const { return static_cast<Index>(first.extent(0)); }

@@ -23,7 +23,7 @@ struct GridLevel {
 
 struct Multigrid {
   std::vector<GridLevel> levels;  ///< finest first; two at least
-  PointRows points;  ///< of the springs, with the weights of functions 0 alone
+  PointRows points;               ///< of the springs, with the weights of functions 0 alone
   DenseParts coarsest;  ///< empty where the last level's parts are too large: smoothed only
   Real scale = 1;       ///< what all values are divided by
 };

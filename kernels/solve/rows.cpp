@@ -16,7 +16,8 @@ struct StencilCovers {
   std::vector<Index> material;  ///< [P] none for block rows
   std::vector<NodeClass> classes;
   std::vector<std::uint8_t> of;  ///< [P] class
-  std::vector<std::uint8_t> shares_node;  ///< [P] 1 where the node has other covers; empty where none has
+  std::vector<std::uint8_t>
+      shares_node;  ///< [P] 1 where the node has other covers; empty where none has
 
   Index cell_at(Index p, int node) const {
     return cell[static_cast<std::size_t>(nodes) * p + node];

@@ -13,9 +13,8 @@ struct Solution {
   std::vector<Vec3> x;
 };
 
-Solution solve_with(const SmallSystem& s, Preconditioner preconditioner,
-                    const std::vector<Vec3>& b, const SystemCoefficients& c = {1, 0, 1},
-                    Real tolerance = 1e-8) {
+Solution solve_with(const SmallSystem& s, Preconditioner preconditioner, const std::vector<Vec3>& b,
+                    const SystemCoefficients& c = {1, 0, 1}, Real tolerance = 1e-8) {
   CoverSystem system(s.covers(), piece_moments(s.covers()), s.materials, s.fixed, preconditioner);
   Solution solution{{}, std::vector<Vec3>(b.size())};
   SolveOptions options;
@@ -28,13 +27,15 @@ Solution solve_with(const SmallSystem& s, Preconditioner preconditioner,
 }
 
 std::vector<Vec3> weight_of(const SmallSystem& s) {
-  return s.make().apply({0, 1, 0}, std::vector<Vec3>(s.covers().cover_node.size(), Vec3{0, 0, -10}));
+  return s.make().apply({0, 1, 0},
+                        std::vector<Vec3>(s.covers().cover_node.size(), Vec3{0, 0, -10}));
 }
 
 TEST(Multigrid, EqualsADirectSolution) {
   SmallSystem s = cut_system();
   const SystemCoefficients c{1, 3, 1};  // some mass holds the second body
-  const auto b = reference::scattered(s.covers().cover_node.size(), 3);
+  // Forces as mass would have them: what is known of a sliver of no mass is little.
+  const auto b = s.make().apply({0, 1, 0}, reference::scattered(s.covers().cover_node.size(), 3));
   const auto dense = reference::combine(
       1,
       reference::combine(c.stiffness, reference::assemble_stiffness(s.covers(), s.materials),
@@ -65,9 +66,8 @@ TEST(Multigrid, TakesAsManyIterationsAtAnySpacing) {
 }
 
 TEST(Multigrid, SolvesOnLatticesOfAnyShape) {
-  for (const auto& [nx, ny, nz] :
-       {std::array<Index, 3>{40, 3, 2}, std::array<Index, 3>{1, 1, 30},
-        std::array<Index, 3>{17, 15, 1}}) {
+  for (const auto& [nx, ny, nz] : {std::array<Index, 3>{40, 3, 2}, std::array<Index, 3>{1, 1, 30},
+                                   std::array<Index, 3>{17, 15, 1}}) {
     SmallSystem s = uncut_system(nx, ny, nz);
     s.materials = {{2000, 1e6, 0.3}};
     const auto b = reference::scattered(s.covers().cover_node.size(), 8);
@@ -80,15 +80,16 @@ TEST(Multigrid, SolvesOnLatticesOfAnyShape) {
   }
 }
 
+/// Three joints that are open over half of their area: the same place in the rock at any spacing.
 TEST(Multigrid, HardlyMindsOpenJoints) {
-  for (Index n : {12, 21}) {
+  for (Index n : {12, 16, 24}) {
     const auto s = held_cube(n, [&](Index i, Index j, Index k) {
-      return k % 5 == 3 && i > n / 4 && j < 3 * n / 4;
+      return k % (n / 4) == 0 && k > 0 && k < n && i > n / 4 && j < 3 * n / 4;
     });
     const auto b = weight_of(s);
     const auto grids = solve_with(s, Preconditioner::multigrid, b);
     const auto blocks = solve_with(s, Preconditioner::block_jacobi, b, {1, 0, 1}, 1e-9);
-    EXPECT_LE(grids.report.iterations, 30);
+    EXPECT_LE(grids.report.iterations, 30) << n;
     EXPECT_LE(reference::largest_difference(grids.x, blocks.x),
               1e-4 * reference::largest(blocks.x));
   }
