@@ -1,5 +1,7 @@
 #include "perf/box_rock.hpp"
 
+#include <algorithm>
+
 namespace rockfold {
 namespace {
 
@@ -28,27 +30,56 @@ void add_whole_tetrahedra(CoverArrays& a, Index cell, const Index (&node)[8], Re
   }
 }
 
-}  // namespace
+/// Whether node (i, j) of the plane above layer k, k % 3 = 2, lies inside an open joint: three of nine squares, shifted from plane
+/// to plane.
+bool in_open_joint(Index n, Index i, Index j, Index k) {
+  if (k % 3 != 2 || k + 1 >= n) return false;
+  const Index square = std::max<Index>(n / 3, 2);
+  const Index a = i / square, b = j / square;
+  const bool inside = i % square != 0 && j % square != 0;
+  return inside && i < n && j < n && (a + b + k / 3) % 3 == 0;
+}
 
-CoverArrays box_rock(Index n, int cut_layers) {
+CoverArrays make_rock(Index n, int cut_layers, bool jointed) {
   CoverArrays a;
   const Real side = 1.0 / n;
   a.lattice.edge = {{{side, 0, 0}, {0, side, 0}, {0, 0, side}}};
   a.lattice.cells = {n, n, n};
-  for (Index p = 0; p < (n + 1) * (n + 1) * (n + 1); ++p) a.cover_node.push_back(p);
+  std::vector<Index>
+      first;  // cover of each node; where a joint is open the one below it, the next is above
+  for (Index k = 0; k <= n; ++k)
+    for (Index j = 0; j <= n; ++j)
+      for (Index i = 0; i <= n; ++i) {
+        first.push_back(a.cover_count());
+        a.cover_node.push_back(a.lattice.node_index(i, j, k));
+        if (jointed && in_open_joint(n, i, j, k - 1)) a.cover_node.push_back(a.cover_node.back());
+      }
   a.piece_begin = a.triangle_begin = a.vertex_begin = {0};
   for (Index k = 0; k < n; ++k)
     for (Index j = 0; j < n; ++j)
       for (Index i = 0; i < n; ++i) {
         Index node[8];
-        for (int c = 0; c < 8; ++c)
-          node[c] = a.lattice.node_index(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2));
+        for (int c = 0; c < 8; ++c) {
+          const Index x = i + (c & 1), y = j + (c >> 1 & 1), z = k + (c >> 2);
+          node[c] = first[a.lattice.node_index(x, y, z)];
+          if (jointed && c < 4 && in_open_joint(n, x, y, z - 1)) ++node[c];
+        }
         if (k % 3 >= 3 - cut_layers)
           add_whole_tetrahedra(a, a.lattice.cell_index(i, j, k), node, side);
         else
           add_regular(a, a.lattice.cell_index(i, j, k), node);
       }
   return a;
+}
+
+}  // namespace
+
+CoverArrays box_rock(Index n, int cut_layers) {
+  return make_rock(n, cut_layers, false);
+}
+
+CoverArrays jointed_rock(Index n, int cut_layers) {
+  return make_rock(n, cut_layers, true);
 }
 
 }  // namespace rockfold

@@ -9,4 +9,8 @@ namespace rockfold {
 /// n³ cells of side 1/n. In each three layers the last `cut_layers` (0 … 3) are stored as cut elements.
 CoverArrays box_rock(Index n, int cut_layers);
 
+/// The same with joints on the upper faces of every third layer, over a third of each: squares of side n/3 or so in changing
+/// places. A lattice node inside an open joint has two covers.
+CoverArrays jointed_rock(Index n, int cut_layers);
+
 }  // namespace rockfold

@@ -95,6 +95,16 @@ void require_in_rock(const Model& model, const MaterialPoints& monitors) {
   if (!outside.empty()) throw Error(ErrorKind::model, outside);
 }
 
+void warn_of_conditional_stability(const Model& model, Terminal& terminal) {
+  const Analysis& analysis = *model.analysis;
+  const Real beta = analysis.newmark_beta, gamma = analysis.newmark_gamma;
+  if (analysis.type != AnalysisType::dynamic || (gamma >= 0.5 && beta >= gamma / 2)) return;
+  terminal.warn(fmt::format(
+      "newmark = {{beta = {}, gamma = {}}} is stable for short time steps only: gamma >= "
+      "0.5 and beta >= gamma / 2 are stable for any",
+      beta, gamma));
+}
+
 void warn_of_cutting(const IntentReport& intent, Terminal& terminal) {
   if (intent.near_decisions == 0) return;
   std::string names;
@@ -124,7 +134,8 @@ void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Term
       blocks.block_count()));
 }
 
-void warn_of_large_rotation(const RunResult& run, Terminal& terminal) {
+void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal) {
+  if (model.analysis->large()) return;
   Real largest = 0;
   std::size_t at = 0;
   for (std::size_t b = 0; b < run.blocks.size(); ++b)

@@ -33,7 +33,9 @@ void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& mode
                             Terminal& terminal);
 void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal);
 /// Strains are linear in the displacement yet, which is right for small rotations only.
-void warn_of_large_rotation(const RunResult& run, Terminal& terminal);
+void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal);
+/// Newmark parameters that blow up where the time step is long for the stiffest element.
+void warn_of_conditional_stability(const Model& model, Terminal& terminal);
 /// An augmented Lagrangian that could not bring the fixed points to their places.
 void warn_of_support_gap(const RunResult& run, Terminal& terminal);
 

@@ -35,6 +35,7 @@ struct CoveredRock {
   MaterialPoints monitors, block_vertices;
   LoadPoints loads;
   QuietPoints quiet;
+  std::vector<RigidVelocity> velocities;
 };
 
 CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockArrays& blocks,
@@ -45,6 +46,7 @@ CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockAr
   rock.monitors = locate_points(rock.covering, monitor_points(model));
   rock.loads = load_points(cutting, rock.covering, model);
   rock.quiet = quiet_points(cutting, rock.covering, model);
+  rock.velocities = rigid_velocities(rock.covering, blocks.block_count(), model);
   rock.block_vertices = locate_block_vertices(rock.covering, blocks);
   require_in_rock(model, rock.monitors);
   return rock;
@@ -53,8 +55,9 @@ CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockAr
 /// Steps through the analysis and stores its states. If it fails, the states so far are kept.
 RunResult analyse(const CoveredRock& rock, const Model& model, const BlockArrays& blocks,
                   ResultWriter& writer, int threads, Terminal& terminal) {
-  const RunInput input{model,      rock.covering.arrays, blocks, rock.fixed, rock.monitors,
-                       rock.loads, rock.quiet,          rock.block_vertices};
+  const RunInput input{model,      rock.covering.arrays, blocks,
+                       rock.fixed, rock.monitors,        rock.loads,
+                       rock.quiet, rock.velocities,      rock.block_vertices};
   const auto store = [&](const StoredState& state) {
     add_stored_state(writer, rock.block_vertices, state);
   };
@@ -108,6 +111,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   std::optional<CoveredRock> rock;
   if (wants_run(options)) {
     warn_of_missing_contact(model, blocks, terminal);
+    warn_of_conditional_stability(model, terminal);
     rock = clock.measure("cover", [&] { return cover_rock(cutting, model, blocks, terminal); });
   }
 
@@ -131,8 +135,9 @@ int analyse_rock(const Options& options, Terminal& terminal) {
     clock.measure("output", "writing elements",
                   [&] { writer.write_elements(rock->covering.arrays); });
     run = analyse(*rock, model, blocks, writer, options.threads, terminal);
+    writer.write_energies(run->energy_time, run->energies);
     add_run_seconds(clock, *run);
-    warn_of_large_rotation(*run, terminal);
+    warn_of_large_rotation(model, *run, terminal);
     warn_of_support_gap(*run, terminal);
   }
   clock.measure("output", [&] { writer.finish(); });

@@ -6,7 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "host/cover/occupied_cells.hpp"
+#include "host/cover/glue.hpp"
+#include "host/cover/piece_contacts.hpp"
 #include "host/cut/union_find.hpp"
 #include "src/base/error.hpp"
 
@@ -23,10 +24,15 @@ class Connector {
         pieces_(pieces),
         is_block_(covers.lattice.kind == LatticeKind::block),
         covers_(covers),
+        nodes_(covers.nodes_per_cell()),
+        part_nodes_(covers.nodes_per_part()),
         index_(index),
         cells_(covers.lattice, pieces),
         piece_parts_(static_cast<Index>(pieces.pieces.size())),
-        walker_(index.lattice, index.planes) {}
+        glue_(complex, index.lattice, index.planes, cells_),
+        contacts_(complex, index.lattice, index.planes, pieces) {
+    find_face_nodes();
+  }
 
   void run() {
     write_regular();
@@ -41,11 +47,29 @@ class Connector {
   }
 
  private:
-  // Two parts of the rock that glue joins across a facet, or inside a part where they differ in material.
+  // A regular lattice cell, or a piece.
+  struct Spot {
+    Index regular = none, piece = none;
+    int part = 0;
+  };
+  // Two spots that glue joins across a facet, or inside a part where they differ in material.
   struct Link {
-    Holding one, two;
+    Spot one, two;
     const PartFacet* facet;  // of the first; null = inside
   };
+
+  // The nodes on a lattice cell's upper face along each axis, and the same among those of the next cell.
+  void find_face_nodes() {
+    const auto& node = cell_split(covers_.lattice.kind).node;
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t a = 0; a < node.size(); ++a) {
+        HalfSteps opposite = node[a];
+        if (opposite[axis] != 2) continue;
+        opposite[axis] = 0;
+        const auto b = std::find(node.begin(), node.end(), opposite) - node.begin();
+        face_nodes_[axis].emplace_back(static_cast<Index>(a), static_cast<Index>(b));
+      }
+  }
 
   Index material(Index rock) const { return model_.solids[complex_.zone(rock).solid].material; }
   const SplitTable::Form& form(Index lattice_cell) const {
@@ -79,41 +103,28 @@ class Connector {
     for (const Fragment& f : complex_.fragments) {
       if (f.joint != none && !welded) continue;
       if (complex_.zone(f.cell[0]).stage != 0 || complex_.zone(f.cell[1]).stage != 0) continue;
-      const Polygon polygon = complex_.polygon_of(f);
-      walker_.walk(polygon, half_space(polygon.plane, false),
-                   [&](const std::array<Index, 3>& ijk, int part, const Polygon&) {
-                     add_link(f, polygon.plane, ijk, part);
-                   });
+      const bool one_material = material(f.cell[0]) == material(f.cell[1]);
+      glue_.visit(f, [&](const Contact& c) { add_links(c, one_material); });
     }
   }
 
-  Index cell_across(std::array<Index, 3> ijk, const PartFacet& facet) const {
-    if (facet.axis >= 0) {
-      Index& i = ijk[facet.axis];
-      i += facet.step;
-      if (i < 0 || i >= covers_.lattice.cells[facet.axis]) return none;
-    }
-    return covers_.lattice.cell_index(ijk[0], ijk[1], ijk[2]);
+  void add_links(const Contact& c, bool one_material) {
+    if (c.facet == nullptr && (c.one.regular != none || c.two.regular != none)) return;
+    visit_spots(c.one, [&](const Spot& one) {
+      visit_spots(c.two, [&](const Spot& two) {
+        if (!contacts_.touch(one.piece, two.piece, c.polygon)) return;
+        if (c.facet == nullptr && one_material)
+          piece_parts_.join(one.piece, two.piece);
+        else
+          links_.push_back({one, two, c.facet});
+      });
+    });
   }
 
-  // The part lies below the fragment's plane where that is the plane of one of its facets.
-  void add_link(const Fragment& f, Index plane, const std::array<Index, 3>& ijk, int part) {
-    const Index lattice_cell = covers_.lattice.cell_index(ijk[0], ijk[1], ijk[2]);
-    const auto one = cells_.find(lattice_cell, part, f.cell[0]);
-    if (!one.any()) return;
-    for (const PartFacet& facet : index_.lattice.form(ijk).facet[part]) {
-      if (plane_of(index_.lattice.inside(ijk, facet)) != plane) continue;
-      const Index across = cell_across(ijk, facet);
-      const auto two = across == none ? Holding{} : cells_.find(across, facet.other, f.cell[1]);
-      if (two.any()) links_.push_back({one, two, &facet});
-      return;
-    }
-    const auto two = cells_.find(lattice_cell, part, f.cell[1]);
-    if (one.piece == none || two.piece == none) return;
-    if (material(f.cell[0]) == material(f.cell[1]))
-      piece_parts_.join(one.piece, two.piece);
-    else
-      links_.push_back({one, two, nullptr});
+  template <class Visit>
+  static void visit_spots(const Holding& h, Visit visit) {
+    if (h.regular != none) visit(Spot{h.regular, none, h.part});
+    for (Index i = h.piece_begin; i < h.piece_end; ++i) visit(Spot{none, i, h.part});
   }
 
   // Elements in the order of their first piece, so by lattice cell and part; pieces regrouped to follow it.
@@ -131,7 +142,7 @@ class Connector {
   void refuse_too_many(std::int64_t cut) const {
     const std::int64_t regular = covers_.regular_count();
     const std::int64_t elements = covers_.parts_per_cell() * regular + cut,
-                       nodes = covers_.nodes_per_cell() * regular + covers_.nodes_per_part() * cut;
+                       nodes = nodes_ * regular + part_nodes_ * cut;
     refuse_elements(*model_.cover, static_cast<Real>(elements), false);
     if (nodes > std::numeric_limits<Index>::max())
       throw Error(
@@ -166,6 +177,7 @@ class Connector {
       covers_.piece_block.push_back(complex_.cell_block[p.rock]);
       index_.piece_element[i] = e;
       index_.piece_rock.push_back(p.rock);
+      if (contacts_.any_cut()) index_.piece_cuts.push_back(p.cuts);
       write_shape(p);
     }
   }
@@ -183,28 +195,26 @@ class Connector {
   }
 
   // An instance is one node of a regular lattice cell or of a cut element; `node` is one of the part's.
-  Index instance(const Holding& at, int part, int node) const {
+  Index instance(const Spot& at, int node) const {
     if (at.regular != none)
-      return covers_.nodes_per_cell() * at.regular +
-             form(covers_.regular_cell[at.regular]).split->part[part].node[node];
+      return nodes_ * at.regular +
+             form(covers_.regular_cell[at.regular]).split->part[at.part].node[node];
     return piece_instance(at.piece) + node;
   }
   Index piece_instance(Index piece) const {
-    return covers_.nodes_per_cell() * covers_.regular_count() +
-           covers_.nodes_per_part() * element_of_piece_[piece];
+    return nodes_ * covers_.regular_count() + part_nodes_ * element_of_piece_[piece];
   }
 
-  void join_across(UnionFind& stars, const Holding& one, int part, const Holding& two,
+  void join_across(UnionFind& stars, const Spot& one, const Spot& two,
                    const PartFacet& facet) const {
     for (int k = 0; k < facet.nodes; ++k)
-      stars.join(instance(one, part, facet.node[k]), instance(two, facet.other, facet.across[k]));
+      stars.join(instance(one, facet.node[k]), instance(two, facet.across[k]));
   }
 
   void join_stars() {
-    const auto nodes = static_cast<std::size_t>(covers_.nodes_per_cell()) *
-                           static_cast<std::size_t>(covers_.regular_count()) +
-                       static_cast<std::size_t>(covers_.nodes_per_part()) *
-                           static_cast<std::size_t>(covers_.cut_count());
+    const auto nodes =
+        static_cast<std::size_t>(nodes_) * static_cast<std::size_t>(covers_.regular_count()) +
+        static_cast<std::size_t>(part_nodes_) * static_cast<std::size_t>(covers_.cut_count());
     UnionFind stars(static_cast<Index>(nodes));
     for (const CellContent& c : cells_.all())
       if (c.regular == none) join_inside(stars, c);
@@ -222,20 +232,25 @@ class Connector {
 
   void join_link(UnionFind& stars, const Link& l) const {
     if (l.facet == nullptr) {
-      for (int a = 0; a < covers_.nodes_per_part(); ++a)
+      for (int a = 0; a < part_nodes_; ++a)
         stars.join(piece_instance(l.one.piece) + a, piece_instance(l.two.piece) + a);
     } else {
-      join_across(stars, l.one, l.one.part, l.two, *l.facet);
+      join_across(stars, l.one, l.two, *l.facet);
     }
   }
 
   // What a node's star has of a lattice cell is convex in every split (of two overlaid ones, the smaller star lies in the
   // larger), and so is what it has of a cell of the complex there: all of its pieces there are one. So is a block.
+  // Prolonged joints part it: then only pieces that touch are.
   void join_inside(UnionFind& stars, const CellContent& cell) {
     first_at_.clear();
     const CellSplit& split = *form(cell.lattice_cell).split;
     for (Index i = cell.piece_begin; i < cell.piece_end; ++i) {
       const PieceRecord& p = record(i);
+      if (contacts_.is_parted(cell, p.rock)) {
+        join_touching(stars, cell, i);
+        continue;
+      }
       const Index body = is_block_ ? p.lattice_cell : p.rock;
       auto seen = std::find_if(first_at_.begin(), first_at_.end(),
                                [&](const FirstAt& f) { return f.body == body; });
@@ -255,40 +270,48 @@ class Connector {
     }
   }
 
-  // Neighbouring regular lattice cells of one cell of the complex share a whole face.
-  void join_regular(UnionFind& stars, Index low, Index high, int axis) const {
-    if (index_.regular_rock[low] != index_.regular_rock[high]) return;
-    const auto& nodes = cell_split(covers_.lattice.kind).node;
-    const Index n = covers_.nodes_per_cell();
-    for (Index a = 0; a < n; ++a) {
-      if (nodes[a][axis] != 2) continue;
-      HalfSteps opposite = nodes[a];
-      opposite[axis] = 0;
-      const auto b = std::find(nodes.begin(), nodes.end(), opposite) - nodes.begin();
-      stars.join(n * low + a, n * high + static_cast<Index>(b));
+  void join_touching(UnionFind& stars, const CellContent& cell, Index i) {
+    const auto& nodes = form(cell.lattice_cell).split->part;
+    for (Index j = cell.piece_begin; j < i; ++j) {
+      if (record(j).rock != record(i).rock || !contacts_.touch_inside_cell(i, j)) continue;
+      const CellPart &one = nodes[record(i).part], &two = nodes[record(j).part];
+      for (int a = 0; a < one.nodes; ++a)
+        for (int b = 0; b < two.nodes; ++b)
+          if (one.node[a] == two.node[b]) stars.join(piece_instance(i) + a, piece_instance(j) + b);
     }
   }
 
+  // Neighbouring regular lattice cells of one cell of the complex share a whole face.
+  void join_regular(UnionFind& stars, Index low, Index high, int axis) const {
+    if (index_.regular_rock[low] != index_.regular_rock[high]) return;
+    for (const auto& [a, b] : face_nodes_[axis]) stars.join(nodes_ * low + a, nodes_ * high + b);
+  }
+
   // Pieces of one cell of the complex on the two sides of a lattice cell's face share what the cell has of it.
-  void join_face(UnionFind& stars, const CellContent& low, const CellContent& high,
-                 int axis) const {
+  void join_face(UnionFind& stars, const CellContent& low, const CellContent& high, int axis) {
     const auto& facets = form(low.lattice_cell).facet;
     for (std::size_t part = 0; part < facets.size(); ++part)
       for (std::size_t a = 0; a < facets[part].size(); ++a) {
         const PartFacet& facet = facets[part][a];
         if (facet.axis != axis || facet.step < 0) continue;
-        cells_.visit_open(low, static_cast<int>(part), static_cast<int>(a),
-                          [&](Index rock, const Holding& one) {
-                            const Holding two = cells_.find_in(high, facet.other, rock);
-                            if (two.any())
-                              join_across(stars, one, static_cast<int>(part), two, facet);
-                          });
+        cells_.visit_open(
+            low, static_cast<int>(part), static_cast<int>(a), [&](Index rock, const Holding& one) {
+              join_on_facet(stars, one, cells_.find_in(high, facet.other, rock), facet);
+            });
       }
   }
 
+  void join_on_facet(UnionFind& stars, const Holding& one, const Holding& two,
+                     const PartFacet& facet) {
+    visit_spots(one, [&](const Spot& a) {
+      visit_spots(two, [&](const Spot& b) {
+        if (contacts_.touch_on_facet(a.piece, b.piece, facet)) join_across(stars, a, b, facet);
+      });
+    });
+  }
+
   Index node_of_instance(Index i) const {
-    const Index n = covers_.nodes_per_cell(), m = covers_.nodes_per_part(),
-                regular = n * covers_.regular_count();
+    const Index n = nodes_, m = part_nodes_, regular = n * covers_.regular_count();
     if (i < regular) return covers_.lattice.cell_node(covers_.regular_cell[i / n], i % n);
     const Index e = (i - regular) / m, cell = covers_.element_cell[e];
     return covers_.lattice.cell_node(
@@ -305,8 +328,8 @@ class Connector {
       covers_.cover_node.push_back(roots[p].first);
       cover_of[roots[p].second] = static_cast<Index>(p);
     }
-    const std::size_t regular = static_cast<std::size_t>(covers_.nodes_per_cell()) *
-                                static_cast<std::size_t>(covers_.regular_count());
+    const std::size_t regular =
+        static_cast<std::size_t>(nodes_) * static_cast<std::size_t>(covers_.regular_count());
     for (std::size_t i = 0; i < star_of_.size(); ++i)
       (i < regular ? covers_.regular_cover : covers_.element_cover)
           .push_back(cover_of[star_of_[i]]);
@@ -322,10 +345,13 @@ class Connector {
   const Pieces& pieces_;
   const bool is_block_;
   CoverArrays& covers_;
+  const Index nodes_, part_nodes_;  // of a lattice cell, of a part
+  std::array<std::vector<std::pair<Index, Index>>, 3> face_nodes_;
   PieceIndex& index_;
   const OccupiedCells cells_;
   UnionFind piece_parts_;
-  LatticeWalker walker_;
+  GlueFinder glue_;
+  PieceContacts contacts_;
   std::vector<Link> links_;
   std::vector<Index> element_of_piece_;
   std::vector<Index> piece_order_;

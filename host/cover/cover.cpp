@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host/cover/connect.hpp"
+#include "host/cover/joint_tips.hpp"
 #include "host/cover/piece_index.hpp"
 #include "host/cover/pieces.hpp"
 #include "host/cut/complex.hpp"
@@ -81,9 +82,12 @@ Covering build_covers(const Cutting& cutting, const Model& model, Progress& prog
   refuse_by_estimate(complex, cover);
   PlaneTable planes = complex.planes;
   LatticePlanes lattice = lay_lattice(complex, cover, planes);
-  const Pieces pieces = cover.lattice == LatticeKind::block
-                            ? block_pieces(complex, lattice.lattice())
-                            : cut_pieces(complex, lattice, planes, progress);
+  Pieces pieces = cover.lattice == LatticeKind::block
+                      ? block_pieces(complex, lattice)
+                      : cut_pieces(complex, lattice, planes, progress);
+  if (cover.joint_tips == JointTips::extend && cover.joints == JointTreatment::separate &&
+      cover.lattice != LatticeKind::block)
+    extend_joint_tips(complex, model, lattice, planes, pieces);
   Covering covering;
   covering.arrays.lattice = lattice.lattice();
   covering.arrays.order = cover.order;

@@ -35,16 +35,18 @@ Holding OccupiedCells::find(Index lattice_cell, int part, Index rock) const {
 Holding OccupiedCells::find_in(const CellContent& cell, int part, Index rock) const {
   if (cell.regular != none) {
     if (pieces_.regular[cell.regular].rock != rock) return {};
-    return {cell.regular, none, part};
+    return {cell.regular, 0, 0, part};
   }
   const auto begin = pieces_.pieces.begin() + cell.piece_begin,
              end = pieces_.pieces.begin() + cell.piece_end;
-  const auto found = std::lower_bound(begin, end, std::pair{part, rock},
+  const auto first = std::lower_bound(begin, end, std::pair{part, rock},
                                       [](const PieceRecord& p, const std::pair<int, Index>& key) {
                                         return std::pair{p.part, p.rock} < key;
                                       });
-  if (found == end || found->part != part || found->rock != rock) return {};
-  return {none, static_cast<Index>(found - pieces_.pieces.begin()), part};
+  auto last = first;
+  while (last != end && last->part == part && last->rock == rock) ++last;
+  return {none, static_cast<Index>(first - pieces_.pieces.begin()),
+          static_cast<Index>(last - pieces_.pieces.begin()), part};
 }
 
 }  // namespace rockfold

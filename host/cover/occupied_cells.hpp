@@ -15,13 +15,14 @@ struct CellContent {
   Index piece_begin = 0, piece_end = 0;  ///< into Pieces::pieces
 };
 
-/// Where rock stands in a part of a lattice cell: in a regular cell, or as a piece.
+/// Where a cell of the complex stands in a part of a lattice cell: in a regular cell, or as a piece (several where joints
+/// are prolonged through it).
 struct Holding {
   Index regular = none;
-  Index piece = none;
+  Index piece_begin = 0, piece_end = 0;
   int part = 0;
 
-  bool any() const { return regular != none || piece != none; }
+  bool any() const { return regular != none || piece_begin < piece_end; }
 };
 
 class OccupiedCells {
@@ -50,15 +51,19 @@ class OccupiedCells {
     }
   }
 
-  /// Calls visit(rock, holding) for what has an area on a facet of a part.
+  /// Calls visit(rock, holding) for each cell of the complex that has an area on a facet of a part.
   template <class Visit>
   void visit_open(const CellContent& cell, int part, int facet, Visit visit) const {
     if (cell.regular != none)
-      return visit(pieces_.regular[cell.regular].rock, Holding{cell.regular, none, part});
-    for (Index i = cell.piece_begin; i < cell.piece_end; ++i) {
+      return visit(pieces_.regular[cell.regular].rock, Holding{cell.regular, 0, 0, part});
+    for (Index i = cell.piece_begin, end = i; i < cell.piece_end; i = end) {
       const PieceRecord& p = pieces_.pieces[i];
-      if (p.part == part && (p.open_facets >> facet & 1) != 0)
-        visit(p.rock, Holding{none, i, part});
+      bool open = false;
+      for (; end < cell.piece_end && pieces_.pieces[end].part == p.part &&
+             pieces_.pieces[end].rock == p.rock;
+           ++end)
+        open = open || (pieces_.pieces[end].open_facets >> facet & 1) != 0;
+      if (p.part == part && open) visit(p.rock, Holding{none, i, end, part});
     }
   }
 

@@ -12,17 +12,18 @@ Index PieceIndex::find_regular(const CoverArrays& covers, Index lattice_cell) {
              : none;
 }
 
-Index PieceIndex::find_piece(const CoverArrays& covers, Index lattice_cell, int part,
-                             Index rock) const {
+std::vector<Index> PieceIndex::find_pieces(const CoverArrays& covers, Index lattice_cell, int part,
+                                           Index rock) const {
+  std::vector<Index> pieces;
   const auto first =
       std::lower_bound(covers.element_cell.begin(), covers.element_cell.end(), lattice_cell);
   for (auto e = static_cast<Index>(first - covers.element_cell.begin());
        e < covers.cut_count() && covers.element_cell[e] == lattice_cell; ++e) {
     if (covers.element_part[e] != part) continue;
     for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
-      if (piece_rock[q] == rock) return q;
+      if (piece_rock[q] == rock) pieces.push_back(q);
   }
-  return none;
+  return pieces;
 }
 
 }  // namespace rockfold

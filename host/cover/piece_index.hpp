@@ -19,11 +19,14 @@ struct PieceIndex {
   std::vector<Index> regular_rock;  ///< [R] cell of the complex that holds the regular lattice cell
   std::vector<Index> piece_rock;    ///< [Q] cell of the complex that the piece is part of
   std::vector<Index> piece_element;  ///< [Q] cut element
+  std::vector<std::vector<HalfSpaceId>>
+      piece_cuts;  ///< [Q] PieceRecord::cuts; empty if no joint is prolonged
 
   /// The regular lattice cell with this linear index, or none. O(log R)
   static Index find_regular(const CoverArrays& covers, Index lattice_cell);
-  /// The piece of a cell of the complex in a part of a lattice cell, or none. O(log E)
-  Index find_piece(const CoverArrays& covers, Index lattice_cell, int part, Index rock) const;
+  /// The pieces of a cell of the complex in a part of a lattice cell: several where joints are prolonged. O(log E)
+  std::vector<Index> find_pieces(const CoverArrays& covers, Index lattice_cell, int part,
+                                 Index rock) const;
 };
 
 }  // namespace rockfold

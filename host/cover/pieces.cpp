@@ -13,25 +13,6 @@ namespace rockfold {
 
 namespace {
 
-PieceRecord make_record(const Lattice& lattice, const PlaneTable& planes, Index lattice_cell,
-                        int part, Index rock, const CellView& cell) {
-  PieceRecord r;
-  r.lattice_cell = lattice_cell;
-  r.rock = rock;
-  r.part = part;
-  r.vertex_count = static_cast<std::int32_t>(cell.vertices.size());
-  r.face_count = static_cast<std::int32_t>(cell.faces.size());
-  const Vec3 centre = lattice.cell_centre(r.lattice_cell) - planes.centre();
-  r.vertices.reserve(cell.vertices.size());
-  for (const Vertex& v : cell.vertices) r.vertices.push_back(v.x - centre);
-  r.triangles.reserve(cell.corners.size() - 2 * cell.faces.size());
-  for (const auto& f : cell.faces)
-    for (std::int32_t k = 1; k + 1 < f.count; ++k)
-      r.triangles.push_back({cell.corners[f.begin].vertex, cell.corners[f.begin + k].vertex,
-                             cell.corners[f.begin + k + 1].vertex});
-  return r;
-}
-
 std::uint32_t open_facets(const LatticePlanes& lattice, const std::array<Index, 3>& ijk, int part,
                           const CellView& cell) {
   std::uint32_t open = 0;
@@ -45,15 +26,6 @@ std::uint32_t open_facets(const LatticePlanes& lattice, const std::array<Index, 
   return open;
 }
 
-// A piece thinner than rounding has no volume to integrate; the rock it stands for is below 1e-15 of a lattice cell.
-Real volume6(const PieceRecord& r) {
-  Real v = 0;
-  const Vec3 o = r.vertices.front();
-  for (const auto& t : r.triangles)
-    v += dot(r.vertices[t[0]] - o, cross(r.vertices[t[1]] - o, r.vertices[t[2]] - o));
-  return v;
-}
-
 void sort_pieces(std::vector<PieceRecord>& pieces) {
   std::sort(pieces.begin(), pieces.end(), [](const PieceRecord& a, const PieceRecord& b) {
     return std::tie(a.lattice_cell, a.part, a.rock) < std::tie(b.lattice_cell, b.part, b.rock);
@@ -61,6 +33,44 @@ void sort_pieces(std::vector<PieceRecord>& pieces) {
 }
 
 }  // namespace
+
+PieceRecord make_record(const LatticePlanes& lattice, const PlaneTable& planes, Index lattice_cell,
+                        int part, Index rock, const CellView& cell) {
+  PieceRecord r;
+  r.lattice_cell = lattice_cell;
+  r.rock = rock;
+  r.part = part;
+  r.open_facets = open_facets(lattice, lattice.lattice().cell_ijk(lattice_cell), part, cell);
+  r.vertex_count = static_cast<std::int32_t>(cell.vertices.size());
+  r.face_count = static_cast<std::int32_t>(cell.faces.size());
+  const Vec3 centre = lattice.lattice().cell_centre(lattice_cell) - planes.centre();
+  r.vertices.reserve(cell.vertices.size());
+  for (const Vertex& v : cell.vertices) r.vertices.push_back(v.x - centre);
+  r.triangles.reserve(cell.corners.size() - 2 * cell.faces.size());
+  for (const auto& f : cell.faces)
+    for (std::int32_t k = 1; k + 1 < f.count; ++k)
+      r.triangles.push_back({cell.corners[f.begin].vertex, cell.corners[f.begin + k].vertex,
+                             cell.corners[f.begin + k + 1].vertex});
+  return r;
+}
+
+bool has_volume(const PieceRecord& r) {
+  Real six = 0;
+  const Vec3 o = r.vertices.front();
+  for (const auto& t : r.triangles)
+    six += dot(r.vertices[t[0]] - o, cross(r.vertices[t[1]] - o, r.vertices[t[2]] - o));
+  return six > 0;
+}
+
+ConvexCell clip_to_part(const Complex& complex, const LatticePlanes& lattice,
+                        const PlaneTable& planes, const PieceRecord& piece) {
+  const auto ijk = lattice.lattice().cell_ijk(piece.lattice_cell);
+  std::vector<HalfSpaceId> inside;
+  for (const PartFacet& facet : lattice.form(ijk).facet[piece.part])
+    inside.push_back(lattice.inside(ijk, facet));
+  inside.insert(inside.end(), piece.cuts.begin(), piece.cuts.end());
+  return clip(planes, complex.cells[piece.rock], inside);
+}
 
 Pieces cut_pieces(const Complex& complex, const LatticePlanes& lattice, const PlaneTable& planes,
                   Progress& progress) {
@@ -81,11 +91,9 @@ Pieces cut_pieces(const Complex& complex, const LatticePlanes& lattice, const Pl
             out.regular.push_back({lattice.lattice().cell_index(i, j, k), rock});
     };
     visitor.piece = [&](const std::array<Index, 3>& ijk, int part, const CellView& piece) {
-      PieceRecord r =
-          make_record(lattice.lattice(), planes,
-                      lattice.lattice().cell_index(ijk[0], ijk[1], ijk[2]), part, rock, piece);
-      r.open_facets = open_facets(lattice, ijk, part, piece);
-      if (volume6(r) > 0) out.pieces.push_back(std::move(r));
+      PieceRecord r = make_record(
+          lattice, planes, lattice.lattice().cell_index(ijk[0], ijk[1], ijk[2]), part, rock, piece);
+      if (has_volume(r)) out.pieces.push_back(std::move(r));
     };
     walker.walk(complex.cells[rock], visitor);
     const auto count = done.fetch_add(1) + 1;
@@ -110,13 +118,13 @@ Pieces cut_pieces(const Complex& complex, const LatticePlanes& lattice, const Pl
   return all;
 }
 
-Pieces block_pieces(const Complex& complex, const Lattice& lattice) {
+Pieces block_pieces(const Complex& complex, const LatticePlanes& lattice) {
   Pieces all;
   for (Index rock = 0; rock < complex.cells.size(); ++rock) {
     if (complex.zone(rock).stage != 0) continue;
     PieceRecord r = make_record(lattice, complex.planes, complex.cell_block[rock], 0, rock,
                                 complex.cells[rock]);
-    if (volume6(r) > 0) all.pieces.push_back(std::move(r));
+    if (has_volume(r)) all.pieces.push_back(std::move(r));
   }
   sort_pieces(all.pieces);
   return all;

@@ -17,6 +17,9 @@ struct PieceRecord {
   std::uint32_t open_facets = 0;  ///< bit a: the piece has an area on facet a, which lies on the
                                   ///< lattice cell's boundary
   std::int32_t vertex_count = 0, face_count = 0;
+  /// Planes of joints prolonged through the piece's element (joint_tips), on the piece's side; several pieces of one cell
+  /// of the complex in a part differ in them.
+  std::vector<HalfSpaceId> cuts;
   std::vector<Vec3> vertices;                   ///< m, from the lattice cell's centre
   std::vector<std::array<Index, 3>> triangles;  ///< outward
 };
@@ -26,7 +29,7 @@ struct Pieces {
     Index lattice_cell, rock;
   };
   std::vector<Regular> regular;     ///< ordered by lattice cell
-  std::vector<PieceRecord> pieces;  ///< ordered by lattice cell, part, rock
+  std::vector<PieceRecord> pieces;  ///< ordered by lattice cell, part, rock, cuts
 };
 
 /// Cuts the cells of a complex by the lattice, in parallel over cells.
@@ -34,6 +37,15 @@ Pieces cut_pieces(const Complex& complex, const LatticePlanes& lattice, const Pl
                   Progress& progress);
 
 /// Kind `block`: the cells of the complex as they are.
-Pieces block_pieces(const Complex& complex, const Lattice& lattice);
+Pieces block_pieces(const Complex& complex, const LatticePlanes& lattice);
+
+PieceRecord make_record(const LatticePlanes& lattice, const PlaneTable& planes, Index lattice_cell,
+                        int part, Index rock, const CellView& cell);
+/// Thinner than rounding, a piece has no volume to integrate; the rock it stands for is below 1e-15 of a lattice cell.
+bool has_volume(const PieceRecord& piece);
+
+/// What a cell of the complex has of a part of a lattice cell, within the cuts.
+ConvexCell clip_to_part(const Complex& complex, const LatticePlanes& lattice,
+                        const PlaneTable& planes, const PieceRecord& piece);
 
 }  // namespace rockfold

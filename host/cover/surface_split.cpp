@@ -2,37 +2,54 @@
 
 namespace rockfold {
 
-Holder holder_of(const Complex& complex, const Covering& covering, Index lattice_cell, int part,
-                 Index rock) {
+Holder piece_holder(const Covering& covering, Index piece) {
   const CoverArrays& covers = covering.arrays;
-  const PieceIndex& index = *covering.pieces;
+  const Index e = covering.pieces->piece_element[piece];
   Holder h;
-  h.rock = rock;
-  h.block = complex.cell_block[rock];
-  h.lattice_cell = lattice_cell;
+  h.element = covers.parts_per_cell() * covers.regular_count() + e;
+  h.block = covers.piece_block[piece];
+  h.rock = covering.pieces->piece_rock[piece];
+  h.lattice_cell = covers.element_cell[e];
+  h.part = covers.element_part[e];
+  return h;
+}
+
+Holder regular_holder(const Covering& covering, Index regular, int part) {
+  const CoverArrays& covers = covering.arrays;
+  Holder h;
+  h.element = covers.parts_per_cell() * regular + part;
+  h.block = covers.regular_block[regular];
+  h.rock = covering.pieces->regular_rock[regular];
+  h.lattice_cell = covers.regular_cell[regular];
   h.part = part;
-  const Index regular = covers.parts_per_cell() * covers.regular_count();
-  const Index piece = index.find_piece(covers, lattice_cell, part, rock);
-  if (piece != none) {
-    h.element = regular + index.piece_element[piece];
-    return h;
-  }
-  const Index r = PieceIndex::find_regular(covers, lattice_cell);
-  if (r != none && index.regular_rock[r] == rock) h.element = covers.parts_per_cell() * r + part;
   return h;
 }
 
 void SurfaceSplitter::split(const Polygon& polygon, Index cell, Index face, const Visit& visit) {
   const Lattice& lattice = covering_.arrays.lattice;
-  const auto visit_part = [&](Index lattice_cell, int p, const Polygon& piece) {
-    const Holder h = holder_of(complex_, covering_, lattice_cell, p, cell);
-    if (h.found()) visit(h, piece);
-  };
-  if (lattice.kind == LatticeKind::block) return visit_part(complex_.cell_block[cell], 0, polygon);
+  if (lattice.kind == LatticeKind::block)
+    return visit_part(complex_.cell_block[cell], 0, cell, polygon, visit);
   walker_.walk(polygon, complex_.cells[cell].faces[face].inside,
-               [&](const std::array<Index, 3>& ijk, int p, const Polygon& piece) {
-                 visit_part(lattice.cell_index(ijk[0], ijk[1], ijk[2]), p, piece);
+               [&](const std::array<Index, 3>& ijk, int part, const Polygon& piece) {
+                 visit_part(lattice.cell_index(ijk[0], ijk[1], ijk[2]), part, cell, piece, visit);
                });
+}
+
+void SurfaceSplitter::visit_part(Index lattice_cell, int part, Index rock, const Polygon& polygon,
+                                 const Visit& visit) {
+  const CoverArrays& covers = covering_.arrays;
+  const PieceIndex& index = *covering_.pieces;
+  for (const Index q : index.find_pieces(covers, lattice_cell, part, rock)) {
+    if (index.piece_cuts.empty() || index.piece_cuts[q].empty()) {
+      visit(piece_holder(covering_, q), polygon);
+    } else {
+      const Polygon own = clipper_.intersection(polygon, index.piece_cuts[q]);
+      if (!own.empty()) visit(piece_holder(covering_, q), own);
+    }
+  }
+  const Index r = PieceIndex::find_regular(covers, lattice_cell);
+  if (r != none && index.regular_rock[r] == rock)
+    visit(regular_holder(covering_, r, part), polygon);
 }
 
 }  // namespace rockfold

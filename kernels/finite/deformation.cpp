@@ -3,6 +3,7 @@
 #include "kernels/device/sums_kernel.hpp"
 #include "kernels/finite/deformation_kernel.hpp"
 #include "kernels/finite/strain_kernel.hpp"
+#include "kernels/solve/assemble_kernel.hpp"
 #include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
 
@@ -80,10 +81,10 @@ KOKKOS_INLINE_FUNCTION void state_at(const Deformation& body, const ForceRule& r
 
 }  // namespace
 
-Deformation make_deformation(const CoverArrays& covers,
+Deformation make_deformation(const CoverArrays& covers, const PieceMoments& moments,
                              const std::vector<ElasticMaterial>& materials,
                              const InitialStress& initial) {
-  const Quadrature quadrature = make_quadrature(covers);
+  const Quadrature quadrature = make_quadrature(covers, moments);
   Deformation body;
   body.elements = covers.element_count();
   body.covers = covers.cover_count();
@@ -180,40 +181,19 @@ Real strain_energy(const Deformation& body, const Array<Real>& partial, const Ar
   return device::to_host(sums)[0];
 }
 
-namespace {
-
-KOKKOS_INLINE_FUNCTION void mean_stress_at(const Deformation& body, Index e, Real* stress) {
-  Real sum[6] = {0, 0, 0, 0, 0, 0}, volume = 0;
-  for (int q = 0; q < body.points; ++q) {
-    const std::size_t at = static_cast<std::size_t>(e) * body.points + q;
-    Real h[9], s[6], p[9], f[9];
-    state_at(body, {}, e, q, h, s);
-    first_stress(h, s, p);
-    for (int i = 0; i < 9; ++i) f[i] = h[i] + (i % 4 == 0 ? 1 : 0);
-    const Real share = body.weight(at) / determinant(f);
-    volume += body.weight(at);
-    for (int k = 0; k < 6; ++k) {
-      const int i = k < 3 ? k : k - 3, j = k < 3 ? k : (k - 2) % 3;
-      for (int m = 0; m < 3; ++m) sum[k] += share * p[3 * i + m] * f[3 * j + m];
-    }
-  }
-  for (int k = 0; k < 6; ++k) stress[k] = sum[k] / volume;
-}
-
-}  // namespace
-
 void mean_stress(const Deformation& body, const Array<Real>& stress) {
   device::for_each(
       "rockfold::finite::mean_stress", body.elements, KOKKOS_LAMBDA(const Index e) {
-        mean_stress_at(body, e, &stress(6 * static_cast<std::size_t>(e)));
-      });
-}
-
-void mean_stress_of(const Deformation& body, const Array<Index>& of, const Array<Real>& stress) {
-  device::for_each(
-      "rockfold::finite::point_stress", static_cast<Index>(of.extent(0)),
-      KOKKOS_LAMBDA(const Index n) {
-        mean_stress_at(body, of(n), &stress(6 * static_cast<std::size_t>(n)));
+        Real sum[6] = {0, 0, 0, 0, 0, 0}, volume = 0;
+        for (int q = 0; q < body.points; ++q) {
+          const std::size_t at = static_cast<std::size_t>(e) * body.points + q;
+          Real h[9], s[6], cauchy[6];
+          state_at(body, {}, e, q, h, s);
+          cauchy_stress(h, s, cauchy);
+          volume += body.weight(at);
+          for (int k = 0; k < 6; ++k) sum[k] += body.weight(at) * cauchy[k];
+        }
+        for (int k = 0; k < 6; ++k) stress(6 * static_cast<std::size_t>(e) + k) = sum[k] / volume;
       });
 }
 
@@ -288,12 +268,13 @@ KOKKOS_INLINE_FUNCTION PointStiffness stiffness_at(const Deformation& body, cons
 void assemble_tangent(const Deformation& body, const ForceRule& rule,
                       const solve::DeviceBlocks& block) {
   device::for_each(
-      "rockfold::finite::tangent", static_cast<Index>(block.row.extent(0)),
-      KOKKOS_LAMBDA(const Index slot) {
-        if (block.row(slot) == none) return;
-        solve::clear_stiffness(block, slot);
-        const Index p = block.row(slot) % body.covers;
-        const int k = static_cast<int>(block.row(slot) / body.covers);
+      "rockfold::finite::tangent", block.slots() * body.functions,
+      KOKKOS_LAMBDA(const Index row_id) {
+        const int k = row_id % body.functions;
+        const solve::RowSink sink(block, row_id / body.functions, k);
+        const Index p = sink.cover();
+        if (p == none) return;
+        sink.clear_stiffness();
         for (Index s = body.begin(p); s < body.begin(p + 1); ++s) {
           const Index e = static_cast<Index>(body.entry(s) / body.nodes);
           const int i = static_cast<int>(body.entry(s) % body.nodes) * body.functions + k;
@@ -306,11 +287,10 @@ void assemble_tangent(const Deformation& body, const ForceRule& rule,
             for (int j = 0; j < body.width(); ++j)
               add_point_stiffness(at, g + 3 * i, g + 3 * j, row + 9 * j);
           }
-          for (int j = 0; j < body.width(); ++j) {
-            const Index cover =
-                body.cover(static_cast<std::size_t>(e) * body.nodes + j / body.functions);
-            solve::add_stiffness_entry(block, slot, j % body.functions * body.covers + cover,
-                                       row + 9 * j);
+          for (int b = 0; b < body.nodes; ++b) {
+            const Index at = sink.find(body.cover(static_cast<std::size_t>(e) * body.nodes + b));
+            for (int l = 0; l < body.functions; ++l)
+              sink.add(at, l, row + 9 * (b * body.functions + l), 9);
           }
         }
       });

@@ -41,7 +41,7 @@ struct Deformation {
   int width() const { return nodes * functions; }
 };
 
-Deformation make_deformation(const CoverArrays& covers,
+Deformation make_deformation(const CoverArrays& covers, const PieceMoments& moments,
                              const std::vector<ElasticMaterial>& materials,
                              const InitialStress& initial);
 
@@ -69,9 +69,6 @@ Real strain_energy(const Deformation& body, const Array<Real>& partial, const Ar
 
 /// Cauchy stress F S Fᵀ / det F now, mean over each element, Pa xx yy zz xy yz zx, [6·elements].
 void mean_stress(const Deformation& body, const Array<Real>& stress);
-/// That of some elements, [6·of].
-void mean_stress_of(const Deformation& body, const Array<Index>& of, const Array<Real>& stress);
-
 /// N: the forces of a strain of one rounding error everywhere. No residual can be asked to be smaller.
 Real rounding_force(const Deformation& body, const Array<Real>& partial, const Array<Real>& sums);
 

@@ -4,21 +4,22 @@
 #include <cmath>
 
 #include "kernels/integrate/moments.hpp"
-#include "src/arrays/shape_functions.hpp"
-#include "src/base/error.hpp"
+#include "kernels/solve/part_functions.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold::finite {
 
 namespace {
 
-int monomials_up_to(int degree) {
-  return (degree + 1) * (degree + 2) * (degree + 3) / 6;
+/// Exact for the strain energy of small strain: twice the degree of the functions' gradients.
+int quadrature_degree(const LatticeFunctions& functions) {
+  return 2 * std::max(0, functions.degree - 1);
 }
 
 /// Exponents in the order of monomial_index.
 std::vector<std::array<int, 3>> exponents(int degree) {
-  std::vector<std::array<int, 3>> list(monomials_up_to(degree));
+  std::vector<std::array<int, 3>> list(static_cast<std::size_t>(degree + 1) * (degree + 2) *
+                                       (degree + 3) / 6);
   for (int a = 0; a <= degree; ++a)
     for (int b = 0; a + b <= degree; ++b)
       for (int c = 0; a + b + c <= degree; ++c) list[monomial_index(a, b, c)] = {a, b, c};
@@ -107,165 +108,90 @@ std::vector<Real> fitting(const std::vector<Vec3>& points, int degree) {
   return inverse;
 }
 
-/// The surface of a whole part, in η.
-void add_whole_part(const CellSplit& split, const CellPart& part, ClosedSurfaces& surfaces) {
-  const auto first = static_cast<Index>(surfaces.vertex_xyz.size() / 3);
-  for (int a = 0; a < part.nodes; ++a)
-    for (int d = 0; d < 3; ++d)
-      surfaces.vertex_xyz.push_back(0.5 * split.node[part.node[a]][d] - 0.5);
-  const std::vector<Index> tetrahedron{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
-  const std::vector<Index> hexahedron{0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
-                                      2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
-  for (const Index v : part.nodes == 4 ? tetrahedron : hexahedron)
-    surfaces.triangle_vertex.push_back(first + v);
-  surfaces.triangle_begin.push_back(static_cast<Index>(surfaces.triangle_vertex.size() / 3));
-}
-
-Real cell_volume(const Lattice& lattice) {
-  return std::abs(dot(lattice.edge[0], cross(lattice.edge[1], lattice.edge[2])));
-}
-
-/// Moments of all pieces in η, [Q][monomial_count].
-std::vector<Real> moments_of_pieces(const CoverArrays& covers) {
-  ClosedSurfaces surfaces{covers.triangle_begin, covers.triangle_vertex, covers.vertex_xyz};
-  const Mat3 to_local = covers.lattice.reciprocal();
-  for (std::size_t v = 0; v + 2 < surfaces.vertex_xyz.size(); v += 3) {
-    const Vec3 x{surfaces.vertex_xyz[v], surfaces.vertex_xyz[v + 1], surfaces.vertex_xyz[v + 2]};
-    for (int d = 0; d < 3; ++d) surfaces.vertex_xyz[v + d] = dot(to_local[d], x);
-  }
-  return integrate_monomials(surfaces);
-}
+/// Points of a part and what makes weights of moments.
+struct Rule {
+  std::vector<Vec3> point;   ///< [n] η
+  std::vector<Real> weight;  ///< [n][n]: weight of point q = Σ_m weight[q][m] · moment m
+};
 
 class Fitter {
  public:
-  explicit Fitter(const CoverArrays& covers) : covers_(covers), degree_(quadrature_degree(covers)) {
-    const LatticeKind kind = covers.lattice.kind;
-    forms_.push_back(&cell_split(kind, false));
-    if (kind == LatticeKind::tet5) forms_.push_back(&cell_split(kind, true));
-    parts_ = covers.parts_per_cell();
-  }
+  Fitter(const CoverArrays& covers, const PieceMoments& moments)
+      : covers_(covers), moments_(moments), functions_(lattice_functions(covers)) {}
 
   Quadrature run() {
-    result_.kinds = static_cast<int>(forms_.size()) * parts_;
-    result_.points = monomials_up_to(degree_);
-    result_.functions = covers_.nodes_per_part() * covers_.functions();
-    for (const CellSplit* split : forms_)
-      for (const CellPart& part : split->part) add_kind(*split, part);
+    result_.functions = functions_.nodes * functions_.functions;
+    const int degree = quadrature_degree(functions_);
+    for (int form = 0; form < functions_.forms; ++form)
+      for (const CellPart& part : cell_split(covers_.lattice.kind, form == 1).part)
+        add_kind(part, degree);
+    result_.kinds = static_cast<int>(rules_.size());
+    result_.points = static_cast<int>(rules_.front().point.size());
     add_regular();
     add_cut();
     return std::move(result_);
   }
 
  private:
-  void add_kind(const CellSplit& split, const CellPart& part) {
-    const auto points = part_points(split, part, degree_);
-    inverse_.push_back(fitting(points, degree_));
+  void add_kind(const CellPart& part, int degree) {
+    const auto& split = cell_split(covers_.lattice.kind,
+                                   rules_.size() >= static_cast<std::size_t>(functions_.parts));
+    const auto points = part_points(split, part, degree);
+    rules_.push_back({points, fitting(points, degree)});
     for (const Vec3& eta : points) {
       result_.place.push_back(eta);
-      const auto gradients = function_gradients(covers_, split, part, eta);
+      const auto gradients = functions_.gradients(static_cast<int>(rules_.size()) - 1, eta);
       result_.gradient.insert(result_.gradient.end(), gradients.begin(), gradients.end());
     }
   }
 
   int kind_of(Index cell, int part) const {
-    const bool odd = forms_.size() > 1 && &covers_.lattice.split(cell) == forms_[1];
-    return (odd ? parts_ : 0) + part;
+    return functions_.parts * LatticeFunctions::form(covers_.lattice, cell) + part;
   }
 
-  void add_element(int kind, const Real* moments) {
+  void add_element(int kind, const Real* moments, Real share) {
     result_.kind.push_back(kind);
-    const Real scale = forms_.front()->share * cell_volume(covers_.lattice);
-    const int n = result_.points;
-    for (int q = 0; q < n; ++q) {
+    const Rule& rule = rules_[kind];
+    const std::size_t n = rule.point.size();
+    for (std::size_t q = 0; q < n; ++q) {
       Real sum = 0;
-      for (int m = 0; m < n; ++m) sum += inverse_[kind][q * n + m] * moments[m];
-      result_.weight.push_back(scale * sum);
+      for (std::size_t m = 0; m < n; ++m) sum += rule.weight[q * n + m] * moments[m];
+      result_.weight.push_back(share * sum);
     }
   }
 
   void add_regular() {
-    if (covers_.regular_count() == 0) return;
-    ClosedSurfaces whole;
-    whole.triangle_begin = {0};
-    for (const CellSplit* split : forms_)
-      for (const CellPart& part : split->part) add_whole_part(*split, part, whole);
-    const auto moments = integrate_monomials(whole);
     for (Index r = 0; r < covers_.regular_count(); ++r)
-      for (int t = 0; t < parts_; ++t) {
+      for (int t = 0; t < functions_.parts; ++t) {
         const int kind = kind_of(covers_.regular_cell[r], t);
-        add_element(kind, &moments[static_cast<std::size_t>(kind) * monomial_count]);
+        add_element(kind, functions_.part[kind].moment.data(), 1);
       }
   }
 
   void add_cut() {
     if (covers_.cut_count() == 0) return;
-    // Below this a volume drowns in the rounding of its vertices: such a piece only keeps its covers from being idle.
-    constexpr Real floor = 1e-16;
-    const auto pieces = moments_of_pieces(covers_);
-    std::vector<Real> sum(result_.points);
+    const std::size_t terms = moments_.local.size() / moments_.volume.size();
+    std::vector<Real> sum(terms);
     for (Index e = 0; e < covers_.cut_count(); ++e) {
       std::fill(sum.begin(), sum.end(), 0);
-      for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q) {
-        const Real* of_piece = &pieces[static_cast<std::size_t>(q) * monomial_count];
-        if (!(of_piece[0] > -1e-9))
-          throw Error(ErrorKind::analysis,
-                      "piece " + std::to_string(q) + " of manifold element " +
-                          std::to_string(parts_ * covers_.regular_count() + e) +
-                          " is inside out: its volume is " + std::to_string(of_piece[0]) +
-                          " lattice cells, expected > 0");
-        for (int m = 0; m < result_.points; ++m) sum[m] += of_piece[m];
-      }
-      const int kind = kind_of(covers_.element_cell[e], covers_.element_part[e]);
-      if (sum[0] > floor) {
-        add_element(kind, sum.data());
-      } else {
-        result_.kind.push_back(kind);
-        result_.weight.insert(result_.weight.end(), result_.points,
-                              floor * cell_volume(covers_.lattice) / result_.points);
-      }
+      for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q)
+        for (std::size_t m = 0; m < terms; ++m) sum[m] += moments_.local[terms * q + m];
+      add_element(kind_of(covers_.element_cell[e], covers_.element_part[e]), sum.data(),
+                  functions_.share);
     }
   }
 
   const CoverArrays& covers_;
-  const int degree_;
-  int parts_ = 0;
-  std::vector<const CellSplit*> forms_;
-  std::vector<std::vector<Real>> inverse_;  // of each kind, [Q][Q]
+  const PieceMoments& moments_;
+  const LatticeFunctions functions_;
+  std::vector<Rule> rules_;  // of each kind
   Quadrature result_;
 };
 
 }  // namespace
 
-int quadrature_degree(const CoverArrays& covers) {
-  const int nodes = covers.nodes_per_part();
-  if (nodes == 1) return std::max(0, 2 * (covers.order - 1));
-  // Weights are linear in tetrahedra, trilinear in hexahedra: gradients have degree order, order + 2.
-  return std::min(max_degree, 2 * (covers.order + (nodes == 8 ? 2 : 0)));
-}
-
-std::vector<Vec3> function_gradients(const CoverArrays& covers, const CellSplit& split,
-                                     const CellPart& part, const Vec3& eta) {
-  const Mat3 reciprocal = covers.lattice.reciprocal();
-  const auto weight = part_weights(part, eta);
-  const auto slopes = part_slopes(part, eta);
-  std::vector<Vec3> gradients;
-  for (int a = 0; a < part.nodes; ++a) {
-    Vec3 xi;
-    for (int d = 0; d < 3; ++d) xi[d] = eta[d] - (0.5 * split.node[part.node[a]][d] - 0.5);
-    const auto value = cover_functions(xi, covers.functions());
-    const auto slope = cover_slopes(xi, covers.functions());
-    for (int k = 0; k < covers.functions(); ++k) {
-      const Vec3 local = value[k] * slopes[a] + weight[a] * slope[k];
-      Vec3 g{};
-      for (int d = 0; d < 3; ++d) g += local[d] * reciprocal[d];
-      gradients.push_back(g);
-    }
-  }
-  return gradients;
-}
-
-Quadrature make_quadrature(const CoverArrays& covers) {
-  return Fitter(covers).run();
+Quadrature make_quadrature(const CoverArrays& covers, const PieceMoments& moments) {
+  return Fitter(covers, moments).run();
 }
 
 }  // namespace rockfold::finite

@@ -42,6 +42,19 @@ KOKKOS_INLINE_FUNCTION Real determinant(const Real* f) {
          f[2] * (f[3] * f[7] - f[4] * f[6]);
 }
 
+/// F S Fᵀ / det F.
+KOKKOS_INLINE_FUNCTION void cauchy_stress(const Real* h, const Real* s, Real* cauchy) {
+  Real p[9], f[9];
+  first_stress(h, s, p);
+  for (int i = 0; i < 9; ++i) f[i] = h[i] + (i % 4 == 0 ? 1 : 0);
+  const Real share = 1 / determinant(f);
+  for (int k = 0; k < 6; ++k) {
+    const int i = k < 3 ? k : k - 3, j = k < 3 ? k : (k - 2) % 3;
+    cauchy[k] = 0;
+    for (int m = 0; m < 3; ++m) cauchy[k] += share * p[3 * i + m] * f[3 * j + m];
+  }
+}
+
 /// b = a⁻¹ · scale; returns det a.
 KOKKOS_INLINE_FUNCTION Real invert(const Real* a, Real* b) {
   const Real det = determinant(a);

@@ -2,6 +2,7 @@
 
 #include "kernels/device/sums_kernel.hpp"
 #include "kernels/finite/deformation_kernel.hpp"
+#include "kernels/integrate/moments.hpp"
 
 namespace rockfold {
 
@@ -14,7 +15,7 @@ struct StrainedBody::Data {
 StrainedBody::StrainedBody(const CoverArrays& covers, const std::vector<ElasticMaterial>& materials,
                            const InitialStress& initial)
     : data_(new Data{
-          finite::make_deformation(covers, materials, initial),
+          finite::make_deformation(covers, piece_moments(covers), materials, initial),
           device::make_field("finite::field", covers.unknown_count()),
           device::allocate<Real>("finite::partial", device::chunk_count(covers.element_count())),
           device::Array<Real>("rockfold::finite::sums", 1)}) {}

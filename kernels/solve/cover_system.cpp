@@ -28,9 +28,10 @@ struct CoverSystem::Data {
 };
 
 CoverSystem::CoverSystem(const CoverArrays& covers, const PieceMoments& moments,
-                         const std::vector<ElasticMaterial>& materials, const FixedPoints& fixed)
-    : data_(new Data{
-          solve::make_held_system(solve::build_operator(covers, moments, materials), fixed)}) {}
+                         const std::vector<ElasticMaterial>& materials, const FixedPoints& fixed,
+                         Preconditioner preconditioner)
+    : data_(new Data{solve::make_held_system(
+          covers, solve::build_operator(covers, moments, materials), fixed, preconditioner)}) {}
 CoverSystem::~CoverSystem() = default;
 CoverSystem::CoverSystem(CoverSystem&&) noexcept = default;
 CoverSystem& CoverSystem::operator=(CoverSystem&&) noexcept = default;
@@ -39,9 +40,13 @@ Index CoverSystem::covers() const {
   return data_->held.op.covers;
 }
 
+Index CoverSystem::unknowns() const {
+  return data_->held.op.unknowns;
+}
+
 OperatorSize CoverSystem::size() const {
   const auto& op = data_->held.op;
-  return {op.stencil_rows, op.block_rows, op.block_entries};
+  return {op.stencil_covers, op.block_covers, op.neighbours, op.functions};
 }
 
 void CoverSystem::apply(const SystemCoefficients& c, const CoverVector& x, CoverVector& y) const {
@@ -53,7 +58,7 @@ void CoverSystem::apply(const SystemCoefficients& c, const CoverVector& x, Cover
 
 std::vector<Vec3> CoverSystem::apply(const SystemCoefficients& c,
                                      const std::vector<Vec3>& x) const {
-  CoverVector in(x), out(covers());
+  CoverVector in(x), out(unknowns());
   apply(c, in, out);
   return out.get();
 }

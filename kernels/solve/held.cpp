@@ -43,20 +43,50 @@ void update_multipliers(HeldSystem& system) {
   scale_by_stiffness(springs, factor, 0.5, springs.multiplier);
 }
 
+/// With fewer covers multigrid does not pay even in a static analysis.
+constexpr Index least_for_multigrid = 2000;
+/// Iterations of a dynamic step from which multigrid would be faster.
+constexpr Index many_iterations = 80;
+
+/// Whether the next solve is to use multigrid. A mass matrix needs none; nor do short time steps.
+bool wants_grid(const HeldSystem& system) {
+  if (system.grid.levels.empty() || system.grid_failed || system.combination.stiffness == 0)
+    return false;
+  return system.preconditioner == Preconditioner::multigrid || system.combination.mass == 0 ||
+         system.slow;
+}
+
+Preconditioning choose(HeldSystem& system) {
+  const CoverBlocks* covers = system.op.functions > 1 ? &system.cover_blocks : nullptr;
+  if (!wants_grid(system)) return {system.inverse, nullptr, covers};
+  if (!system.grid_current && system.largest_diagonal > 0)
+    set_values(system.grid, system.op, system.springs, system.combination, system.spring_factor,
+               system.inverse, system.largest_diagonal);
+  system.grid_current = system.largest_diagonal > 0;
+  return {system.inverse, system.grid_current ? &system.grid : nullptr, covers};
+}
+
 bool any_augmented(const Springs& springs) {
   return springs.any() && largest_entry(springs.augmented) > 0;
 }
 
 }  // namespace
 
-HeldSystem make_held_system(Operator op, const FixedPoints& fixed) {
+HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedPoints& fixed,
+                            Preconditioner preconditioner) {
   HeldSystem system;
+  system.preconditioner = preconditioner;
   MergedPoints merged = merge_points(fixed);
-  system.springs = build_springs(merged.fixed, op.covers);
+  if (covers.order == 0 &&
+      (preconditioner == Preconditioner::multigrid ||
+       (preconditioner == Preconditioner::automatic && op.covers >= least_for_multigrid)))
+    system.grid = make_multigrid(covers, merged.fixed.points);
+  system.springs = build_springs(merged.fixed, op.unknowns);
   system.shares = std::move(merged.shares);
-  system.work = make_pcg_work(op.covers);
-  system.inverse = Blocks("rockfold::solve::inverse_diagonal", op.covers);
-  system.load = device::make_field("solve::load", op.covers);
+  system.work = make_pcg_work(op.unknowns);
+  system.inverse = Blocks("rockfold::solve::inverse_diagonal", op.unknowns);
+  system.load = device::make_field("solve::load", op.unknowns);
+  if (op.functions > 1) system.cover_blocks = make_cover_blocks(op);
   system.op = std::move(op);
   return system;
 }
@@ -70,7 +100,16 @@ void set_combination(HeldSystem& system, const Combination& c, Real spring_facto
     diagonal_blocks(system.op, c, system.inverse);
   if (stiffen) stiffen_springs(system.springs, spring_factor, system.inverse);
   add_spring_diagonal(system.springs, spring_factor, system.inverse);
+  const Blocks diagonal = system.inverse;
+  system.largest_diagonal = device::largest(
+      "rockfold::solve::largest_diagonal", system.op.unknowns, KOKKOS_LAMBDA(const Index p) {
+        return device::math::fmax(diagonal(p, 0),
+                                  device::math::fmax(diagonal(p, 1), diagonal(p, 2)));
+      });
   invert_blocks(system.inverse);
+  if (system.op.functions > 1)
+    set_values(system.cover_blocks, system.op, system.springs, c, spring_factor);
+  system.grid_current = system.grid_failed = false;
   system.acceleration.forget();
 }
 
@@ -91,7 +130,20 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
     Kokkos::deep_copy(system.load, b);
     add_spring_load(springs, factor, goal, system.load);
     pcg.reduction = reduction;
-    const PcgReport done = solve_pcg(system.work, a, system.inverse, system.load, x, pcg);
+    Preconditioning m = choose(system);
+    PcgReport done = solve_pcg(system.work, a, m, system.load, x, pcg);
+    if (m.grid && std::isnan(done.residual)) {  // not positive in single precision: do without it
+      system.grid_failed = true;
+      m.grid = nullptr;
+      Kokkos::deep_copy(x, 0.0);
+      done = solve_pcg(system.work, a, m, system.load, x, pcg);
+    }
+    if (!m.grid && system.combination.stiffness != 0)
+      system.slow = system.slow || done.iterations > many_iterations;
+    report.preconditioner = m.grid ? Preconditioner::multigrid
+                            : system.preconditioner == Preconditioner::block_jacobi
+                                ? Preconditioner::block_jacobi
+                                : Preconditioner::node_block_jacobi;
     pcg.reference = done.reference;  // one measure for all solves
     report.iterations += done.iterations;
     report.residual = done.residual;
@@ -102,12 +154,20 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
   if (!augmented || !report.converged) return report;
 
   system.acceleration.begin_again();
+  bool fresh = false;  // whether what it knows is of this solve alone
   Real best = std::numeric_limits<Real>::infinity();
   for (int stalled = 0; report.converged;) {
     const Real gap = multiplier_change(springs, factor, x, goal, springs.force);
     report.gap = gap > 0 ? gap / std::max(largest_sum(x, base), largest_entry(goal)) : 0;
     stalled = gap < 0.5 * best ? 0 : stalled + 1;
     if (stalled == 0) best = gap;
+    // What was learned in earlier steps may have grown stale: every inner solve is inexact, and old pairs carry its noise on.
+    if (stalled == 2 && !fresh) {
+      system.acceleration.forget();
+      fresh = true;
+      stalled = 0;
+      best = gap;
+    }
     const bool close = report.gap <= options.gap_tolerance;
     if (close && report.residual <= pcg.tolerance) break;
     if (!close && (report.outer == options.max_outer || stalled == options.patience)) {

@@ -27,13 +27,21 @@ struct HeldSystem {
   PcgWork work;
   Combination combination;
   Real spring_factor = 1;
-  Blocks inverse;  ///< inverted diagonal blocks
-  Field load;      ///< b with the springs' part
+  Blocks inverse;             ///< inverted diagonal blocks
+  CoverBlocks cover_blocks;   ///< of covers with more functions than one
+  Real largest_diagonal = 0;  ///< before their inversion
+  Preconditioner preconditioner = Preconditioner::automatic;
+  Multigrid grid;             ///< without levels where it is not wanted
+  bool grid_current = false;  ///< its values are those of the present combination
+  bool grid_failed = false;   ///< it broke down with them
+  bool slow = false;          ///< the diagonal blocks alone have taken many iterations
+  Field load;                 ///< b with the springs' part
   /// What the multipliers' iteration has learned; it stays true from step to step. As deep as pays: each outer iteration costs
   /// some ten applications, a pair costs two vectors of the fixed points.
   Anderson acceleration{40};
 };
-HeldSystem make_held_system(Operator op, const FixedPoints& fixed);
+HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedPoints& fixed,
+                            Preconditioner preconditioner = Preconditioner::automatic);
 
 /// Chooses α, β, γ; with `stiffen`, also the stiffness of augmented points that suits them.
 void set_combination(HeldSystem& system, const Combination& c, Real spring_factor, bool stiffen);

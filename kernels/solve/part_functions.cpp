@@ -250,6 +250,13 @@ PartTable make_part_table(const LatticeFunctions& all) {
     append(slope, part.slope);
     append(moment, part.moment);
   }
+  std::vector<std::array<int, 3>> power;
+  for_each_monomial(all.degree, [&](int a, int b, int c) { power.push_back({a, b, c}); });
+  std::vector<Index> sum_index;
+  for (const auto& p : power)
+    for (const auto& q : power)
+      sum_index.push_back(monomial_index(p[0] + q[0], p[1] + q[1], p[2] + q[2]));
+  table.sum_index = device::to_device("solve::sum_index", sum_index);
   table.node = device::to_device("solve::part_node", node);
   table.value = device::to_device("solve::part_value", value);
   table.slope = device::to_device("solve::part_slope", slope);

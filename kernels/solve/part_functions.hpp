@@ -62,14 +62,4 @@ struct LatticeFunctions {
 LatticeFunctions lattice_functions(const Lattice& lattice, const CoverSeries& series);
 LatticeFunctions lattice_functions(const CoverArrays& covers);
 
-/// Integration at fixed points of a part for any body inside it, exact for polynomials up to a degree:
-///   ∫ f dV = Σ_q w_q f(η_q),   w_q = Σ_m weight[q][m] · (the body's moment m).
-/// The points are as many as there are monomials and spread over the part (approximate Fekete points: Bos, De Marchi, Sommariva
-/// & Vianello 2010, SIAM J. Numer. Anal. 48, 1984–1999). Weights may be negative where a body fills little of its part.
-struct MomentRule {
-  std::vector<Vec3> point;   ///< [points], points = count_to(degree)
-  std::vector<Real> weight;  ///< [points][count_to(degree)]
-};
-MomentRule moment_rule(const CellPart& part, int degree);
-
 }  // namespace rockfold

@@ -25,6 +25,7 @@ struct PartTable {
   Array<Real> value;           ///< [forms·parts][width][terms]
   Array<Real> slope;           ///< [forms·parts][width][3][slope_terms]
   Array<Real> moment;          ///< [forms·parts][moments]
+  Array<Index> sum_index;      ///< [terms][terms] where the product of two monomials stands
 
   KOKKOS_INLINE_FUNCTION const Real* values(int part, int f) const {
     return &value((static_cast<std::size_t>(part) * width + f) * terms);
@@ -40,19 +41,7 @@ struct PartTable {
 
 PartTable make_part_table(const LatticeFunctions& functions);
 
-/// η^m up to a degree into m[count_to(degree)].
-KOKKOS_INLINE_FUNCTION void fill_monomials(const Real* eta, int degree, Real* m) {
-  m[0] = 1;
-  for (int n = 1, at = 1, below = 0; n <= degree; ++n) {
-    // Those of degree n: η_0 times all of degree n − 1, then η_1 times the last n of these, then η_2 times the very last.
-    const int before = at - below;
-    for (int i = 0; i < before; ++i) m[at + i] = eta[0] * m[below + i];
-    for (int i = 0; i < n; ++i) m[at + before + i] = eta[1] * m[below + before - n + i];
-    m[at + before + n] = eta[2] * m[below + before - 1];
-    below = at;
-    at += before + n + 1;
-  }
-}
+using integrate::fill_monomials;
 
 KOKKOS_INLINE_FUNCTION Real dot_terms(const Real* a, const Real* b, int terms) {
   Real sum = 0;

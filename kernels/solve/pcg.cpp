@@ -32,10 +32,8 @@ void fetch_scalars(const PcgWork& work) {
   Kokkos::deep_copy(work.host_scalar, work.scalar);
 }
 
-/// r = b − A x, z = D⁻¹ r, p = z; returns ‖r‖.
-Real start(const PcgWork& work, const Apply& a, const Blocks& inverse, const Field& b,
-           const Field& x) {
-  a(x, work.q);
+/// With the diagonal blocks: r = b − A x, z = D⁻¹ r, p = z.
+void start_blocks(const PcgWork& work, const Blocks& inverse, const Field& b) {
   const PcgWork w = work;
   device::sum_then<2>(
       "rockfold::solve::pcg_start", rows(w), w.partial,
@@ -54,8 +52,6 @@ Real start(const PcgWork& work, const Apply& a, const Blocks& inverse, const Fie
         w.scalar(squared_residual) = sum.value[0];
         w.scalar(residual_energy) = sum.value[1];
       });
-  fetch_scalars(work);
-  return std::sqrt(work.host_scalar(squared_residual));
 }
 
 /// α = r·z / p·q.
@@ -66,12 +62,12 @@ void find_step(const PcgWork& work) {
       KOKKOS_LAMBDA(const Index i, Sums<1>& sum) { sum.value[0] += dot_row(w.p, w.q, i); },
       KOKKOS_LAMBDA(const Sums<1>& sum) {
         w.scalar(direction_energy) = sum.value[0];
-        w.scalar(alpha) = w.scalar(residual_energy) / sum.value[0];
+        w.scalar(alpha) = sum.value[0] > 0 ? w.scalar(residual_energy) / sum.value[0] : 0;
       });
 }
 
-/// x += α p, r −= α q, z = D⁻¹ r, β = new r·z / old r·z.
-void take_step(const PcgWork& work, const Blocks& inverse, const Field& x) {
+/// With the diagonal blocks: x += α p, r −= α q, z = D⁻¹ r, β = new r·z / old r·z.
+void take_step_blocks(const PcgWork& work, const Blocks& inverse, const Field& x) {
   const PcgWork w = work;
   device::sum_then<2>(
       "rockfold::solve::pcg_update", rows(w), w.partial,
@@ -97,8 +93,65 @@ void take_step(const PcgWork& work, const Blocks& inverse, const Field& x) {
       });
 }
 
-/// p = z + β p.
-void turn(const PcgWork& work) {
+/// start_blocks with the blocks of whole covers.
+void start_covers(const PcgWork& work, const CoverBlocks& blocks, const Field& b) {
+  const PcgWork w = work;
+  const CoverBlocks m = blocks;
+  device::sum_then<2>(
+      "rockfold::solve::pcg_start_covers", m.covers, w.partial,
+      KOKKOS_LAMBDA(const Index i, Sums<2>& sum) {
+        Real r[most_block_width], z[most_block_width];
+        for (int e = 0; e < m.width(); ++e) {
+          const Index u = e / 3 * m.covers + i;
+          r[e] = b(u, e % 3) - w.q(u, e % 3);
+        }
+        precondition_cover(m, i, r, z);
+        for (int e = 0; e < m.width(); ++e) {
+          const Index u = e / 3 * m.covers + i;
+          w.r(u, e % 3) = r[e];
+          w.p(u, e % 3) = z[e];
+          sum.value[0] += r[e] * r[e];
+          sum.value[1] += r[e] * z[e];
+        }
+      },
+      KOKKOS_LAMBDA(const Sums<2>& sum) {
+        w.scalar(squared_residual) = sum.value[0];
+        w.scalar(residual_energy) = sum.value[1];
+      });
+}
+
+/// take_step_blocks with the blocks of whole covers.
+void take_step_covers(const PcgWork& work, const CoverBlocks& blocks, const Field& x) {
+  const PcgWork w = work;
+  const CoverBlocks m = blocks;
+  device::sum_then<2>(
+      "rockfold::solve::pcg_update_covers", m.covers, w.partial,
+      KOKKOS_LAMBDA(const Index i, Sums<2>& sum) {
+        const Real step = w.scalar(alpha);
+        Real r[most_block_width], z[most_block_width];
+        for (int e = 0; e < m.width(); ++e) {
+          const Index u = e / 3 * m.covers + i;
+          x(u, e % 3) += step * w.p(u, e % 3);
+          r[e] = w.r(u, e % 3) - step * w.q(u, e % 3);
+        }
+        precondition_cover(m, i, r, z);
+        for (int e = 0; e < m.width(); ++e) {
+          const Index u = e / 3 * m.covers + i;
+          w.r(u, e % 3) = r[e];
+          w.z(u, e % 3) = z[e];
+          sum.value[0] += r[e] * r[e];
+          sum.value[1] += r[e] * z[e];
+        }
+      },
+      KOKKOS_LAMBDA(const Sums<2>& sum) {
+        w.scalar(beta) = sum.value[1] / w.scalar(residual_energy);
+        w.scalar(residual_energy) = sum.value[1];
+        w.scalar(squared_residual) = sum.value[0];
+      });
+}
+
+/// With diagonal blocks of either kind: p = z + β p.
+void turn_blocks(const PcgWork& work) {
   const PcgWork w = work;
   device::for_each(
       "rockfold::solve::pcg_direction", rows(w), KOKKOS_LAMBDA(const Index i) {
@@ -107,21 +160,101 @@ void turn(const PcgWork& work) {
       });
 }
 
-/// Iterates until the recurrence's residual is at most `target`. Returns that residual; NaN where A or b are not fit.
-Real iterate(const PcgWork& work, const Apply& a, const Blocks& inverse, const Field& x,
+/// With multigrid: r = b − A x.
+void start_grid(const PcgWork& work, const Field& b) {
+  const PcgWork w = work;
+  device::sum_then<1>(
+      "rockfold::solve::pcg_residual", rows(w), w.partial,
+      KOKKOS_LAMBDA(const Index i, Sums<1>& sum) {
+        for (int d = 0; d < 3; ++d) {
+          const Real r = b(i, d) - w.q(i, d);
+          w.r(i, d) = r;
+          sum.value[0] += r * r;
+        }
+      },
+      KOKKOS_LAMBDA(const Sums<1>& sum) { w.scalar(squared_residual) = sum.value[0]; });
+}
+
+/// With multigrid: x += α p, r −= α q.
+void take_step_grid(const PcgWork& work, const Field& x) {
+  const PcgWork w = work;
+  device::sum_then<1>(
+      "rockfold::solve::pcg_step", rows(w), w.partial,
+      KOKKOS_LAMBDA(const Index i, Sums<1>& sum) {
+        const Real step = w.scalar(alpha);
+        for (int d = 0; d < 3; ++d) {
+          x(i, d) += step * w.p(i, d);
+          const Real r = w.r(i, d) - step * w.q(i, d);
+          w.r(i, d) = r;
+          sum.value[0] += r * r;
+        }
+      },
+      KOKKOS_LAMBDA(const Sums<1>& sum) { w.scalar(squared_residual) = sum.value[0]; });
+}
+
+/// With multigrid: z = B r; p = z + β p with β = new r·z / old r·z, or p = z at the first step.
+void turn_grid(const PcgWork& work, const Multigrid& grid, bool first) {
+  precondition(grid, work.r, work.scalar);
+  const PcgWork w = work;
+  const auto z = grid.levels[0].x;
+  const Real scale = grid.scale;
+  device::sum_then<1>(
+      "rockfold::solve::pcg_energy", rows(w), w.partial,
+      KOKKOS_LAMBDA(const Index i, Sums<1>& sum) {
+        for (int d = 0; d < 3; ++d) sum.value[0] += w.r(i, d) * z(i, d);
+      },
+      KOKKOS_LAMBDA(const Sums<1>& sum) {
+        const Real share = device::math::sqrt(w.scalar(squared_residual)) / scale;
+        w.scalar(beta) = first ? 0 : share * sum.value[0] / w.scalar(residual_energy);
+        w.scalar(residual_energy) = share * sum.value[0];
+      });
+  device::for_each(
+      "rockfold::solve::pcg_direction", rows(w), KOKKOS_LAMBDA(const Index i) {
+        const Real share = device::math::sqrt(w.scalar(squared_residual)) / scale;
+        const Real before = w.scalar(beta);
+        for (int d = 0; d < 3; ++d) w.p(i, d) = share * z(i, d) + (first ? 0 : before * w.p(i, d));
+      });
+}
+
+/// r = b − A x, p = B r; returns ‖r‖.
+Real start(const PcgWork& work, const Apply& a, const Preconditioning& m, const Field& b,
+           const Field& x) {
+  a(x, work.q);
+  if (m.grid)
+    start_grid(work, b);
+  else if (m.covers)
+    start_covers(work, *m.covers, b);
+  else
+    start_blocks(work, m.inverse, b);
+  fetch_scalars(work);
+  return std::sqrt(work.host_scalar(squared_residual));
+}
+
+/// Iterates until the recurrence's residual is at most `target`, or a direction has no energy. Returns that residual; NaN where A, B
+/// or b are not fit.
+Real iterate(const PcgWork& work, const Apply& a, const Preconditioning& m, const Field& x,
              Real target, Index max_iterations, Index& iterations) {
+  if (m.grid) turn_grid(work, *m.grid, true);
   while (iterations < max_iterations) {
     a(work.p, work.q);
     find_step(work);
-    take_step(work, inverse, x);
+    if (m.grid)
+      take_step_grid(work, x);
+    else if (m.covers)
+      take_step_covers(work, *m.covers, x);
+    else
+      take_step_blocks(work, m.inverse, x);
     fetch_scalars(work);
     ++iterations;
     const Real residual = std::sqrt(work.host_scalar(squared_residual));
-    // A direction without energy: A is singular there (or not positive), or numbers have left their range.
-    if (!(work.host_scalar(direction_energy) > 0) || !std::isfinite(residual))
-      return std::numeric_limits<Real>::quiet_NaN();
+    if (!std::isfinite(residual)) return std::numeric_limits<Real>::quiet_NaN();
+    // A direction without energy: rounding where A is singular or nearly so (no step was taken), or A is not positive.
+    if (!(work.host_scalar(direction_energy) > 0)) return residual;
     if (residual <= target) return residual;
-    turn(work);
+    if (m.grid)
+      turn_grid(work, *m.grid, false);
+    else
+      turn_blocks(work);
   }
   return std::numeric_limits<Real>::infinity();
 }
@@ -131,7 +264,6 @@ Real iterate(const PcgWork& work, const Apply& a, const Blocks& inverse, const F
 PcgWork make_pcg_work(Index covers) {
   PcgWork work;
   work.r = device::make_field("solve::pcg_r", covers);
-  work.z = device::make_field("solve::pcg_z", covers);
   work.p = device::make_field("solve::pcg_p", covers);
   work.q = device::make_field("solve::pcg_q", covers);
   work.partial = device::allocate<Real>("solve::pcg_partial", 2 * device::chunk_count(covers));
@@ -150,8 +282,10 @@ Real dot(const PcgWork& work, const Field& x, const Field& y) {
   return work.host_scalar(result);
 }
 
-PcgReport solve_pcg(const PcgWork& work, const Apply& a, const Blocks& inverse, const Field& b,
-                    const Field& x, const PcgOptions& options) {
+PcgReport solve_pcg(PcgWork& work, const Apply& a, const Preconditioning& preconditioning,
+                    const Field& b, const Field& x, const PcgOptions& options) {
+  if (!preconditioning.grid && work.z.extent(0) == 0)
+    work.z = device::make_field("solve::pcg_z", rows(work));
   PcgReport report;
   report.reference = std::max(std::sqrt(dot(work, b, b)), options.reference);
   if (report.reference == 0) {  // nothing pulls: the answer is rest
@@ -159,7 +293,7 @@ PcgReport solve_pcg(const PcgWork& work, const Apply& a, const Blocks& inverse, 
     report.converged = true;
     return report;
   }
-  Real residual = start(work, a, inverse, b, x);
+  Real residual = start(work, a, preconditioning, b, x);
   // Below the rounding of b alone a residual means nothing.
   const Real floor = std::numeric_limits<Real>::epsilon() * report.reference;
   const Real target = options.reduction > 0 ? std::max(options.reduction * residual, floor)
@@ -169,12 +303,12 @@ PcgReport solve_pcg(const PcgWork& work, const Apply& a, const Blocks& inverse, 
   while (!(residual <= target) && report.iterations < options.max_iterations) {
     if (!(residual < 0.5 * before)) break;  // a restart that gains nothing: rounding, or NaN
     before = residual;
-    if (std::isnan(
-            iterate(work, a, inverse, x, target, options.max_iterations, report.iterations))) {
+    if (std::isnan(iterate(work, a, preconditioning, x, target, options.max_iterations,
+                           report.iterations))) {
       residual = std::numeric_limits<Real>::quiet_NaN();
       break;
     }
-    residual = start(work, a, inverse, b, x);
+    residual = start(work, a, preconditioning, b, x);
   }
   report.residual = residual / report.reference;
   report.converged = residual <= target;

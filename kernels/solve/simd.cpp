@@ -1,21 +1,6 @@
 #include "kernels/solve/simd.hpp"
 
-// Function versions are chosen when the program starts, before the sanitizers are ready: not both.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && \
-    !defined(__SANITIZE_ADDRESS__)
-#define ROCKFOLD_SIMD_VERSIONS __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define ROCKFOLD_SIMD_VERSIONS
-#endif
-
-// y never overlaps the others: a row's own x is another vector.
-#if defined(__clang__)
-#define ROCKFOLD_NO_ALIAS _Pragma("clang loop vectorize(assume_safety)")
-#elif defined(__GNUC__)
-#define ROCKFOLD_NO_ALIAS _Pragma("GCC ivdep")
-#else
-#define ROCKFOLD_NO_ALIAS
-#endif
+#include "kernels/solve/simd_versions.hpp"
 
 namespace rockfold::solve {
 
@@ -41,6 +26,53 @@ void stencil_add(Index length, const Real* c, const Components& x, const Compone
     y0[k] += c0 * t0 + c1 * t1 + c2 * t2;
     y1[k] += c3 * t0 + c4 * t1 + c5 * t2;
     y2[k] += c6 * t0 + c7 * t1 + c8 * t2;
+  }
+}
+
+namespace {
+
+constexpr Index chunk = 16;
+
+/// Rows [begin, begin + count) of stencil_gather: count = chunk, or fewer where they are not contiguous.
+template <bool contiguous>
+[[gnu::always_inline]] inline void gather_chunk(Index begin, Index count, Index stride,
+                                                Index differences, Index terms, const Real* block,
+                                                const Components* at, const Components& own,
+                                                Real own_mass, Real* const* y) {
+  Index index[chunk];  // lanes without a row repeat the last
+  for (Index l = 0; l < chunk; ++l) index[l] = (begin + (l < count ? l : count - 1)) * stride;
+  Real o[3][chunk], s[3][chunk];
+  for (int i = 0; i < 3; ++i)
+    for (Index l = 0; l < chunk; ++l) {
+      o[i][l] = own.x[i][contiguous ? begin + l : index[l]];
+      s[i][l] = own_mass * o[i][l];
+    }
+  for (Index c = 0; c < terms; ++c, block += 9) {
+    Real t[3][chunk];
+    for (int i = 0; i < 3; ++i)
+      for (Index l = 0; l < chunk; ++l) t[i][l] = at[c].x[i][contiguous ? begin + l : index[l]];
+    if (c < differences)
+      for (int i = 0; i < 3; ++i)
+        for (Index l = 0; l < chunk; ++l) t[i][l] -= o[i][l];
+    for (int i = 0; i < 3; ++i)
+      for (Index l = 0; l < chunk; ++l)
+        s[i][l] += block[3 * i] * t[0][l] + block[3 * i + 1] * t[1][l] + block[3 * i + 2] * t[2][l];
+  }
+  for (int i = 0; i < 3; ++i)
+    for (Index l = 0; l < count; ++l) y[i][contiguous ? begin + l : index[l]] = s[i][l];
+}
+
+}  // namespace
+
+ROCKFOLD_SIMD_VERSIONS
+void stencil_gather(Index length, Index stride, Index differences, Index terms, const Real* block,
+                    const Components* at, const Components& own, Real own_mass, Real* const* y) {
+  for (Index begin = 0; begin < length; begin += chunk) {
+    const Index count = length - begin < chunk ? length - begin : chunk;
+    if (count == chunk && stride == 1)
+      gather_chunk<true>(begin, chunk, stride, differences, terms, block, at, own, own_mass, y);
+    else
+      gather_chunk<false>(begin, count, stride, differences, terms, block, at, own, own_mass, y);
   }
 }
 

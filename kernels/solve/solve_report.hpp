@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/base/types.hpp"
+#include "src/arrays/element_arrays.hpp"
 
 namespace rockfold {
 
@@ -12,6 +12,7 @@ struct SolveReport {
       0;  ///< true ‖b − A x‖ / ‖b‖ of the last solve; NaN where numbers left their range
   Real gap =
       0;  ///< largest distance of an augmented fixed point from its place / largest displacement
+  Preconditioner preconditioner = Preconditioner::block_jacobi;  ///< the one used last
   bool converged =
       true;  ///< the residual is within the tolerance; the gap may be as large as it says
 };

@@ -11,9 +11,9 @@ namespace rockfold {
 struct TrackedPoints::Data {
   solve::DevicePoints points;
   device::Array<Index> element;
-  device::Array<Real> local_z;  ///< m, from the centre of the element's lattice cell
-  device::Field value;          ///< work space
-  device::Array<Real> stress;   ///< [N][6] work space
+  device::Field local;         ///< m, from the centre of the element's lattice cell
+  device::Field value;         ///< work space
+  device::Array<Real> stress;  ///< [N][6] work space
 };
 
 namespace update {

@@ -6,35 +6,6 @@
 namespace rockfold::update {
 namespace {
 
-/// goal of the first acceleration: none at augmented points; others pull with what their springs are stretched by.
-void aim_acceleration(const Motion::Data& m) {
-  const solve::Springs s = m.held.springs;
-  const Real factor = m.held.spring_factor;
-  const auto d = m.now.displacement, goal = m.goal;
-  device::for_each(
-      "rockfold::update::aim_acceleration", s.points.count, KOKKOS_LAMBDA(const Index n) {
-        for (int i = 0; i < 3; ++i)
-          goal(n, i) = s.augmented(n, i) > 0
-                           ? 0
-                           : (s.target(n, i) - solve::interpolate_one(s.points, n, i, d)) / factor;
-      });
-}
-
-/// goal of the first velocity: that of their tables at augmented points with one, what they have at others.
-void aim_velocity(const Motion::Data& m) {
-  const solve::Springs s = m.held.springs;
-  const auto slope = m.supports.tables.slope_after(m.now.time);
-  const auto table = m.supports.table;
-  const auto v = m.now.velocity, goal = m.goal;
-  device::for_each(
-      "rockfold::update::aim_velocity", s.points.count, KOKKOS_LAMBDA(const Index n) {
-        for (int i = 0; i < 3; ++i)
-          goal(n, i) = s.augmented(n, i) > 0 && table(n) != none
-                           ? slope(3 * table(n) + i)
-                           : solve::interpolate_one(s.points, n, i, v);
-      });
-}
-
 /// A support that starts with a velocity takes the rock along: the velocity nearest to that given, measured by mass, that
 /// goes with the augmented points. Else theirs would swing about their tables' slope for ever.
 SolveReport catch_up_with_supports(Motion::Data& m) {

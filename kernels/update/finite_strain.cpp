@@ -1,7 +1,10 @@
 // Large kinematics: forces of finite strain (kernels/finite), their tangent in the rows of the operator.
 #include "kernels/device/sums_kernel.hpp"
 #include "kernels/finite/deformation_kernel.hpp"
+#include "kernels/finite/strain_kernel.hpp"
 #include "kernels/update/finite_strain_kernel.hpp"
+#include "kernels/update/initial_stress_kernel.hpp"
+#include "kernels/update/stress_kernel.hpp"
 
 namespace rockfold::update {
 namespace {
@@ -10,7 +13,10 @@ class FiniteStrain : public LargeDeformation {
  public:
   FiniteStrain(const MotionSetup& setup, const solve::HeldSystem& held)
       : op_(held.op),
-        body_(finite::make_deformation(setup.covers, setup.materials, setup.initial_stress)),
+        body_(finite::make_deformation(setup.covers, setup.moments, setup.materials,
+                                       setup.initial_stress)),
+        elements_(solve::make_element_table(setup.covers, setup.moments, setup.materials)),
+        before_(make_stress_before(setup)),
         partial_(
             device::allocate<Real>("update::strain_partial", device::chunk_count(body_.elements))),
         sums_("rockfold::update::strain_sums", 1),
@@ -56,14 +62,30 @@ class FiniteStrain : public LargeDeformation {
     finite::mean_stress(body_, stress);
   }
   void point_stress(const Field& d, const TrackedPoints::Data& at) const override {
-    finite::deform(body_, d);
-    finite::mean_stress_of(body_, at.element, at.stress);
+    const solve::ElementTable table = elements_;
+    const StressBefore before = before_;
+    const auto element = at.element;
+    const auto local = at.local;
+    const auto stress = at.stress;
+    device::for_each(
+        "rockfold::update::large_point_stress", at.points.count, KOKKOS_LAMBDA(const Index n) {
+          const Index e = element(n);
+          const Real x[3] = {local(n, 0), local(n, 1), local(n, 2)};
+          Real h[3][3], strain[6], s[6] = {0, 0, 0, 0, 0, 0};
+          gradient_at(table, d, e, x, h);
+          finite::green_strain(&h[0][0], strain);
+          finite::add_elastic_stress(table.elastic(table.material(e)), 1, strain, s);
+          if (before.any()) add_stress_before(before, before.cell_z(e) + x[2], s);
+          finite::cauchy_stress(&h[0][0], s, &stress(6 * static_cast<std::size_t>(n)));
+        });
   }
 
  private:
   solve::Operator op_;  // the same arrays as the system's
   finite::Deformation body_;
   finite::ForceRule rule_;
+  solve::ElementTable elements_;
+  StressBefore before_;
   Array<Real> partial_, sums_;
   Real rounding_;
 };

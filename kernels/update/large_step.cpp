@@ -19,9 +19,10 @@ constexpr int most_iterations = 30;
 
 /// What a step of large kinematics balances.
 struct Balance {
-  Real dt = 0;          ///< s; 0: equilibrium, without inertia
-  bool middle = false;  ///< twice the mean of both ends
-  Real load = 1;        ///< share of the loads and of the supports' way, in equilibrium
+  Real dt = 0;           ///< s; 0: equilibrium, without inertia
+  bool middle = false;   ///< twice the mean of both ends
+  bool steered = false;  ///< augmented points go as supports.cpp says, not straight to their places
+  Real load = 1;         ///< share of the loads and of the supports' way, in equilibrium
 };
 
 /// w = a + α v, of both ends where `middle`.
@@ -46,6 +47,19 @@ void damped_velocity(const Motion::Data& m, const Balance& balance, const Field&
       });
 }
 
+/// Takes the pressures that follow off the internal force in `work`, so that both change together.
+void follow(Motion::Data& m, const Balance& balance) {
+  // Internal forces are doubled later in the middle rule: of both ends half each.
+  const Real share = balance.load * (balance.middle ? 0.5 : 1);
+  add_following_pressures(m.following, m.now.time, m.now.displacement, -share, m.work);
+  if (!balance.middle) return;
+  const Field before = m.following_before, work = m.work;
+  device::for_each(
+      "rockfold::update::following_before", m.unknowns, KOKKOS_LAMBDA(const Index p) {
+        for (int i = 0; i < 3; ++i) work(p, i) -= 0.5 * before(p, i);
+      });
+}
+
 /// right = what is not balanced, the supports left out. Returns the largest norm of loads, inertia and internal forces.
 Real find_residual(Motion::Data& m, const Balance& balance) {
   Kokkos::deep_copy(m.right, 0.0);
@@ -58,6 +72,7 @@ Real find_residual(Motion::Data& m, const Balance& balance) {
     }
   }
   m.rock->force(m.now.displacement, m.work);
+  if (m.following.any()) follow(m, balance);
   const auto load = m.load, varying = m.varying, before = m.varying_before, right = m.right,
              internal = m.work;
   const bool varies = m.varying_loads.any(), middle = balance.middle;
@@ -88,12 +103,16 @@ Real find_residual(Motion::Data& m, const Balance& balance) {
 void aim(const Motion::Data& m, const Balance& balance) {
   const solve::Springs s = m.held.springs;
   const auto d = m.now.displacement, goal = m.goal, before = m.goal_before;
-  const bool middle = balance.middle;
+  const auto increment = m.increment, way = m.support_way;
+  const bool middle = balance.middle, steered = balance.steered;
   const Real share = balance.load;
   device::for_each(
       "rockfold::update::large_aim", s.points.count, KOKKOS_LAMBDA(const Index n) {
         for (int i = 0; i < 3; ++i) {
-          goal(n, i) = share * s.target(n, i) - solve::interpolate_one(s.points, n, i, d);
+          if (steered && s.augmented(n, i) > 0)
+            goal(n, i) = way(n, i) - solve::interpolate_one(s.points, n, i, increment);
+          else
+            goal(n, i) = share * s.target(n, i) - solve::interpolate_one(s.points, n, i, d);
           if (middle && !(s.augmented(n, i) > 0)) goal(n, i) += before(n, i);
         }
       });
@@ -172,6 +191,7 @@ SolveReport balance_forces(Motion::Data& m, const Balance& balance) {
         solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how);
     total.iterations += report.iterations;
     total.outer += report.outer;
+    total.preconditioner = report.preconditioner;
     if (!report.converged) {
       m.large->soften();
       set_matrix(m, m.held.combination, m.dashpot_factor, 1, false);
@@ -213,6 +233,11 @@ void count_support_work(Motion::Data& m, const Balance& balance) {
 /// Work of changing loads, of damping by mass and velocity (in count_work's way) and by strain rate.
 void count_large_work(Motion::Data& m, const finite::ForceRule& rule, const Field& start) {
   Work& work = m.now.work;
+  if (m.following.any()) {
+    Kokkos::deep_copy(m.work, m.following_before);
+    add_following_pressures(m.following, m.now.time, m.now.displacement, 1, m.work);
+    work.loads += 0.5 * solve::dot(m.held.work, m.work, m.increment);
+  }
   if (rule.viscosity > 0) {
     m.rock->force(m.now.displacement, m.work);
     const Real with = solve::dot(m.held.work, m.work, m.increment);
@@ -233,7 +258,8 @@ void count_large_work(Motion::Data& m, const finite::ForceRule& rule, const Fiel
 SolveReport advance_large(Motion::Data& m, Real dt) {
   Balance balance;
   balance.dt = dt;
-  balance.middle = m.beta == 0.25 && m.gamma == 0.5 && m.dynamic_ratio > 0;
+  balance.steered = m.dynamic_ratio > 0;
+  balance.middle = m.beta == 0.25 && m.gamma == 0.5 && balance.steered;
   finite::ForceRule rule;
   rule.middle = balance.middle;
   rule.viscosity = m.damping.stiffness / dt;
@@ -244,7 +270,12 @@ SolveReport advance_large(Motion::Data& m, Real dt) {
   Kokkos::deep_copy(m.displacement_before, m.now.displacement);
   update::aim(m);
   Kokkos::deep_copy(m.goal_before, m.goal);
+  if (m.following.any()) {
+    Kokkos::deep_copy(m.following_before, 0.0);
+    add_following_pressures(m.following, m.now.time, m.now.displacement, 1, m.following_before);
+  }
   m.large->begin_step(m.now.displacement, rule);
+  if (balance.steered) steer(m, dt);
   m.now.time += dt;
   set_time(m, m.now.time);
   predict(m, dt);
@@ -272,6 +303,7 @@ SolveReport solve_equilibrium_large(Motion::Data& m) {
     const SolveReport report = balance_forces(m, balance);
     total.iterations += report.iterations;
     total.outer += report.outer;
+    total.preconditioner = report.preconditioner;
     total.residual = report.residual;
     total.gap = report.gap;
     total.converged = report.converged;

@@ -12,9 +12,17 @@ Array<Real> flat(const std::vector<Vec3>& values) {
   return device::to_device("update::table_values", numbers);
 }
 
-/// The points at which `wanted` says yes.
-template <class Wanted>
-MaterialPoints choose(const MaterialPoints& all, const Wanted& wanted) {
+/// N at a pressure of its own: along the inward normal.
+Vec3 pressure_force(const LoadPoints& loads, std::size_t n) {
+  Vec3 force;
+  for (int d = 0; d < 3; ++d) force[d] = -loads.pressure[n] * loads.area[n][d];
+  return force;
+}
+
+}  // namespace
+
+MaterialPoints choose_points(const MaterialPoints& all,
+                             const std::function<bool(std::size_t)>& wanted) {
   MaterialPoints chosen;
   for (std::size_t n = 0; n < all.size(); ++n) {
     if (!wanted(n)) continue;
@@ -33,15 +41,6 @@ bool under_pressure(const LoadPoints& loads, std::size_t n) {
   return loads.pressure[n] != 0 && loads.area[n] != Vec3{};
 }
 
-/// N at a pressure of its own: along the inward normal.
-Vec3 pressure_force(const LoadPoints& loads, std::size_t n) {
-  Vec3 force;
-  for (int d = 0; d < 3; ++d) force[d] = -loads.pressure[n] * loads.area[n][d];
-  return force;
-}
-
-}  // namespace
-
 DeviceTables::DeviceTables(std::vector<TimeTable> tables) : tables_(std::move(tables)) {}
 
 Array<Real> DeviceTables::at(Real t) const {
@@ -56,6 +55,17 @@ Array<Real> DeviceTables::slope_after(Real t) const {
   return flat(values);
 }
 
+Array<Real> DeviceTables::at_or_before(Real t, Real start) const {
+  if (t >= start) return at(t);
+  std::vector<Vec3> values;
+  for (const TimeTable& table : tables_) {
+    values.push_back(table.at(start));
+    const Vec3 slope = table.slope_after(start);
+    for (int d = 0; d < 3; ++d) values.back()[d] += (t - start) * slope[d];
+  }
+  return flat(values);
+}
+
 bool DeviceTables::moving_after(Real t) const {
   return std::any_of(tables_.begin(), tables_.end(),
                      [&](const TimeTable& table) { return table.slope_after(t) != Vec3{}; });
@@ -63,7 +73,9 @@ bool DeviceTables::moving_after(Real t) const {
 
 VaryingLoads make_varying_loads(const MotionSetup& setup, const Field& mass) {
   const LoadPoints& all = setup.loads;
-  const auto wanted = [&](std::size_t n) { return all.table[n] != none; };
+  const auto wanted = [&](std::size_t n) {
+    return all.table[n] != none && !(setup.large && under_pressure(all, n));  // following.cpp
+  };
   std::vector<Index> table;
   std::vector<Real> scale;
   std::vector<Vec3> by_x;
@@ -76,7 +88,8 @@ VaryingLoads make_varying_loads(const MotionSetup& setup, const Field& mass) {
   }
   VaryingLoads loads;
   const Index count = static_cast<Index>(table.size());
-  loads.points = solve::make_point_rows(choose(all.points, wanted), setup.covers.unknown_count());
+  loads.points =
+      solve::make_point_rows(choose_points(all.points, wanted), setup.covers.unknown_count());
   loads.table = device::to_device("update::load_table", table);
   loads.scale = device::to_device("update::load_scale", scale);
   loads.by_x = device::make_field("update::load_by_x", count);
@@ -124,7 +137,7 @@ std::vector<Vec3> constant_load(const MotionSetup& setup, const std::vector<Vec3
   for (std::size_t n = 0; n < all.points.size(); ++n) {
     if (all.table[n] != none) continue;
     Vec3 force = all.force[n];
-    if (under_pressure(all, n))
+    if (under_pressure(all, n) && !setup.large)
       for (int d = 0; d < 3; ++d) force[d] += pressure_force(all, n)[d];
     for (Index i = all.points.begin[n]; i < all.points.begin[n + 1]; ++i)
       for (int d = 0; d < 3; ++d) load[all.points.unknown[i]][d] += all.points.weight[i] * force[d];

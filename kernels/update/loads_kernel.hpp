@@ -1,6 +1,8 @@
 // What acts on the rock from outside, on the device: loads, dashpots, and where supports ought to be.
 #pragma once
 
+#include <functional>
+
 #include "kernels/solve/held_kernel.hpp"
 #include "kernels/update/motion.hpp"
 
@@ -8,6 +10,12 @@ namespace rockfold::update {
 
 using device::Array;
 using device::Field;
+
+/// The points at which `wanted` says yes.
+MaterialPoints choose_points(const MaterialPoints& all,
+                             const std::function<bool(std::size_t)>& wanted);
+/// Whether a pressure acts on a load point; under large kinematics it follows its face (following.cpp).
+bool under_pressure(const LoadPoints& loads, std::size_t n);
 
 /// The values of tables at one time, side by side.
 class DeviceTables {
@@ -18,6 +26,8 @@ class DeviceTables {
   /// [tables][3] at t, or the slopes after t.
   Array<Real> at(Real t) const;
   Array<Real> slope_after(Real t) const;
+  /// At t; before `start` as if they had always moved as they do just after it.
+  Array<Real> at_or_before(Real t, Real start) const;
   /// Whether one of them moves just after t.
   bool moving_after(Real t) const;
 

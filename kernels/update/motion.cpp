@@ -42,8 +42,9 @@ namespace {
 
 void make_system(Motion::Data& m, const MotionSetup& setup) {
   m.held = solve::make_held_system(
+      setup.covers,
       solve::build_operator(setup.covers, setup.moments, setup.materials, !setup.large),
-      setup.fixed);
+      setup.fixed, setup.preconditioner);
   if (setup.large) {
     auto rock = make_finite_strain(setup, m.held);
     m.large = rock.get();
@@ -97,12 +98,16 @@ void make_data(Motion::Data& m, const MotionSetup& setup) {
   m.right = device::make_field("update::right", m.unknowns);
   m.work = device::make_field("update::work", m.unknowns);
   m.goal = device::make_field("update::goal", fixed);
+  m.support_way = device::make_field("update::support_way", fixed);
   m.partial = device::allocate<Real>("update::partial",
                                      3 * device::chunk_count(std::max(m.unknowns, fixed)));
   m.sums = device::Array<Real>("rockfold::update::sums", 3);
   if (m.large) {
     m.displacement_before = device::make_field("update::displacement_before", m.unknowns);
     m.acceleration_before = device::make_field("update::acceleration_before", m.unknowns);
+    m.following = make_following_pressures(setup);
+    if (m.following.any())
+      m.following_before = device::make_field("update::following_before", m.unknowns);
     m.goal_before = device::make_field("update::goal_before", fixed);
   }
   if (m.damped() || m.large)
@@ -160,6 +165,7 @@ SolveReport Motion::step(Real dt, int substeps, const TrackedPoints* watched, Re
         m.large ? update::advance_large(m, dt / substeps) : update::advance(m, dt / substeps);
     total.iterations += report.iterations;
     total.outer += report.outer;
+    total.preconditioner = report.preconditioner;
     total.residual = report.residual;
     total.gap = report.gap;
     total.converged = report.converged;

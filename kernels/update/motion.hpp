@@ -50,6 +50,7 @@ struct MotionSetup {
   Real beta = 0.25, gamma = 0.5;  ///< Newmark's; β > 0
   Real dynamic_ratio = 1;
   SolveOptions solver{};
+  Preconditioner preconditioner = Preconditioner::automatic;
 };
 
 class Motion {

@@ -1,11 +1,13 @@
 // What Motion keeps on the device.
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "kernels/solve/held_kernel.hpp"
 #include "kernels/update/deformation_kernel.hpp"
 #include "kernels/update/finite_strain_kernel.hpp"
+#include "kernels/update/following_kernel.hpp"
 #include "kernels/update/loads_kernel.hpp"
 #include "kernels/update/motion.hpp"
 
@@ -35,6 +37,7 @@ struct Motion::Data {
   std::unique_ptr<update::Deformation> rock;
   update::LargeDeformation* large = nullptr;  ///< the rock, under large kinematics
   update::VaryingLoads varying_loads;
+  update::FollowingPressures following;  ///< large kinematics
   update::Dashpots dashpots;
   update::MovingSupports supports;
   update::MovingState now, saved;
@@ -44,13 +47,14 @@ struct Motion::Data {
   device::Field varying_before;  ///< … and at the start of the step; empty where no load changes
   device::Field
       velocity_before;  ///< at the start of the step; empty without damping or large kinematics
-  device::Field displacement_before, acceleration_before,
-      goal_before;           ///< likewise; large kinematics
+  device::Field displacement_before, acceleration_before, goal_before,
+      following_before;      ///< likewise; large kinematics
   device::Field increment;   ///< Δd of the step
   device::Field correction;  ///< of the prediction: what is solved for
   device::Field right;       ///< right-hand side
   device::Field work;
-  device::Field goal;  ///< of the fixed points, for the unknown being solved for
+  device::Field goal;         ///< of the fixed points, for the unknown being solved for
+  device::Field support_way;  ///< of the fixed points in the step
   device::Array<Real> partial, sums;
 
   Vec3 gravity{};
@@ -81,6 +85,16 @@ void set_time(Motion::Data& m, Real t);
 Real find_residual(Motion::Data& m, bool moving);
 /// goal = ū − N d: how far the fixed points still have to go.
 void aim(const Motion::Data& m);
+/// k of supports.cpp.
+std::array<Real, 3> steering(Real beta, Real gamma);
+/// Finds how far augmented points go in the step that begins (support_way), …
+void steer(const Motion::Data& m, Real dt);
+/// … and, once it is predicted, what is left of it: the goal of augmented points.
+void aim_steered(const Motion::Data& m);
+/// goal of the first acceleration: none at augmented points; others pull with what their springs are stretched by.
+void aim_acceleration(const Motion::Data& m);
+/// goal of the first velocity: that of their tables at augmented points with one, what they have at others.
+void aim_velocity(const Motion::Data& m);
 solve::HeldOptions solve_options(const Motion::Data& m, Real reference);
 
 SolveReport solve_initial_acceleration(Motion::Data& m, Real dt);

@@ -116,16 +116,6 @@ Real find_residual(Motion::Data& m, bool moving) {
   return std::sqrt(std::max({squares[0], squares[1], squares[2]}));
 }
 
-void aim(const Motion::Data& m) {
-  const solve::Springs s = m.held.springs;
-  const auto d = m.now.displacement, goal = m.goal;
-  device::for_each(
-      "rockfold::update::aim", s.points.count, KOKKOS_LAMBDA(const Index n) {
-        for (int i = 0; i < 3; ++i)
-          goal(n, i) = s.target(n, i) - solve::interpolate_one(s.points, n, i, d);
-      });
-}
-
 solve::HeldOptions solve_options(const Motion::Data& m, Real reference) {
   solve::HeldOptions how;
   how.pcg.tolerance = m.solver.tolerance;
@@ -142,11 +132,14 @@ SolveReport advance(Motion::Data& m, Real dt) {
     varying_load(m.varying_loads, m.now.time, m.varying_before);
   }
   if (m.damped()) Kokkos::deep_copy(m.velocity_before, m.now.velocity);
+  const bool steered = m.dynamic_ratio > 0;
+  if (steered) steer(m, dt);
   m.now.time += dt;
   set_time(m, m.now.time);
   predict(m, dt);
   const Real reference = find_residual(m, m.dynamic_ratio > 0);
   aim(m);
+  if (steered) aim_steered(m);
   Kokkos::deep_copy(m.correction, 0.0);
   const SolveReport report = solve::solve_held(m.held, m.right, m.goal, m.correction,
                                                m.now.displacement, solve_options(m, reference));

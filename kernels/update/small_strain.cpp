@@ -1,6 +1,6 @@
 // Small strain: f = K d + f0, f0 that of the initial stress.
 #include "kernels/update/deformation_kernel.hpp"
-#include "kernels/update/initial_stress.hpp"
+#include "kernels/update/initial_stress_kernel.hpp"
 #include "kernels/update/stress_kernel.hpp"
 
 namespace rockfold::update {
@@ -8,35 +8,12 @@ namespace {
 
 constexpr solve::Combination stiffness_only{1, 0};
 
-/// The initial stress where stresses are asked for. Empty: none.
-struct StressBefore {
-  Array<Real> cell_z, centroid_z;  ///< [elements] m
-  Array<Real> law;  ///< [13] Pa at the reference, Pa a metre of depth, and the reference, m
-  bool any() const { return law.extent(0) > 0; }
-};
-
-KOKKOS_INLINE_FUNCTION void add_stress_before(const StressBefore& before, Real z, Real* stress) {
-  for (int k = 0; k < 6; ++k) stress[k] += before.law(k) + (before.law(12) - z) * before.law(6 + k);
-}
-
-StressBefore make_stress_before(const MotionSetup& setup) {
-  const InitialStress& given = setup.initial_stress;
-  if (!given.any) return {};
-  const ElementHeights heights = element_heights(setup.covers, setup.moments);
-  std::vector<Real> law(given.at.begin(), given.at.end());
-  law.insert(law.end(), given.gradient.begin(), given.gradient.end());
-  law.push_back(given.reference_z);
-  return {device::to_device("update::cell_z", heights.cell),
-          device::to_device("update::centroid_z", heights.centroid),
-          device::to_device("update::stress_law", law)};
-}
-
 class SmallStrain : public Deformation {
  public:
   SmallStrain(const MotionSetup& setup, const solve::HeldSystem& held)
       : op_(held.op),
         sums_(held.work),
-        elements_(make_element_table(setup.covers, setup.materials)),
+        elements_(solve::make_element_table(setup.covers, setup.moments, setup.materials)),
         before_(make_stress_before(setup)),
         work_(device::make_field("update::small_strain", setup.covers.unknown_count())) {
     if (!before_.any()) return;
@@ -74,7 +51,7 @@ class SmallStrain : public Deformation {
   }
 
   void element_stress(const Field& d, const Array<Real>& stress) const override {
-    const ElementTable table = elements_;
+    const solve::ElementTable table = elements_;
     const StressBefore before = before_;
     const bool any = before.any();
     device::for_each(
@@ -86,23 +63,25 @@ class SmallStrain : public Deformation {
   }
 
   void point_stress(const Field& d, const TrackedPoints::Data& at) const override {
-    const ElementTable table = elements_;
+    const solve::ElementTable table = elements_;
     const StressBefore before = before_;
     const bool any = before.any();
     const auto element = at.element;
-    const auto local_z = at.local_z, stress = at.stress;
+    const auto local = at.local;
+    const auto stress = at.stress;
     device::for_each(
         "rockfold::update::point_stress", at.points.count, KOKKOS_LAMBDA(const Index n) {
           Real* s = &stress(6 * static_cast<std::size_t>(n));
-          stress_of_element(table, d, element(n), s);
-          if (any) add_stress_before(before, before.cell_z(element(n)) + local_z(n), s);
+          const Real x[3] = {local(n, 0), local(n, 1), local(n, 2)};
+          stress_at(table, d, element(n), x, s);
+          if (any) add_stress_before(before, before.cell_z(element(n)) + x[2], s);
         });
   }
 
  private:
   solve::Operator op_;  // the same arrays as the system's
   solve::PcgWork sums_;
-  ElementTable elements_;
+  solve::ElementTable elements_;
   StressBefore before_;
   Field initial_;  // f0
   Field work_;

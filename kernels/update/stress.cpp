@@ -4,22 +4,6 @@
 namespace rockfold {
 namespace update {
 
-using device::to_device;
-
-ElementTable make_element_table(const CoverArrays& covers,
-                                const std::vector<ElasticMaterial>& materials) {
-  return {covers.regular_count(),
-          covers.cut_count(),
-          to_device("update::regular_cover", covers.regular_cover),
-          to_device("update::regular_material", covers.regular_material),
-          to_device("update::element_cover", covers.element_cover),
-          to_device("update::element_material", covers.element_material),
-          to_device("update::element_part", covers.element_part),
-          to_device("update::tets",
-                    std::vector<solve::TetTable>{solve::make_tet_table(covers.lattice)}),
-          to_device("update::elastic", solve::make_elastic(materials))};
-}
-
 namespace {
 
 using Stresses = std::vector<std::array<Real, 6>>;
@@ -32,10 +16,10 @@ Stresses fetch(const Array<Real>& flat) {
   return result;
 }
 
-std::vector<Real> heights(const MaterialPoints& points) {
-  std::vector<Real> z;
-  for (const Vec3& x : points.local) z.push_back(x[2]);
-  return z;
+device::Field upload_local(const MaterialPoints& points) {
+  const auto field = device::make_field("update::local", static_cast<Index>(points.size()));
+  device::copy_to_device(points.local, field);
+  return field;
 }
 
 }  // namespace
@@ -43,7 +27,7 @@ std::vector<Real> heights(const MaterialPoints& points) {
 
 TrackedPoints::TrackedPoints(const MaterialPoints& points)
     : data_(new Data{solve::upload(points), device::to_device("update::element", points.element),
-                     device::to_device("update::local_z", update::heights(points)),
+                     update::upload_local(points),
                      device::make_field("update::value", static_cast<Index>(points.size())),
                      device::allocate<Real>("update::stress", 6 * points.size())}) {}
 TrackedPoints::~TrackedPoints() = default;

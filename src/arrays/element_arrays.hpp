@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "src/base/types.hpp"
@@ -16,11 +17,21 @@ struct ElasticMaterial {
 };
 
 /// Integrals over each convex piece, about the centre of its lattice cell.
-/// Example: a cube of side 2 centred there: volume 8, first {0,0,0}, second {8/3,8/3,8/3,0,0,0}.
+/// Example: a cube of side 2 centred there: volume 8, first {0,0,0}; in a lattice of edges 4, local[4] = ∫ η_0² dV = 1/6.
 struct PieceMoments {
-  std::vector<Real> volume;                 ///< [Q] ∫dV, m³
-  std::vector<Vec3> first;                  ///< [Q] ∫x_i dV, m⁴
-  std::vector<std::array<Real, 6>> second;  ///< [Q] ∫x_i x_j dV for xx yy zz xy yz zx, m⁵
+  std::vector<Real> volume;  ///< [Q] ∫dV, m³
+  std::vector<Vec3> first;   ///< [Q] ∫x_i dV, m⁴
+  int degree = 0;            ///< of `local`
+  /// [Q][(degree+1)(degree+2)(degree+3)/6] ∫ η^m dV, m³; η in units of the cell's edges, monomials as monomial_index has them
+  std::vector<Real> local;
+};
+
+/// What speeds conjugate gradients up. `automatic` chooses by size: see docs/user_guide.md, [solver].
+enum class Preconditioner : std::uint8_t {
+  automatic,
+  block_jacobi,       ///< the 3×3 blocks of each cover function
+  node_block_jacobi,  ///< one block for each lattice node
+  multigrid           ///< over lattices of doubled spacing that are cut as the rock is
 };
 
 /// The motion of the physical covers, in the order of unknowns (order 0: of each cover's node).

@@ -13,19 +13,6 @@ std::array<Real, most_functions> cover_functions(const Vec3& xi, int functions) 
   return m;
 }
 
-std::array<Vec3, most_functions> cover_slopes(const Vec3& xi, int functions) {
-  std::array<Vec3, most_functions> slope{};
-  if (functions > 1)
-    for (int d = 0; d < 3; ++d) slope[1 + d][d] = 1;
-  if (functions > 4)
-    for (int d = 0; d < 3; ++d) {
-      slope[4 + d][d] = 2 * xi[d];
-      slope[7 + d][d] = xi[(d + 1) % 3];
-      slope[7 + d][(d + 1) % 3] = xi[d];
-    }
-  return slope;
-}
-
 std::array<Real, 8> part_weights(const CellPart& part, const Vec3& eta) {
   std::array<Real, 8> monomial{1};
   for (int m = 1; m < 8; ++m) {
@@ -36,20 +23,6 @@ std::array<Real, 8> part_weights(const CellPart& part, const Vec3& eta) {
   for (int a = 0; a < part.nodes; ++a)
     for (int m = 0; m < 8; ++m) weight[a] += part.weight[a][m] * monomial[m];
   return weight;
-}
-
-std::array<Vec3, 8> part_slopes(const CellPart& part, const Vec3& eta) {
-  std::array<Vec3, 8> slope{};
-  for (int a = 0; a < part.nodes; ++a)
-    for (int m = 1; m < 8; ++m)
-      for (int d = 0; d < 3; ++d) {
-        if ((m >> d & 1) == 0) continue;
-        Real product = part.weight[a][m];
-        for (int e = 0; e < 3; ++e)
-          if (e != d && (m >> e & 1) != 0) product *= eta[e];
-        slope[a][d] += product;
-      }
-  return slope;
 }
 
 ElementNodes element_nodes(const CoverArrays& covers, Index element) {

@@ -22,13 +22,8 @@ constexpr int functions_of_order(int order) {
 /// m_k(ξ), k < functions.
 std::array<Real, most_functions> cover_functions(const Vec3& xi, int functions);
 
-/// Their derivatives by ξ.
-std::array<Vec3, most_functions> cover_slopes(const Vec3& xi, int functions);
-
 /// N_a(η) of a part's nodes.
 std::array<Real, 8> part_weights(const CellPart& part, const Vec3& eta);
-/// Their derivatives by η.
-std::array<Vec3, 8> part_slopes(const CellPart& part, const Vec3& eta);
 
 /// Where an element lies and which physical covers it belongs to.
 struct ElementNodes {

@@ -13,8 +13,8 @@ std::size_t row_after(const TimeTable& table, Real t) {
 Vec3 slope_of(const TimeTable& table, std::size_t row) {
   Vec3 slope;
   for (int d = 0; d < 3; ++d)
-    slope[d] = (table.value[row][d] - table.value[row - 1][d]) /
-               (table.time[row] - table.time[row - 1]);
+    slope[d] =
+        (table.value[row][d] - table.value[row - 1][d]) / (table.time[row] - table.time[row - 1]);
   return slope;
 }
 

@@ -98,7 +98,7 @@ std::vector<Index> node_points(const CoverArrays& covers, Index r, PointTable& p
   std::vector<Index> points(split.node.size(), none);
   for (int t = 0; t < split.part_count(); ++t)
     for (int a = 0; a < split.part[t].nodes; ++a) {
-      const int n = split.part[t].node[a];
+      const auto n = static_cast<std::size_t>(split.part[t].node[a]);
       if (points[n] != none) continue;
       Vec3 local{};
       for (int d = 0; d < 3; ++d) local += (0.5 * split.node[n][d] - 0.5) * lattice.edge[d];

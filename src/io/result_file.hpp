@@ -13,6 +13,7 @@
 //     model                    the model's text
 //     blocks, covers           BlockArrays and CoverArrays, a data set for each array, under its name
 //     block_theory             class, batch, mode, … of each block, if block theory was done
+//     energy                   time, kinetic, strain, … of every step
 //     states                   step, time, and displacement, velocity, acceleration of the physical covers [S][P][3]
 //
 // All lengths in m, times in s, stresses in Pa, forces in N. The same input gives the same bytes:
@@ -61,6 +62,7 @@ struct ResultState {
   std::span<const Vec3> block_velocity;      ///< [V] m/s, likewise
   std::span<const std::array<Real, 6>>
       stress;  ///< [6R+E] Pa, xx yy zz xy yz zx of each element; may be empty
+  std::span<const std::array<Real, 6>> block_stress = {};  ///< [B] Pa; empty where `stress` is
 };
 
 /// Writes one result file: the constructor, write_blocks, then for a `run` write_elements and
@@ -93,6 +95,9 @@ class ResultWriter {
   /// Appends a state. Times must not decrease. After write_elements; all states have stress or none
   /// has.
   void add_state(const ResultState& state);
+
+  /// The energies over time, once.
+  void write_energies(const std::vector<Real>& time, const std::vector<Energy>& energies);
 
   /// Gives the file its final name and writes NAME.xdmf beside it. Call it for interrupted runs
   /// too. Nothing can be written afterwards.

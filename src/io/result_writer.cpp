@@ -88,9 +88,10 @@ struct ResultWriter::Implementation {
   bool damaged = false;  ///< a state was written in part
   bool with_stress = false;
   bool with_blocks = false;
-  std::size_t block_vertices = 0, unknowns = 0, elements = 0;
-  std::vector<Index> joint_vertex;  ///< [points of Joints] into BlockArrays::vertex
-  ElementMesh mesh;                 ///< `begin`, `unknown`, `weight` and `element` alone are kept
+  std::size_t block_count = 0, block_vertices = 0, unknowns = 0, elements = 0;
+  std::vector<Index> polygon_block;  ///< [cells of Blocks]
+  std::vector<Index> joint_vertex;   ///< [points of Joints] into BlockArrays::vertex
+  ElementMesh mesh;                  ///< `begin`, `unknown`, `weight` and `element` alone are kept
   std::vector<Grid> grids;
   std::vector<Real> times;
 
@@ -132,6 +133,7 @@ void ResultWriter::Implementation::write_block_grid(File& file, const BlockArray
   Grid grid = vtkhdf::write_polygons(file, "Blocks", static_cast<int>(grids.size()), blocks.vertex,
                                      faces.polygon_begin, faces.polygon_vertex);
   const std::vector<Index> block = gather<Index>(block_of_face(blocks), faces.polygon_face);
+  polygon_block = block;
   vtkhdf::write_cell_field(file, grid, "block", from_one(block));
   vtkhdf::write_cell_field(file, grid, "origin",
                            gather<Index>(blocks.face_origin, faces.polygon_face, 1));
@@ -227,6 +229,7 @@ void ResultWriter::write_blocks(const BlockArrays& blocks, const BlockFields& fi
   file.close();
   my.with_blocks = true;
   my.block_vertices = blocks.vertex.size();
+  my.block_count = blocks.volume.size();
 }
 
 void ResultWriter::write_elements(const CoverArrays& covers) {
@@ -255,9 +258,11 @@ void ResultWriter::write_elements(const CoverArrays& covers) {
 /// All that a state adds to the file, with room for the entries in HDF5's own tables.
 std::int64_t ResultWriter::Implementation::bytes_of(const ResultState& state) const {
   const auto points = 2 * (block_vertices + joint_vertex.size() + mesh.point_count());
-  const std::int64_t native = static_cast<std::int64_t>(3 * unknowns * sizeof(Vec3));
+  const auto native = static_cast<std::int64_t>(3 * unknowns * sizeof(Vec3) +
+                                                state.block_stress.size() * 6 * sizeof(Real));
   return native + vtkhdf::state_bytes(points, 3) +
-         (state.stress.empty() ? 0 : vtkhdf::state_bytes(mesh.element.size(), 6));
+         (state.stress.empty() ? 0 : vtkhdf::state_bytes(mesh.element.size(), 6)) +
+         (state.block_stress.empty() ? 0 : vtkhdf::state_bytes(polygon_block.size(), 6));
 }
 
 void ResultWriter::Implementation::append_grids(File& file, const ResultState& state,
@@ -280,6 +285,13 @@ void ResultWriter::Implementation::append_grids(File& file, const ResultState& s
       continue;
     }
     if (grid.name == "DeadEnds") continue;
+    if (grid.name == "Blocks" && !state.block_stress.empty()) {
+      std::vector<std::array<float, 6>> stress(polygon_block.size());
+      for (std::size_t t = 0; t < stress.size(); ++t)
+        for (int i = 0; i < 6; ++i)
+          stress[t][i] = static_cast<float>(state.block_stress[polygon_block[t]][i]);
+      vtkhdf::append_cell_field(file, grid, "stress", number, stress);
+    }
     const bool joints = grid.name == "Joints";
     const auto of_joints = [&](const auto& values) {
       std::vector<std::array<float, 3>> out;
@@ -305,6 +317,8 @@ void ResultWriter::add_state(const ResultState& state) {
              state.covers.acceleration.size() == my.unknowns,
          "the state is not [U]");
   expect(state.stress.empty() || state.stress.size() == my.elements, "stress is not [nR+E]");
+  expect(state.block_stress.empty() || state.block_stress.size() == my.block_count,
+         "block stress is not [B]");
   expect(my.times.empty() ||
              (state.covers.time >= my.times.back() && my.with_stress == !state.stress.empty()),
          "time runs backwards, or stress comes and goes");
@@ -314,12 +328,35 @@ void ResultWriter::add_state(const ResultState& state) {
   my.damaged = true;
   const auto number = static_cast<std::int64_t>(my.times.size());
   append_state(file, state.step, state.covers);
+  if (!state.block_stress.empty())
+    file.append_entry<std::array<Real, 6>>("/rockfold/states/block_stress", state.block_stress);
   my.append_grids(file, state, number);
   vtkhdf::append_step(file, my.grids, state_times, number);
   file.close();
   my.damaged = false;
   my.with_stress = !state.stress.empty();
   my.times.push_back(state.covers.time);
+}
+
+void ResultWriter::write_energies(const std::vector<Real>& time,
+                                  const std::vector<Energy>& energies) {
+  auto& my = *implementation_;
+  expect(!my.finished && time.size() == energies.size(), "energies are not as long as their times");
+  constexpr std::pair<const char*, Real Energy::*> parts[] = {
+      {"kinetic", &Energy::kinetic},       {"strain", &Energy::strain},
+      {"potential", &Energy::potential},   {"contact", &Energy::contact},
+      {"dissipated", &Energy::dissipated}, {"damping", &Energy::damping},
+      {"quiet", &Energy::quiet},           {"ratio", &Energy::ratio},
+      {"numerical", &Energy::numerical},   {"loads", &Energy::loads},
+      {"supports", &Energy::supports}};
+  File file = my.extend();
+  file.write("/rockfold/energy/time", time);
+  for (const auto& [name, part] : parts) {
+    std::vector<Real> values;
+    for (const Energy& energy : energies) values.push_back(energy.*part);
+    file.write(std::string("/rockfold/energy/") + name, values);
+  }
+  file.close();
 }
 
 void ResultWriter::finish() {

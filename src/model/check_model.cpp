@@ -60,6 +60,18 @@ class Needs {
       missing("fixed", "a static analysis needs a [[fixed]]: nothing holds the rock");
   }
 
+  /// What only a dynamic analysis, or one that goes on in time, can make use of.
+  void loads_in_time() {
+    if (!model_.analysis) return;
+    const AnalysisType type = model_.analysis->type;
+    if (type == AnalysisType::static_ && model_.base_acceleration)
+      found_.push_back({model_.base_acceleration->place,
+                        "has no use in a static analysis; must be type = \"dynamic\""});
+    if (type == AnalysisType::dynamic) return;
+    for (const InitialVelocity& start : model_.initial_velocities)
+      found_.push_back({start.place, "has no use without type = \"dynamic\""});
+  }
+
   std::vector<Diagnostic> found() && { return std::move(found_); }
 
  private:
@@ -100,6 +112,7 @@ void add_run_needs(Needs& needs) {
   needs.cover();
   needs.analysis();
   needs.something_fixed();
+  needs.loads_in_time();
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "src/arrays/element_arrays.hpp"
 #include "src/arrays/lattice.hpp"
 #include "src/arrays/load_arrays.hpp"
 #include "src/base/error.hpp"
@@ -406,6 +407,9 @@ struct Analysis {
                                                ///< height, if limited
   /// As given; none: large for dynamic and quasi_static, small for static.
   std::optional<Kinematics> kinematics;
+  bool large() const {
+    return kinematics ? *kinematics == Kinematics::large : type != AnalysisType::static_;
+  }
   Real newmark_beta = 0.25;  ///< > 0
   Real newmark_gamma = 0.5;  ///< ≥ 0
   Real rayleigh_alpha = 0;   ///< 1/s, ≥ 0: damping α M …
@@ -415,6 +419,7 @@ struct Analysis {
 struct SolverSpec {
   Real tolerance = 1e-8;  ///< ‖r‖/‖b‖, (0, 1)
   Index max_iterations = 5000;
+  Preconditioner preconditioner = Preconditioner::automatic;
 };
 
 struct Output {

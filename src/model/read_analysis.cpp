@@ -77,8 +77,7 @@ void read_newmark(TableReader& in, Analysis& analysis) {
   if (!value) return;
   TableReader newmark(*value, in.path_of("newmark"), in.out());
   newmark.read("beta", analysis.newmark_beta,
-               positive("0 would be the explicit scheme, which is not offered"),
-               Need::optional);
+               positive("0 would be the explicit scheme, which is not offered"), Need::optional);
   newmark.read("gamma", analysis.newmark_gamma, not_negative(""), Need::optional);
 }
 
@@ -96,8 +95,8 @@ void read_ratio_at_frequencies(TableReader& rayleigh, Analysis& analysis) {
   const bool known = rayleigh.read("damping_ratio", ratio, share);
   const auto* value = rayleigh.find("frequencies", "two frequencies (Hz)");
   if (!value) return;
-  const auto* list = array_from(*value, rayleigh.path_of("frequencies"), 2, "2 frequencies (Hz)",
-                                rayleigh.out());
+  const auto* list =
+      array_from(*value, rayleigh.path_of("frequencies"), 2, "2 frequencies (Hz)", rayleigh.out());
   if (!list) return;
   if (list->size() > 2) {
     rayleigh.wrong("frequencies", "found " + std::to_string(list->size()) + ", must be 2 (Hz)");
@@ -155,11 +154,13 @@ void read_solver(Draft& draft) {
     in.read("tolerance", draft.model.solver.tolerance, tolerance, Need::optional);
     in.read("max_iterations", draft.model.solver.max_iterations, IntegerRange{.low = 1},
             Need::optional);
-    std::string preconditioner;
-    if (in.read("preconditioner", preconditioner, Need::optional) &&
-        preconditioner != "block_jacobi")
-      in.wrong("preconditioner",
-               "\"" + preconditioner + "\" is not supported yet, must be \"block_jacobi\"");
+    const auto preconditioner =
+        in.choose("preconditioner",
+                  {{"auto", "block_jacobi", "node_block_jacobi", "multigrid"}, {}}, Need::optional);
+    constexpr Preconditioner names[] = {Preconditioner::automatic, Preconditioner::block_jacobi,
+                                        Preconditioner::node_block_jacobi,
+                                        Preconditioner::multigrid};
+    if (preconditioner) draft.model.solver.preconditioner = names[*preconditioner];
   });
 }
 

@@ -116,7 +116,7 @@ void read_cover(Draft& draft) {
     if (in.read("origin", origin, coordinate(), Need::optional)) cover.origin = origin;
     if (in.choose("joints", {{"separate", "welded"}, {}}, Need::optional) == 1)
       cover.joints = JointTreatment::welded;
-    if (in.choose("joint_tips", {{"keep"}, {"extend"}}, Need::optional) == 1)
+    if (in.choose("joint_tips", {{"keep", "extend"}, {}}, Need::optional) == 1)
       cover.joint_tips = JointTips::extend;
     in.read("max_elements", cover.max_elements, IntegerRange{.low = 1}, Need::optional);
     check_block_lattice(in, cover);

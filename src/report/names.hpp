@@ -3,6 +3,7 @@
 
 #include "host/keyblock/keyblock.hpp"
 #include "host/measure/block_shapes.hpp"
+#include "src/arrays/element_arrays.hpp"
 #include "src/base/error.hpp"
 
 namespace rockfold {
@@ -49,6 +50,20 @@ constexpr const char* shape_name(ShapeClass shape) {
       return "platy";
     case ShapeClass::platy_cubic:
       return "platy_cubic";
+  }
+  return "";
+}
+
+constexpr const char* preconditioner_name(Preconditioner preconditioner) {
+  switch (preconditioner) {
+    case Preconditioner::automatic:
+      return "auto";
+    case Preconditioner::block_jacobi:
+      return "block_jacobi";
+    case Preconditioner::node_block_jacobi:
+      return "node_block_jacobi";
+    case Preconditioner::multigrid:
+      return "multigrid";
   }
   return "";
 }

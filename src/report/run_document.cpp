@@ -1,4 +1,5 @@
 #include "src/base/vector.hpp"
+#include "src/report/names.hpp"
 #include "src/report/document_parts.hpp"
 
 namespace rockfold {
@@ -34,11 +35,28 @@ Json monitor_json(const MonitorHistory& m) {
 }
 
 Json energy_json(const Energy& e) {
-  return {{"kinetic", e.kinetic},
-          {"strain", e.strain},
-          {"potential", e.potential},
-          {"contact", e.contact},
-          {"dissipated", e.dissipated}};
+  return {{"kinetic", e.kinetic}, {"strain", e.strain},         {"potential", e.potential},
+          {"contact", e.contact}, {"dissipated", e.dissipated}, {"damping", e.damping},
+          {"quiet", e.quiet},     {"ratio", e.ratio},           {"numerical", e.numerical},
+          {"loads", e.loads},     {"supports", e.supports}};
+}
+
+/// A list over time for each part of the energy.
+Json energy_history_json(const RunResult& run) {
+  Json history{{"time", run.energy_time}};
+  for (const Energy& energy : run.energies) {
+    const Json parts = energy_json(energy);
+    for (const auto& [name, value] : parts.items()) history[name].push_back(value);
+  }
+  return history;
+}
+
+Json reactions_json(const std::vector<Reaction>& conditions) {
+  Json list = Json::array();
+  for (std::size_t n = 0; n < conditions.size(); ++n)
+    list.push_back(
+        {{"fixed", n + 1}, {"force", conditions[n].force}, {"moment", conditions[n].moment}});
+  return list;
 }
 
 Vec3 sum(const std::vector<Vec3>& forces) {
@@ -62,8 +80,10 @@ Json run_document(const DocumentHead& head, const RunReport& report) {
   auto& monitors = document["monitors"] = Json::array();
   for (const auto& monitor : report.run.monitors) monitors.push_back(monitor_json(monitor));
   document["energy"] = energy_json(report.run.energy);
+  document["energy_history"] = energy_history_json(report.run);
   document["contacts"] = {{"open", 0}, {"stick", 0}, {"slide", 0}, {"max_penetration", 0.0}};
   document["reaction"] = sum(report.run.reactions);
+  document["reactions"] = reactions_json(report.run.conditions);
   auto& list = document["blocks"] = Json::array();
   for (std::size_t b = 0; b < report.run.blocks.size(); ++b) {
     const auto& motion = report.run.blocks[b];
@@ -75,7 +95,8 @@ Json run_document(const DocumentHead& head, const RunReport& report) {
   if (report.keyblocks)
     add_support(document["support"] = Json::object(), report.blocks, *report.keyblocks);
   document["iterations"] = {{"pcg", report.run.iterations.pcg},
-                            {"open_close", report.run.iterations.open_close}};
+                            {"open_close", report.run.iterations.open_close},
+                            {"preconditioner", preconditioner_name(report.run.preconditioner)}};
   return document;
 }
 

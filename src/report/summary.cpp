@@ -1,3 +1,4 @@
+#include "src/report/names.hpp"
 #include "src/report/summary.hpp"
 
 #include <algorithm>
@@ -195,8 +196,9 @@ std::string run_summary(const RunReport& report) {
       "covers", fmt::format("{} of {} elements, {} unknowns", grouped(report.covers.cover_count()),
                             grouped(report.covers.element_count()),
                             grouped(3 * std::int64_t{report.covers.cover_count()})));
-  text += fact("steps", fmt::format("{} to t = {:.6g} s, {} solver iterations", grouped(run.steps),
-                                    run.time, grouped(run.iterations.pcg)));
+  text += fact("steps", fmt::format("{} to t = {:.6g} s, {} solver iterations ({})",
+                                    grouped(run.steps), run.time, grouped(run.iterations.pcg),
+                                    preconditioner_name(run.preconditioner)));
   const LargestDisplacement& largest = run.largest_displacement;
   if (largest.block != none)
     text += fact("largest displacement", fmt::format("{:.4g} m, in block {} at {}", largest.length,

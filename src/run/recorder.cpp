@@ -1,9 +1,17 @@
 #include "src/run/recorder.hpp"
 
+#include "src/run/block_motion.hpp"
+
 namespace rockfold {
 
-Recorder::Recorder(const RunInput& input, const StoreState& store, RunResult& result)
-    : store_(store), result_(result), monitors_(input.monitors), every_(input.model.output.every) {
+Recorder::Recorder(const RunInput& input, const PieceMoments& moments, const StoreState& store,
+                   RunResult& result)
+    : input_(input),
+      moments_(moments),
+      store_(store),
+      result_(result),
+      monitors_(input.monitors),
+      every_(input.model.output.every) {
   for (const Monitor& monitor : input.model.monitors) {
     result_.monitors.emplace_back();
     result_.monitors.back().name = monitor.name;
@@ -13,6 +21,8 @@ Recorder::Recorder(const RunInput& input, const StoreState& store, RunResult& re
 void Recorder::record(const Motion& motion, Index step, bool last) {
   const Timer timer;
   record_monitors(motion);
+  result_.energy_time.push_back(motion.time());
+  result_.energies.push_back(motion.energy());
   result_.seconds.output += timer.seconds();
   if (step == 0 || last || (every_ > 0 && step % every_ == 0)) store(motion, step);
 }
@@ -20,7 +30,10 @@ void Recorder::record(const Motion& motion, Index step, bool last) {
 void Recorder::store(const Motion& motion, Index step) {
   if (stored_ == step || !store_) return;
   const Timer timer;
-  store_({step, motion.state(), motion.element_stress()});
+  StoredState state{step, motion.state(), motion.element_stress(), {}};
+  state.block_stress = average_block_stress(input_.covers, moments_, state.element_stress,
+                                            input_.blocks.block_count());
+  store_(state);
   stored_ = step;
   result_.seconds.output += timer.seconds();
 }

@@ -1,4 +1,4 @@
-// What a run keeps as it goes: monitors each step, states every so often.
+// What a run keeps as it goes: monitors and energies each step, states every so often.
 #pragma once
 
 #include "kernels/update/motion.hpp"
@@ -9,7 +9,8 @@ namespace rockfold {
 
 class Recorder {
  public:
-  Recorder(const RunInput& input, const StoreState& store, RunResult& result);
+  Recorder(const RunInput& input, const PieceMoments& moments, const StoreState& store,
+           RunResult& result);
 
   /// After `step` steps. Stores the state at the first and last, and at those that are a multiple of output.every.
   void record(const Motion& motion, Index step, bool last);
@@ -19,6 +20,8 @@ class Recorder {
  private:
   void record_monitors(const Motion& motion);
 
+  const RunInput& input_;
+  const PieceMoments& moments_;
   const StoreState& store_;
   RunResult& result_;
   TrackedPoints monitors_;

@@ -15,6 +15,7 @@
 #include "src/base/vector.hpp"
 #include "src/run/block_motion.hpp"
 #include "src/run/recorder.hpp"
+#include "src/run/rigid_motion.hpp"
 
 namespace rockfold {
 namespace {
@@ -40,11 +41,12 @@ MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
   setup.damping = {analysis.rayleigh_alpha, analysis.rayleigh_beta};
   setup.quiet = input.quiet;
   setup.initial_stress = input.model.initial_stress;
-  if (input.model.base_acceleration)
-    setup.base_acceleration = input.model.base_acceleration->table;
+  if (input.model.base_acceleration) setup.base_acceleration = input.model.base_acceleration->table;
+  setup.large = analysis.large();
   setup.dynamic_ratio = analysis.type == AnalysisType::quasi_static ? 0 : analysis.dynamic_ratio;
   setup.solver.tolerance = input.model.solver.tolerance;
   setup.solver.max_iterations = input.model.solver.max_iterations;
+  setup.preconditioner = input.model.solver.preconditioner;
   return setup;
 }
 
@@ -79,12 +81,13 @@ std::string number(Real value) {
 /// The analysis under way: what its three kinds share.
 class Run {
  public:
-  Run(const RunInput& input, const StoreState& store, RunResult& result, Motion& motion)
+  Run(const RunInput& input, const PieceMoments& moments, const StoreState& store,
+      RunResult& result, Motion& motion)
       : input_(input),
         analysis_(*input.model.analysis),
         result_(result),
         motion_(motion),
-        recorder_(input, store, result) {
+        recorder_(input, moments, store, result) {
     if (!analysis_.max_displacement_ratio) return;
     watched_.emplace(input.block_vertices);
     limit_ = *analysis_.max_displacement_ratio * half_height(input);
@@ -109,6 +112,7 @@ class Run {
 /// Counts a solve; where it failed, goes back to the last good state, stores it and throws.
 void Run::accept(const SolveReport& report, Index step, Real time) {
   result_.iterations.pcg += report.iterations;
+  result_.preconditioner = report.preconditioner;
   result_.support_gap = report.gap;
   if (report.converged) return;
   if (step > 0) {
@@ -144,6 +148,12 @@ void Run::take_step(Index step) {
                       number(motion_.largest_increment()) + " m each, more than " + number(limit_) +
                       " m (analysis.max_displacement_ratio)");
     const SolveReport report = motion_.step(dt, substeps, watched_ ? &*watched_ : nullptr, limit_);
+    // Newton's method may find its way by shorter steps.
+    if (!report.converged && analysis_.large() && substeps < most_substeps) {
+      result_.iterations.pcg += report.iterations;
+      motion_.restore();
+      continue;
+    }
     accept(report, step, start + dt);
     result_.largest_substeps = std::max(result_.largest_substeps, substeps);
     if (!watched_ || motion_.largest_increment() <= limit_) break;
@@ -177,20 +187,24 @@ RunResult run_analysis(const RunInput& input, const StoreState& store, Progress&
   const PieceMoments moments = piece_moments(input.covers);
   const std::vector<ElasticMaterial> materials = elastic_materials(input.model);
   Motion motion(make_setup(input, moments, materials));
+  if (!input.velocities.empty())
+    motion.set_motion(initial_motion(input.covers, moments, materials, input.velocities));
   result.seconds.assemble = timer.seconds();
 
-  Run run(input, store, result, motion);
+  Run run(input, moments, store, result, motion);
   if (input.model.analysis->type == AnalysisType::static_)
     run.solve_static();
   else
     run.march(progress);
 
   result.time = motion.time();
-  result.energy = motion.energy();
+  result.energy = result.energies.back();
   result.reactions = motion.reactions();
+  result.conditions = sum_reactions(input.covers, input.fixed, result.reactions,
+                                    static_cast<Index>(input.model.fixed.size()));
   const std::vector<Vec3> displacement = motion.state().displacement;
-  result.blocks =
-      average_block_motion(input.covers, moments, displacement, input.blocks.block_count());
+  result.blocks = average_block_motion(input.covers, moments, displacement,
+                                       input.blocks.block_count(), input.model.analysis->large());
   result.largest_displacement = find_largest_displacement(input.covers, displacement);
   return result;
 }

@@ -17,10 +17,11 @@ struct RunInput {
   const CoverArrays& covers;
   const BlockArrays& blocks;
   const FixedPoints& fixed;
-  const MaterialPoints& monitors;        ///< one for each of Model::monitors, all in the rock
+  const MaterialPoints& monitors;  ///< one for each of Model::monitors, all in the rock
   const LoadPoints& loads;
   const QuietPoints& quiet;
-  const MaterialPoints& block_vertices;  ///< in the order of BlockArrays::vertex
+  const std::vector<RigidVelocity>& velocities;  ///< that blocks start with
+  const MaterialPoints& block_vertices;          ///< in the order of BlockArrays::vertex
 };
 
 /// Called for each state to be stored, in time order, so that the result file is written as the run goes.

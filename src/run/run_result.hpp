@@ -18,7 +18,8 @@ using Stress = std::array<Real, 6>;
 struct StoredState {
   Index step = 0;
   StateArrays motion;                  ///< of every physical cover; holds the time
-  std::vector<Stress> element_stress;  ///< [6R + E] in the element numbering of CoverArrays
+  std::vector<Stress> element_stress;  ///< [nR + E] in the element numbering of CoverArrays
+  std::vector<Stress> block_stress;    ///< [B] mean over each block's volume
 };
 
 /// One material point over time; every vector has one entry for t = 0 and one for each step done.
@@ -34,8 +35,9 @@ struct MonitorHistory {
 /// A block as a whole at the end. Averages are over its volume.
 struct BlockMotion {
   Vec3 displacement{};  ///< m
-  Vec3 rotation{};      ///< rad, small rotation vector: half the curl of the displacement
-  Real volume = 0;      ///< m³, of the undeformed block, from its lattice cells and pieces
+  /// rad: axis times angle of the mean rotation; under small kinematics half the curl of the displacement.
+  Vec3 rotation{};
+  Real volume = 0;  ///< m³, under large kinematics of the deformed block
 };
 
 /// The point of the rock that has moved furthest: displacement is linear in each element, so it is a vertex of one.
@@ -45,14 +47,23 @@ struct LargestDisplacement {
   Index block = none;  ///< that holds the point
 };
 
+/// What a condition's fixed points do to the rock.
+struct Reaction {
+  Vec3 force{};   ///< N
+  Vec3 moment{};  ///< N·m about the origin
+};
+
 struct RunResult {
   Index steps = 0;           ///< steps done
   Real time = 0;             ///< s reached
   bool interrupted = false;  ///< a signal stopped the run after the last step counted above
   std::vector<MonitorHistory> monitors;  ///< in the order of Model::monitors
   std::vector<BlockMotion> blocks;       ///< [B]
-  std::vector<Vec3> reactions;  ///< [N] N, force of each fixed point on the rock, at the end
-  Energy energy;                ///< J, at the end
+  std::vector<Vec3> reactions;       ///< [N] N, force of each fixed point on the rock, at the end
+  std::vector<Reaction> conditions;  ///< the same by condition, in the order of Model::fixed
+  Energy energy;                     ///< J, at the end
+  std::vector<Real> energy_time;     ///< s, t = 0 and each step done
+  std::vector<Energy> energies;      ///< J, likewise
   Real support_gap =
       0;  ///< distance of augmented fixed points from their places / largest displacement, last step
 
@@ -60,6 +71,7 @@ struct RunResult {
     std::int64_t pcg = 0;
     std::int64_t open_close = 0;  ///< 0 until contact exists
   } iterations;
+  Preconditioner preconditioner = Preconditioner::automatic;  ///< of the last solve
 
   struct Seconds {
     Real assemble = 0, solve = 0, output = 0;

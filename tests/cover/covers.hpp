@@ -17,7 +17,7 @@ struct Covered {
   const CoverArrays& arrays() const { return covering.arrays; }
 };
 
-inline Covered cover(Model model, CoverSpec spec) {
+inline Covered cover(Model model, const CoverSpec& spec) {
   model.cover = spec;
   model.materials = {{"rock", 2700, 30e9, 0.25, {}}};
   Covered result{std::move(model), {}, {}};

@@ -170,9 +170,19 @@ TEST(WrongModel, OfJoints) {
 
 TEST(WrongModel, OfCovers) {
   const Wrong cases[] = {
-      {ROCK "[cover]\n", 6, 1, "cover.spacing", "is missing, must be > 0"},
+      {ROCK "[cover]\n", 6, 1, "cover.spacing", "is missing, must be one number or 3, one for each of the directions (m)"},
       {ROCK "[cover]\nspacing = 0", 7, 11, "cover.spacing", "found 0, must be > 0"},
-      {ROCK "[cover]\nspacing = 1\nlattice = 'tet7'", 8, 11, "cover.lattice", "found \"tet7\", must be \"tet6\""},
+      {ROCK "[cover]\nspacing = [1, 2]", 7, 11, "cover.spacing", "found an array of 2 values, must be one number or 3"},
+      {ROCK "[cover]\nspacing = [1, 2, 0]", 7, 18, "cover.spacing[3]", "found 0, must be > 0"},
+      {ROCK "[cover]\nspacing = 1\nlattice = 'tet7'", 8, 11, "cover.lattice", "found \"tet7\", must be \"tet5\", \"tet6\","},
+      {ROCK "[cover]\nspacing = 1\nmixed = true", 8, 9, "cover.mixed", "the two forms of lattice = \"tet5\", which it needs"},
+      {ROCK "[cover]\nspacing = 1\nmixed = 1", 8, 9, "cover.mixed", "found 1, must be true or false"},
+      {ROCK "[cover]\nspacing = 1\nmax_elements = 0", 8, 16, "cover.max_elements", "found 0, must be an integer >= 1"},
+      {ROCK "[cover]\nspacing = 1\njoint_tips = 'cut'", 8, 14, "cover.joint_tips", "must be \"keep\" or \"extend\""},
+      {ROCK "[cover]\nlattice = 'block'\norigin = [0, 0, 0]", 8, 10, "cover.origin", "has no planes, must be left out"},
+      {ROCK "[cover]\nlattice = 'block'\njoints = 'welded'", 8, 10, "cover.joints", "must be \"separate\""},
+      {ROCK "[cover]\nspacing = 1\ndirections = [[0, 0], [90, 0], [89, 180]]", 8, 14, "cover.directions", "families 2 and 3 are nearly parallel: they meet at 1.0 degrees"},
+      {ROCK "[cover]\nspacing = 1\ndirections = [[90, 0], [90, 60], [90, 120]]", 8, 14, "cover.directions", "nearly parallel to one line"},
       {ROCK "[cover]\nspacing = 1\norder = 3", 8, 9, "cover.order", "found 3, must be an integer, 0 to 2"},
       {ROCK "[cover]\nspacing = 1\ndirections = [[0, 0], [90, 0]]", 8, 14, "cover.directions", "must be 3 pairs [dip, dip direction] (deg)"},
       {ROCK "[cover]\nspacing = 1\ndirections = [[0, 0], [90, 0], [90, 90, 0]]", 8, 32, "cover.directions[3]", "must be 2 numbers"},
@@ -308,7 +318,7 @@ dip = 95
 dip_direction = "N"
 spcing = 2
 [cover]
-lattice = "hex8"
+lattice = "hex9"
 spacing = -1
 [[fixed]]
 where = {face = "rock.zmin"}

@@ -24,6 +24,7 @@ struct Case {
   MaterialPoints monitors, vertices;
   LoadPoints loads;
   QuietPoints quiet;
+  std::vector<RigidVelocity> velocities;
   std::vector<Index> stored;
   std::vector<Real> stored_times;
   Real stored_fall = 0;  ///< z displacement of the first cover in the last stored state
@@ -56,14 +57,17 @@ struct Case {
     const auto store = [&](const StoredState& state) {
       stored.push_back(state.step);
       stored_times.push_back(state.motion.time);
+      stored_block_stress = state.block_stress;
       stored_fall = state.motion.displacement[0][2];
       EXPECT_EQ(state.element_stress.size(), std::size_t(covered.arrays.element_count()));
       if (state.step == stop_after) interrupt_signal = SIGINT;
     };
-    return run_analysis({model, covered.arrays, blocks, fixed, monitors, loads, quiet, vertices}, store,
-                        progress);
+    return run_analysis(
+        {model, covered.arrays, blocks, fixed, monitors, loads, quiet, velocities, vertices}, store,
+        progress);
   }
   Index stop_after = none;
+  std::vector<Stress> stored_block_stress;  ///< of the last state
 };
 
 std::string message_of(Case& c) {
@@ -120,6 +124,38 @@ TEST(RunAnalysis, ReportsBlocksAndEnergies) {
   EXPECT_NEAR(result.energy.kinetic / (mass * 10 * fall), 1, 1e-11);
   EXPECT_NEAR(result.largest_displacement.length, fall, 1e-12);
   EXPECT_EQ(result.largest_displacement.block, 0);
+}
+
+TEST(RunAnalysis, StartsBlocksWithTheirVelocityAndKeepsEnergiesAndStressOverTime) {
+  Case c(AnalysisType::dynamic);
+  c.model.gravity = {0, 0, 0};
+  c.velocities = {{{0}, {1, -2, 0.5}, {}}};
+  const RunResult result = c.run();
+  const Real kinetic = 0.5 * 2000 * 2 * 1.2 * 1.3 * 5.25;
+  ASSERT_EQ(result.energies.size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_NEAR(result.energy_time[i], 0.05 * i, 1e-12);
+    EXPECT_NEAR(result.energies[i].kinetic / kinetic, 1, 1e-12);
+    EXPECT_NEAR(result.monitors[0].displacement[i][1], -2 * 0.05 * i, 1e-12);
+  }
+  ASSERT_EQ(c.stored_block_stress.size(), 1u);
+  EXPECT_NEAR(c.stored_block_stress[0][2], 0, 1e-3);
+}
+
+/// The mean vertical stress of a block on the floor is half its weight over its area.
+TEST(RunAnalysis, SumsReactionsByConditionAndAveragesStressByBlock) {
+  Case c(AnalysisType::static_, true);
+  c.model.fixed.resize(2);
+  c.fixed.condition.assign(c.fixed.points.size(), 1);
+  const RunResult result = c.run();
+  const Real weight = 2000 * 10 * 2 * 1.2 * 1.3;
+  ASSERT_EQ(result.conditions.size(), 2u);
+  EXPECT_EQ(result.conditions[0].force, (Vec3{}));
+  EXPECT_NEAR(result.conditions[1].force[2] / weight, 1, 1e-6);
+  EXPECT_NEAR(result.conditions[1].moment[0] / (0.6 * weight), 1, 1e-6);
+  EXPECT_NEAR(result.conditions[1].moment[1] / (-1.0 * weight), 1, 1e-6);
+  ASSERT_EQ(c.stored_block_stress.size(), 1u);
+  EXPECT_NEAR(c.stored_block_stress[0][2] / (-0.5 * weight / (2 * 1.2)), 1, 1e-6);
 }
 
 TEST(RunAnalysis, TakesSubstepsWhereAVertexWouldMoveTooFar) {

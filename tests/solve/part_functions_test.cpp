@@ -129,35 +129,5 @@ TEST(PartFunctions, AUsersSeriesIsAddedToTheFunctionsOfEveryNode) {
   }
 }
 
-TEST(MomentRule, IntegratesPolynomialsOverABodyThatFillsPartOfTheCell) {
-  // [-0.1, 0.4] x [-0.5, 0.2] x [0, 0.3] in a hexahedron
-  const auto one = [](Real low, Real high, int n) {
-    return (std::pow(high, n + 1) - std::pow(low, n + 1)) / (n + 1);
-  };
-  const auto moment = [&](int a, int b, int c) {
-    return one(-0.1, 0.4, a) * one(-0.5, 0.2, b) * one(0, 0.3, c);
-  };
-  for (const LatticeKind kind : {LatticeKind::hex8, LatticeKind::tet6})
-    for (int degree = 0; degree <= 4; ++degree) {
-      const MomentRule rule = moment_rule(cell_split(kind).part.front(), degree);
-      const int terms = static_cast<int>(rule.point.size());
-      for (int a = 0; a <= degree; ++a)
-        for (int b = 0; a + b <= degree; ++b) {
-          const int c = degree - a - b;
-          Real sum = 0;
-          for (int q = 0; q < terms; ++q) {
-            const Vec3& at = rule.point[q];
-            Real w = 0;
-            for (int i = 0; i <= degree; ++i)
-              for (int j = 0; i + j <= degree; ++j)
-                for (int k = 0; i + j + k <= degree; ++k)
-                  w += rule.weight[terms * q + monomial_index(i, j, k)] * moment(i, j, k);
-            sum += w * std::pow(at[0], a) * std::pow(at[1], b) * std::pow(at[2], c);
-          }
-          EXPECT_NEAR(sum, moment(a, b, c), 1e-14) << degree;
-        }
-    }
-}
-
 }  // namespace
 }  // namespace rockfold

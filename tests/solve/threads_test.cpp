@@ -23,12 +23,13 @@ std::string hash(const std::vector<Vec3>& values) {
 }
 
 /// Thousands of covers of both kinds, so that every sum has several chunks.
-SmallSystem large_system() {
+SmallSystem large_system(LatticeKind kind, int order, Real spacing) {
   SmallSystem s;
-  s.covered = reference::cover_regions(
-      reference::turned_lattice({0.1, 0.2, 0.3}, 0.125, 0, 0, {1, 1, 1}, 1.2),
-      {reference::box({0, 0, 0}, {2, 2, 1}, 0, 0, 0),
-       reference::box({0, 0, 1}, {2, 2, 2}, 0, 1, 1)});
+  Lattice lattice = reference::turned_lattice({0.1, 0.2, 0.3}, spacing, 0, 0, {1, 1, 1}, 1.2);
+  lattice.kind = kind;
+  s.covered = reference::cover_regions(lattice, {reference::box({0, 0, 0}, {2, 2, 1}, 0, 0, 0),
+                                                 reference::box({0, 0, 1}, {2, 2, 2}, 0, 1, 1)});
+  s.covered.arrays.order = order;
   s.materials = {{2000, 1e6, 0.25}};
   s.fixed = reference::fix(
       s.covered, {{0.1, 0.1, 0}, {1.9, 0.1, 0}, {0.2, 1.9, 0}, {1.8, 1.9, 0.1}},
@@ -36,13 +37,18 @@ SmallSystem large_system() {
   return s;
 }
 
-std::string results() {
-  const SmallSystem s = large_system();
+std::string results(LatticeKind kind, int order, Real spacing) {
+  const SmallSystem s = large_system(kind, order, spacing);
   CoverSystem system = s.make();
-  const auto b = reference::scattered(s.covers().cover_node.size(), 11);
+  const auto b = reference::scattered(s.covers().unknown_count(), 11);
   std::vector<Vec3> x(b.size());
   const SolveReport report = system.solve({1, 1e4, 1}, b, x, {1e-9, 2000, 1e-10});
-  return hash(system.apply({0.3, 0.7, 1.1}, b)) + " " + hash(x) + " " +
+  CoverSystem by_grids(s.covers(), piece_moments(s.covers()), s.materials, s.fixed,
+                       Preconditioner::multigrid);
+  std::vector<Vec3> z(b.size());
+  const SolveReport of_grids = by_grids.solve({1, 1, 1}, b, z, {1e-9, 2000, 1e-10});
+  return hash(z) + " " + std::to_string(of_grids.iterations) + " " +
+         std::to_string(of_grids.converged) + " " + hash(system.apply({0.3, 0.7, 1.1}, b)) + " " + hash(x) + " " +
          std::to_string(report.iterations) + " " + std::to_string(report.converged);
 }
 
@@ -52,7 +58,9 @@ TEST(Threads, PrintResults) {
   if (!path) GTEST_SKIP() << "run by Threads.ChangeNoBitOfTheResults";
   std::FILE* file = std::fopen(path, "w");
   ASSERT_NE(file, nullptr);
-  std::fputs(results().c_str(), file);
+  std::fputs(results(LatticeKind::tet5, 1, 0.27).c_str(), file);
+  std::fputs(results(LatticeKind::hex8, 2, 0.55).c_str(), file);
+  std::fputs(results(LatticeKind::tet6, 0, 0.125).c_str(), file);
   std::fclose(file);
 }
 
@@ -64,7 +72,7 @@ std::string results_with(int threads) {
                               " '" + testing::internal::GetArgvs()[0] +
                               "' --gtest_filter=Threads.PrintResults > /dev/null 2>&1";
   if (std::system(command.c_str()) != 0) return "failed";
-  char text[200] = "";
+  char text[400] = "";
   std::FILE* file = std::fopen(path.c_str(), "r");
   if (file) {
     if (!std::fgets(text, sizeof text, file)) text[0] = 0;

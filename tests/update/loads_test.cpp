@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "src/base/vector.hpp"
 #include "src/arrays/shape_functions.hpp"
+#include "src/base/vector.hpp"
 #include "tests/update/oscillator.hpp"
 
 namespace rockfold {
@@ -63,7 +63,8 @@ TEST(LoadsOverTime, ARisingForceAcceleratesAFreeBlock) {
   for (int step = 0; step < 100; ++step) ASSERT_TRUE(motion.step(0.01).converged);
   const std::vector<Vec3> v = motion.state().velocity;
   // Momentum: mass times the mean of the velocity, by the consistent mass.
-  const auto momentum = CoverSystem(rock.covers(), rock.moments, rock.materials).apply({0, 1, 0}, v);
+  const auto momentum =
+      CoverSystem(rock.covers(), rock.moments, rock.materials).apply({0, 1, 0}, v);
   Vec3 sum{};
   for (const Vec3& p : momentum) sum += p;
   EXPECT_NEAR(sum[0], 2 * 3e3 / 2, 1e-6 * mass);
@@ -79,8 +80,9 @@ TEST(LoadsOverTime, APressurePushesAlongTheInwardNormal) {
   const Rock rock = turned_box({0, 0, 0}, {2, 1, 1}, 0.4);
   for (bool by_table : {false, true}) {
     MotionSetup setup = rock.setup();
-    setup.loads = forces_at(rock, {{2, 0.25, 0.25}, {2, 0.75, 0.25}, {2, 0.25, 0.75}, {2, 0.75, 0.75}},
-                            std::vector<Vec3>(4));
+    setup.loads =
+        forces_at(rock, {{2, 0.25, 0.25}, {2, 0.75, 0.25}, {2, 0.25, 0.75}, {2, 0.75, 0.75}},
+                  std::vector<Vec3>(4));
     setup.loads.area.assign(4, {0.25, 0, 0});
     setup.loads.pressure.assign(4, by_table ? 2 : 600);
     if (by_table) {
@@ -103,25 +105,75 @@ TEST(LoadsOverTime, APressurePushesAlongTheInwardNormal) {
   }
 }
 
-/// Supports that go 1 m/s from the start take the rock along without shaking it.
+/// Supports that go 1 m/s from the start take the rock along without swinging about it.
 TEST(SupportsOverTime, CarryTheRockAtTheirVelocity) {
-  Rock rock = turned_box({0, 0, 0}, {2, 1, 1}, 0.4);
+  Rock rock = whole_box({3, 3, 5}, 0.4);
   rock.hold([](const Vec3& x) { return x[2] < 1e-9; }, 1e9, true);
   rock.fixed.table.assign(rock.fixed.points.size(), 0);
   rock.fixed.tables = {{{0, 10}, {{0, 0, 0}, {10, 0, 0}}}};
-  MotionSetup setup = rock.setup();
-  setup.solver.max_outer = 200;
-  Motion motion(setup);
+  Motion motion(rock.setup());
   ASSERT_TRUE(motion.start(0.01).converged);
-  const TrackedPoints base = rock.track({{1, 0.5, 0}});
-  for (int step = 1; step <= 20; ++step) {
+  const TrackedPoints base = rock.track({{0.5, 0.5, 0}});
+  for (int step = 1; step <= 200; ++step) {
     ASSERT_TRUE(motion.step(0.01).converged);
-    EXPECT_NEAR(motion.at(base).velocity[0][0], 1, 1e-5);
-    EXPECT_NEAR(motion.at(base).displacement[0][0], 0.01 * step, 1e-9);
+    const PointMotion at = motion.at(base);
+    EXPECT_NEAR(at.velocity[0][0], 1, 1e-6);
+    EXPECT_NEAR(at.displacement[0][0], 0.01 * step, 1e-8);
+    EXPECT_NEAR(at.acceleration[0][0], 0, 1e-4);
   }
   const Energy e = motion.energy();
   EXPECT_GT(e.supports, 0);
-  expect_balanced(e, e.supports, 1e-8);
+  expect_balanced(e, e.supports, 1e-7);
+}
+
+/// A kink of the table is a blow; three steps later the supports go as the table says.
+TEST(SupportsOverTime, FollowATableAcrossItsKinks) {
+  for (const auto& [beta, gamma] :
+       {std::pair{0.25, 0.5}, std::pair{0.5, 1.0}, std::pair{0.36, 0.7}}) {
+    Rock rock = whole_box({3, 3, 5}, 0.4);
+    rock.hold([](const Vec3& x) { return x[2] < 1e-9; }, 1e9, true);
+    rock.fixed.table.assign(rock.fixed.points.size(), 0);
+    rock.fixed.tables = {{{0, 0.1, 0.2}, {{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.2, 0}}}};
+    MotionSetup setup = rock.setup();
+    setup.beta = beta;
+    setup.gamma = gamma;
+    Motion motion(setup);
+    ASSERT_TRUE(motion.start(0.01).converged);
+    const TrackedPoints base = rock.track({{0.5, 0.5, 0}});
+    for (int step = 1; step <= 40; ++step) {
+      ASSERT_TRUE(motion.step(0.01).converged);
+      if (step > 10 && step < 14) continue;
+      if (step > 20 && step < 24) continue;
+      const PointMotion at = motion.at(base);
+      const Vec3 slope = rock.fixed.tables[0].slope_after(0.01 * (step - 0.5));
+      EXPECT_NEAR(norm(at.velocity[0] - slope), 0, 1e-5) << step;
+      EXPECT_NEAR(norm(at.displacement[0] - rock.fixed.tables[0].at(0.01 * step)), 0, 1e-8) << step;
+    }
+  }
+}
+
+/// The multipliers leave a little error in each step; it must not swing up in the next thousands (supports.cpp). In the turned
+/// box, whose fixed face cuts lattice cells, the multipliers depend on each other all but exactly and leave a gap.
+TEST(SupportsOverTime, StayAtRestForThousandsOfSteps) {
+  for (bool turned : {false, true}) {
+    Rock rock = turned ? turned_box({0, 0, 0}, {2, 0.6, 0.7}, 0.4) : whole_box({4, 2, 2}, 0.5);
+    rock.hold([](const Vec3& x) { return x[0] < 1e-9; }, 1e8, true);
+    MotionSetup setup = rock.setup();
+    setup.solver.tolerance = 1e-8;
+    setup.gravity = {0, 0, -9.81};
+    Motion motion(setup);
+    ASSERT_TRUE(motion.start(2e-3).converged);
+    const TrackedPoints points = rock.track({{0, 0.3, 0.4}, {2, 0.3, 0.3}});
+    const int steps = turned ? 400 : 3000;
+    for (int step = 1; step <= steps; ++step) ASSERT_TRUE(motion.step(2e-3).converged);
+    const PointMotion at = motion.at(points);
+    EXPECT_LT(norm(at.displacement[0]), turned ? 1e-6 : 1e-11);
+    EXPECT_LT(norm(at.velocity[0]), turned ? 1e-3 : 1e-8);
+    EXPECT_LT(norm(at.acceleration[0]), turned ? 1 : 1e-5);
+    EXPECT_GT(norm(at.displacement[1]), 1e-4);
+    const Energy e = motion.energy();
+    expect_balanced(e, e.strain, 1e-6);
+  }
 }
 
 TEST(SupportsOverTime, ReachTheStaticAnswerOfTheirLastRow) {
@@ -204,40 +256,39 @@ TEST(InitialStress, OfTheOverburdenHoldsTheRockInPlace) {
   rock.hold([](const Vec3& x) { return x[2] < 1e-9 || x[0] < 1e-9 || x[0] > 2 - 1e-9; }, 1e9, true);
   MotionSetup setup = rock.setup();
   setup.gravity = {0, 0, -10};
-  // Weight of 3 m of rock above, ρg a metre of depth below; K0 = 0.5 in x, free in y.
+  // ρg a metre of depth; K0 = 0.5 in x, free in y.
   setup.initial_stress.any = true;
   setup.initial_stress.reference_z = 1;
-  setup.initial_stress.at = {-3e4, 0, -6e4, 0, 0, 0};
   setup.initial_stress.gradient = {-1e4, 0, -2e4, 0, 0, 0};
-  setup.loads = forces_at(rock, {}, {});
-  const int n = 40;  // the overburden on top as fine point loads
-  std::vector<Vec3> points, forces;
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      points.push_back({2 * (i + 0.5) / n, 1.5 * (j + 0.5) / n, 1});
-      forces.push_back({0, 0, -6e4 * 3 / (n * n)});
-    }
-  setup.loads = forces_at(rock, points, forces);
   Motion motion(setup);
   ASSERT_TRUE(motion.solve_static().converged);
   Real largest = 0;
   for (const Vec3& d : motion.state().displacement) largest = std::max(largest, norm(d));
-  // Without the initial stress the rock would settle by some 6e4/1e8 = 6e-4 m; what is left is the points' quadrature.
-  EXPECT_LT(largest, 2e-6);
-  const TrackedPoints inside = rock.track({{1, 0.7, 0.6}, {0.4, 1.1, 0.1}});
-  const PointMotion at = motion.at(inside);
-  EXPECT_NEAR(at.stress[0][2], -6e4 - 2e4 * 0.4, 300);
-  EXPECT_NEAR(at.stress[1][2], -6e4 - 2e4 * 0.9, 300);
-  EXPECT_NEAR(at.stress[1][0], -3e4 - 1e4 * 0.9, 300);
-  EXPECT_NEAR(at.stress[1][1], 0, 300);
+  EXPECT_LT(largest, 1e-9);  // without the initial stress the rock would settle by 1e-4 m
+  const PointMotion at = motion.at(rock.track({{1, 0.7, 0.6}, {0.4, 1.1, 0.1}}));
+  EXPECT_NEAR(at.stress[0][2], -2e4 * 0.4, 1e-4);
+  EXPECT_NEAR(at.stress[1][2], -2e4 * 0.9, 1e-4);
+  EXPECT_NEAR(at.stress[1][0], -1e4 * 0.9, 1e-4);
+  EXPECT_NEAR(at.stress[1][1], 0, 1e-4);
+  // The floor carries the weight, the walls the stress in x (each half the height's mean, 0.5e4, times 1.5 m²).
+  Vec3 total{};
+  Real wall = 0;
+  const std::vector<Vec3> reactions = motion.reactions();
+  for (std::size_t n = 0; n < reactions.size(); ++n) {
+    total += reactions[n];
+    if (point_position(rock.covers(), rock.fixed.points, n)[0] < 1) wall += reactions[n][0];
+  }
+  EXPECT_NEAR(total[2], 2000 * 10 * 3, 1e-6);
+  EXPECT_NEAR(total[0], 0, 1e-6);
+  EXPECT_NEAR(wall, 0.5e4 * 1.5, 0.05 * 0.5e4 * 1.5);  // the floor's points share the corner
 }
 
 /// A free block that an initial stress pulls together springs apart: energy comes from that stress, and linear elasticity says
 /// the static strain is −D⁻¹σ0.
 TEST(InitialStress, OfAFreeBlockIsReleased) {
-  Rock rock = turned_box({0, 0, 0}, {2, 1.5, 1}, 0.4);
-  rock.hold([](const Vec3& x) { return norm(x) < 1e-9; }, 1e3, false);
+  const Rock rock = turned_box({0, 0, 0}, {2, 1.5, 1}, 0.4);
   MotionSetup setup = rock.setup();
+  setup.solver.tolerance = 1e-10;
   setup.initial_stress.any = true;
   setup.initial_stress.at = {-1e4, 2e4, 5e3, 3e3, -2e3, 1e3};
   setup.dynamic_ratio = 0;
@@ -249,8 +300,8 @@ TEST(InitialStress, OfAFreeBlockIsReleased) {
   // Released: ½ σ0 : D⁻¹ σ0 per volume.
   const auto& s = setup.initial_stress.at;
   const Real trace = s[0] + s[1] + s[2];
-  const Real squares = s[0] * s[0] + s[1] * s[1] + s[2] * s[2] +
-                       2 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
+  const Real squares =
+      s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
   const Real released = 0.5 * (1.25 * squares - 0.25 * trace * trace) / 1e8 * 3;
   EXPECT_NEAR(motion.energy().strain / -released, 1, 1e-6);
 }
@@ -285,9 +336,9 @@ TEST(Energies, CloseToRoundingForAverageAcceleration) {
     const Energy e = motion.energy();
     const Real scale = begin + e.kinetic + std::abs(e.supports) + std::abs(e.loads);
     EXPECT_NEAR(e.numerical / scale, 0, 1e-11) << step;
-    EXPECT_NEAR((e.kinetic + e.strain + e.potential + e.dissipated - begin - e.loads - e.supports) /
-                    scale,
-                0, 1e-12);
+    EXPECT_NEAR(
+        (e.kinetic + e.strain + e.potential + e.dissipated - begin - e.loads - e.supports) / scale,
+        0, 1e-12);
     EXPECT_GT(e.quiet, 0);
     EXPECT_GT(e.damping, 0);
   }

@@ -39,8 +39,8 @@ std::vector<Real> free_oscillation(const Oscillator& oscillator, const MotionSet
 
 TEST(Newmark, ObeysItsRecursionWithAnyParameters) {
   const Oscillator oscillator;
-  const Real schemes[][2] = {{0.25, 0.5},    {0.5, 1},   {1.0 / 6, 0.5}, {1.0 / 12, 0.5},
-                             {0.3025, 0.6}, {2, 1.5},   {0.1, 0.4},     {0.25, 0}};
+  const Real schemes[][2] = {{0.25, 0.5},   {0.5, 1}, {1.0 / 6, 0.5}, {1.0 / 12, 0.5},
+                             {0.3025, 0.6}, {2, 1.5}, {0.1, 0.4},     {0.25, 0}};
   for (const auto& [beta, gamma] : schemes)
     for (Real turn : {0.1, 0.5, 1.0, 1.7}) {
       MotionSetup setup = oscillator.rock.setup();
@@ -119,7 +119,8 @@ struct TunedBox {
     rock.materials = {{2000, 1e5, 0.25}};
     mode = reference::first_elastic_mode(rock.covers(), rock.materials);
     const Real hertz = mode.omega / (2 * pi);
-    rock.materials[0].young_modulus /= hertz * hertz;  // ω² is proportional to E, the shape the same
+    rock.materials[0].young_modulus /=
+        hertz * hertz;  // ω² is proportional to E, the shape the same
     mode.omega = 2 * pi;
   }
   /// Amplitude of the mode in a field.

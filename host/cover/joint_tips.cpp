@@ -1,0 +1,124 @@
+#include "host/cover/joint_tips.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "host/cover/glue.hpp"
+#include "host/cut/union_find.hpp"
+
+namespace rockfold {
+
+namespace {
+
+class TipExtender {
+ public:
+  TipExtender(const Complex& complex, const Model& model, const LatticePlanes& lattice,
+              const PlaneTable& planes, Pieces& pieces)
+      : complex_(complex),
+        model_(model),
+        lattice_(lattice),
+        planes_(planes),
+        pieces_(pieces),
+        cells_(lattice.lattice(), pieces),
+        glue_(complex, lattice, planes, cells_),
+        splitter_(planes) {}
+
+  void run() {
+    find_elements();
+    find_tips();
+    if (!tips_.empty()) cut_elements();
+  }
+
+ private:
+  Index material(Index rock) const { return model_.solids[complex_.zone(rock).solid].material; }
+
+  // Calls visit(piece, piece, plane) for what touches inside a part, across joints or where there are none.
+  template <class Visit>
+  void visit_inside(bool joints, Visit visit) {
+    for (const Fragment& f : complex_.fragments) {
+      if ((f.joint != none) != joints) continue;
+      if (joints && complex_.cell_block[f.cell[0]] != complex_.cell_block[f.cell[1]]) continue;
+      if (complex_.zone(f.cell[0]).stage != 0 || complex_.zone(f.cell[1]).stage != 0) continue;
+      glue_.visit(f, [&](const Contact& c) {
+        if (c.facet == nullptr && c.one.regular == none && c.two.regular == none)
+          visit(c.one.piece_begin, c.two.piece_begin, c.polygon.plane);
+      });
+    }
+  }
+
+  void find_elements() {
+    UnionFind parts(static_cast<Index>(pieces_.pieces.size()));
+    visit_inside(false, [&](Index one, Index two, Index) {
+      if (material(pieces_.pieces[one].rock) == material(pieces_.pieces[two].rock))
+        parts.join(one, two);
+    });
+    element_ = parts.components();
+  }
+
+  void find_tips() {
+    visit_inside(true, [&](Index one, Index two, Index plane) {
+      if (element_[one] == element_[two]) tips_.emplace_back(element_[one], plane);
+    });
+    std::sort(tips_.begin(), tips_.end());
+    tips_.erase(std::unique(tips_.begin(), tips_.end()), tips_.end());
+  }
+
+  void cut_elements() {
+    std::vector<PieceRecord> result;
+    result.reserve(pieces_.pieces.size());
+    for (std::size_t i = 0; i < pieces_.pieces.size(); ++i) {
+      auto tip = std::lower_bound(tips_.begin(), tips_.end(), std::pair{element_[i], Index{0}});
+      if (tip == tips_.end() || tip->first != element_[i]) {
+        result.push_back(std::move(pieces_.pieces[i]));
+        continue;
+      }
+      const auto first = tip;
+      while (tip != tips_.end() && tip->first == element_[i]) ++tip;
+      const PieceRecord& piece = pieces_.pieces[i];
+      cut(clip_to_part(complex_, lattice_, planes_, piece), piece, first, tip, {}, result);
+    }
+    pieces_.pieces = std::move(result);
+  }
+
+  using Tip = std::vector<std::pair<Index, Index>>::const_iterator;
+  void cut(const ConvexCell& cell, const PieceRecord& whole, Tip tip, Tip end,
+           const std::vector<HalfSpaceId>& cuts, std::vector<PieceRecord>& result) {
+    if (tip == end) {
+      PieceRecord r =
+          make_record(lattice_, planes_, whole.lattice_cell, whole.part, whole.rock, cell);
+      r.cuts = cuts;
+      if (has_volume(r)) result.push_back(std::move(r));
+      return;
+    }
+    const Index plane = tip->second;
+    const CellSide side = splitter_.classify(cell, plane);
+    ConvexCell below, above;
+    if (side == CellSide::split) splitter_.split(cell, plane, &below, &above);
+    for (const bool up : {false, true}) {
+      if (side == (up ? CellSide::below : CellSide::above)) continue;
+      auto own = cuts;
+      own.push_back(half_space(plane, up));
+      cut(side == CellSide::split ? (up ? above : below) : cell, whole, tip + 1, end, own, result);
+    }
+  }
+
+  const Complex& complex_;
+  const Model& model_;
+  const LatticePlanes& lattice_;
+  const PlaneTable& planes_;
+  Pieces& pieces_;
+  const OccupiedCells cells_;
+  GlueFinder glue_;
+  CellSplitter splitter_;
+  std::vector<Index> element_;                 // of each piece
+  std::vector<std::pair<Index, Index>> tips_;  // element, plane of a joint that ends inside it
+};
+
+}  // namespace
+
+void extend_joint_tips(const Complex& complex, const Model& model, const LatticePlanes& lattice,
+                       const PlaneTable& planes, Pieces& pieces) {
+  TipExtender(complex, model, lattice, planes, pieces).run();
+}
+
+}  // namespace rockfold

@@ -1,0 +1,84 @@
+// One level of the multigrid preconditioner: a matrix in single precision, y = A x with
+//   y_i = D_i x_i + Σ_j A_ij (x_j − x_i),   D_i the sum of a row's blocks (mass and springs; diagonal),
+// so that a translation meets exactly what it ought to: nothing where the rock is free. All values are divided by `scale`.
+// The finest level shares the rows of the operator and keeps its springs apart; coarser ones are block rows alone.
+#pragma once
+
+#include "kernels/solve/coarse_covers.hpp"
+#include "kernels/solve/springs_kernel.hpp"
+
+namespace rockfold::solve {
+
+using SingleField = Kokkos::View<float* [3], Kokkos::LayoutLeft, device::Memory>;
+
+/// Stencil rows. A table holds the blocks of 9 at offsets +1, −1, +2, −2, … and D.
+struct SingleStencil {
+  int stride = 1;  ///< between the covers of a run
+  Array<Index> first, length, neighbour_begin, neighbour;
+  Array<Index> run_table, run_pairs;  ///< [runs] where its table begins, how many pairs of offsets it has
+  Array<float> table;
+
+  KOKKOS_INLINE_FUNCTION Index runs() const { return static_cast<Index>(first.extent(0)); }
+};
+
+/// Block rows, as DeviceBlocks: a slice's values stand as [column][9][lane].
+struct SingleBlocks {
+  Array<Index> row, slice_begin, column;
+  Array<float> value;
+  Array<float> own;  ///< [S·lanes][3] D
+
+  Index slices() const { return static_cast<Index>(slice_begin.extent(0)) - 1; }
+};
+
+/// Springs between the rock and the ground, y += Nᵀ k N x.
+struct SingleSprings : PointRows {
+  SingleField stiffness, force;
+};
+
+/// Inverted diagonal blocks, [rows] xx yy zz xy yz zx.
+using SingleInverse = Kokkos::View<float* [6], Kokkos::LayoutLeft, device::Memory>;
+
+struct LevelMatrix {
+  Index rows = 0;
+  SingleStencil stencil;
+  SingleBlocks block;
+  SingleSprings springs;
+  Array<Index> place;  ///< [rows] where a row stands: its slot of `block`, or −1 − its run
+};
+
+/// The finest level: functions 0 of all covers. `points`: those of the springs, with the weights of functions 0 alone.
+LevelMatrix finest_matrix(const Operator& op, const Springs& springs, const PointRows& points,
+                          const Combination& c, Real spring_factor, Real scale);
+
+/// Interpolation from a level to the next finer one, and its transpose.
+struct Interpolation {
+  Array<Index> parent_begin, parent;
+  Array<float> parent_weight;
+  Array<Index> child_begin, child;
+  Array<float> child_weight;
+};
+Interpolation make_interpolation(const CoarseCovers& coarse);
+
+/// The rows of a coarse level, without values: allocated once.
+struct CoarseRows {
+  SingleBlocks block;
+  Array<Index> place;           ///< see LevelMatrix
+  Array<std::int64_t> lattice;  ///< [rows] x + 2²¹ y + 2⁴² z of the row's node
+};
+CoarseRows make_coarse_rows(const CoarseCovers& coarse);
+
+/// Galerkin's product Pᵀ A P into the rows of the coarse level.
+LevelMatrix coarse_matrix(const LevelMatrix& fine, const Interpolation& p, const CoarseRows& rows);
+
+/// The inverted diagonal blocks of a coarse level.
+void invert_diagonal(const LevelMatrix& a, const SingleInverse& inverse);
+
+/// r −= A d; step = old_share · d + new_share · B r; x += step. `step` must be another field than d.
+void smooth(const LevelMatrix& a, const SingleInverse& inverse, float old_share, float new_share,
+            const SingleField& d, const SingleField& r, const SingleField& x,
+            const SingleField& step);
+
+/// r −= A d.
+void subtract_product(const LevelMatrix& a, const SingleField& d, const SingleField& r);
+
+}  // namespace rockfold::solve

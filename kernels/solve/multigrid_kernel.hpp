@@ -1,0 +1,41 @@
+// Multigrid over the lattice as a preconditioner: z = B r, one V-cycle with Chebyshev smoothing of degree 2 over the diagonal
+// blocks before and after, symmetric and positive (Saad, Iterative Methods, 12.3; Adams, Brezina, Hu & Tuminaro 2003).
+// Coarse levels follow the rock's topology (coarse_covers.hpp) and are Galerkin products of the finest one. All of it is in single
+// precision, the residual scaled to unit norm first; nothing goes to the host.
+#pragma once
+
+#include <vector>
+
+#include "kernels/solve/dense_parts_kernel.hpp"
+#include "kernels/solve/level_kernel.hpp"
+
+namespace rockfold::solve {
+
+struct GridLevel {
+  LevelMatrix a;
+  SingleInverse inverse;
+  Real largest = 0;  ///< eigenvalue of D⁻¹A, with a margin
+  SingleField x, r, d, step;
+  // coarse levels
+  CoarseRows structure;
+  Interpolation from;  ///< to the next finer level
+};
+
+struct Multigrid {
+  std::vector<GridLevel> levels;  ///< finest first; two at least
+  PointRows points;  ///< of the springs, with the weights of functions 0 alone
+  DenseParts coarsest;  ///< empty where the last level's parts are too large: smoothed only
+  Real scale = 1;       ///< what all values are divided by
+};
+
+/// Levels without values, from topology; none for a lattice that has no coarser one. `points`: those of the springs.
+Multigrid make_multigrid(const CoverArrays& covers, const MaterialPoints& points);
+
+/// Values for αK + βM + γ NᵀkN. `diagonal`: its inverted diagonal blocks; `scale`: its largest diagonal entry.
+void set_values(Multigrid& grid, const Operator& op, const Springs& springs, const Combination& c,
+                Real spring_factor, const Blocks& inverse, Real scale);
+
+/// levels[0].x = scale / ‖r‖ · B r, with ‖r‖² = squared_norm(0) on the device.
+void precondition(const Multigrid& grid, const Field& r, const Array<Real>& squared_norm);
+
+}  // namespace rockfold::solve

@@ -1,0 +1,163 @@
+// joint_tips = "extend": a joint that ends inside an element cuts it in two. Counts against plain clipping in double.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "tests/cover/covers.hpp"
+#include "tests/cover/plain_clipping.hpp"
+
+namespace rockfold::test {
+namespace {
+
+/// The rectangle y0 … y1, z0 … z1 of the plane x = at, in a box from 0 to 4.
+struct Crack {
+  Real at, y0, y1, z0, z1;
+};
+
+Model cracked_box(const Crack& k) {
+  Model model = box_model({0, 0, 0}, {4, 4, 4});
+  add_joint(model, Vec3{1, 0, 0}, {k.at, 0, 0});
+  model.joints[0].polygon = {
+      {k.at, k.y0, k.z0}, {k.at, k.y1, k.z0}, {k.at, k.y1, k.z1}, {k.at, k.y0, k.z1}};
+  return model;
+}
+
+const std::vector<HalfSpace> rock{{{1, 0, 0}, 4},  {{-1, 0, 0}, 0}, {{0, 1, 0}, 4},
+                                  {{0, -1, 0}, 0}, {{0, 0, 1}, 4},  {{0, 0, -1}, 0}};
+
+/// Whether a convex set reaches to both sides of the crack's plane.
+bool straddles(const Polyhedron& set, const Crack& k) {
+  bool low = false, high = false;
+  for (const Vec3& x : set.corners()) low |= x[0]<k.at - 1e-9, high |= x[0]> k.at + 1e-9;
+  return low && high;
+}
+
+/// Whether it holds an area of the crack.
+bool holds(const Polyhedron& set, const Crack& k) {
+  return straddles(
+      clip(set, {{{0, -1, 0}, -k.y0}, {{0, 1, 0}, k.y1}, {{0, 0, -1}, -k.z0}, {{0, 0, 1}, k.z1}}),
+      k);
+}
+
+struct Counts {
+  Index elements = 0;
+  std::map<Index, int> covers;  // by node
+};
+
+// A part that holds an area of the crack is two elements; a star is two covers where the crack runs, or is prolonged, through all of
+// its parts that lie on both sides.
+Counts expected_of(const Lattice& lattice, const Crack& k) {
+  Counts expected;
+  std::map<Index, std::set<bool>> sides;  // by node: whether each straddling part is cut
+  for (Index cell = 0; cell < lattice.cells[0] * lattice.cells[1] * lattice.cells[2]; ++cell)
+    for (int p = 0; p < lattice.split(cell).part_count(); ++p) {
+      const Polyhedron piece = clip(part_of(lattice, cell, p), rock);
+      if (!(piece.volume() > 1e-14)) continue;
+      const bool cut = holds(piece, k);
+      expected.elements += cut ? 2 : 1;
+      const CellPart& part = lattice.split(cell).part[p];
+      for (int n = 0; n < part.nodes; ++n) {
+        auto& of_star = sides[lattice.cell_node(cell, part.node[n])];
+        if (straddles(piece, k)) of_star.insert(cut);
+      }
+    }
+  for (const auto& [node, cut] : sides) expected.covers[node] = cut == std::set<bool>{true} ? 2 : 1;
+  return expected;
+}
+
+Counts counts_of(const CoverArrays& a) {
+  Counts counts;
+  counts.elements = a.element_count();
+  for (const Index node : a.cover_node) ++counts.covers[node];
+  return counts;
+}
+
+CoverSpec extended(LatticeKind kind, Real h) {
+  CoverSpec spec = spacing(h);
+  spec.lattice = kind;
+  spec.joint_tips = JointTips::extend;
+  return spec;
+}
+
+const LatticeKind kinds[] = {LatticeKind::tet5,  LatticeKind::tet6, LatticeKind::tet6_kuhn,
+                             LatticeKind::tet24, LatticeKind::hex8, LatticeKind::tet5_mixed};
+
+TEST(JointTips, ExtendedCutEachElementThatTheyEndIn) {
+  for (const LatticeKind kind : kinds)
+    for (const Crack& k : {Crack{2.1, -1, 5, -1, 2.3}, Crack{1.7, 0.9, 3.1, -1, 5},
+                           Crack{2.1, 0.6, 3.4, 0.7, 3.6}, Crack{2.05, 1.9, 2.3, 1.9, 2.2}}) {
+      const Covered c = cover(cracked_box(k), extended(kind, 0.8));
+      const Counts expected = expected_of(c.arrays().lattice, k), found = counts_of(c.arrays());
+      EXPECT_EQ(found.elements, expected.elements) << lattice_name(kind) << ' ' << k.at;
+      EXPECT_EQ(found.covers, expected.covers) << lattice_name(kind) << ' ' << k.at;
+      Real volume = c.arrays().regular_count() * lattice_cell_volume(c.arrays());
+      for (Index q = 0; q < c.arrays().piece_count(); ++q)
+        volume += cell_split(kind).share * piece_volume(c.arrays(), q);
+      EXPECT_NEAR(volume, 64, 64e-13);
+    }
+}
+
+TEST(JointTips, AreKeptByDefault) {
+  const Crack k{2.1, -1, 5, -1, 2.3};
+  const CoverSpec keep = spacing(0.8);
+  const Covered kept = cover(cracked_box(k), keep),
+                cut = cover(cracked_box(k), extended(LatticeKind::tet6, 0.8));
+  EXPECT_LT(kept.arrays().element_count(), cut.arrays().element_count());
+}
+
+TEST(JointTips, ThatEndAtAnotherJointCutNothingBeyondIt) {
+  Model model = cracked_box({2.1, -1, 5, -1, 2.3});
+  add_joint(model, Vec3{0, 0, 1}, {0, 0, 2.3});
+  const Covered kept = cover(model, spacing(0.8)),
+                cut = cover(model, extended(LatticeKind::tet6, 0.8));
+  EXPECT_EQ(kept.arrays().element_cover, cut.arrays().element_cover);
+  EXPECT_EQ(kept.arrays().vertex_xyz, cut.arrays().vertex_xyz);
+}
+
+TEST(JointTips, OfTwoCrossingJointsInOneElementMakeFourOfIt) {
+  // Both end at z = 2.05 in the cell 0 … 4 × 0 … 4 × 1 … 3 of a hexahedral lattice.
+  Model model = cracked_box({2.1, -1, 5, -1, 2.05});
+  add_joint(model, Vec3{0, 1, 0}, {0, 1.8, 0});
+  model.joints[1].polygon = {{-1, 1.8, -1}, {5, 1.8, -1}, {5, 1.8, 2.05}, {-1, 1.8, 2.05}};
+  CoverSpec spec = extended(LatticeKind::hex8, 4);
+  spec.origin = Vec3{0, 0, 1};
+  spec.spacing = {2, 4, 4};
+  const Covered c = cover(model, spec);
+  // Below z = 1 the joints run through: four elements; 1 to 3: prolonged, four; above 3: one.
+  EXPECT_EQ(c.arrays().element_count(), 9);
+  // The star of a node at z = 3 holds the whole element above: one cover. Those at 1 see four parts, as those at −1.
+  std::map<Real, std::set<int>> covers;
+  std::map<Index, int> count;
+  for (const Index node : c.arrays().cover_node) ++count[node];
+  for (const auto& [node, n] : count) covers[c.arrays().lattice.node_position(node)[2]].insert(n);
+  EXPECT_EQ(covers, (std::map<Real, std::set<int>>{{-1, {4}}, {1, {4}}, {3, {1}}, {5, {1}}}));
+}
+
+TEST(JointTips, OfWeldedJointsCutNothing) {
+  CoverSpec welded = extended(LatticeKind::tet6, 0.8);
+  welded.joints = JointTreatment::welded;
+  const Covered c = cover(cracked_box({2.1, -1, 5, -1, 2.3}), welded);
+  const Covered intact = cover(box_model({0, 0, 0}, {4, 4, 4}), spacing(0.8));
+  EXPECT_EQ(c.arrays().element_count(), intact.arrays().element_count());
+  EXPECT_EQ(c.arrays().cover_node, intact.arrays().cover_node);
+}
+
+TEST(JointTips, ExtendedLeaveFixedFacesTheirArea) {
+  Model model = cracked_box({2.1, -1, 5, -1, 0.3});
+  Fixed fixed;
+  fixed.where = FaceRegion{0, {4}};
+  model.fixed.push_back(fixed);
+  for (const LatticeKind kind : kinds) {
+    const Covered c = cover(model, extended(kind, 0.8));
+    const FixedPoints f = fixed_points(c.blocks.cutting, c.covering, c.model);
+    Real area = 0;
+    for (const Real k : f.stiffness) area += k / (10 * 30e9 / 0.8);
+    EXPECT_NEAR(area, 16, 16e-13) << lattice_name(kind);
+  }
+}
+
+}  // namespace
+}  // namespace rockfold::test
