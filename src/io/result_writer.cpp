@@ -13,6 +13,7 @@
 #include "src/io/element_mesh.hpp"
 #include "src/io/native_arrays.hpp"
 #include "src/io/result_file.hpp"
+#include "src/io/stress_measures.hpp"
 #include "src/io/vtkhdf.hpp"
 #include "src/io/xdmf.hpp"
 
@@ -91,13 +92,16 @@ struct ResultWriter::Implementation {
   std::size_t block_count = 0, block_vertices = 0, unknowns = 0, elements = 0;
   std::vector<Index> polygon_block;  ///< [cells of Blocks]
   std::vector<Index> joint_vertex;   ///< [points of Joints] into BlockArrays::vertex
-  ElementMesh mesh;                  ///< `begin`, `unknown`, `weight` and `element` alone are kept
+  ElementMesh mesh;  ///< `begin`, `unknown`, `weight`, `element` and `material` alone are kept
+  std::vector<Material> materials;
+  bool with_strength = false;  ///< any material has one
   std::vector<Grid> grids;
   std::vector<Real> times;
 
   File extend() const { return {partial, File::Mode::extend, path}; }
   std::int64_t bytes_of(const ResultState& state) const;
   void append_grids(File& file, const ResultState& state, std::int64_t number);
+  void append_measures(File& file, Grid& grid, const ResultState& state, std::int64_t number);
   void write_block_grid(File& file, const BlockArrays& blocks, const BlockFields& fields,
                         const std::vector<std::uint8_t>& flags, const PolygonMesh& mesh);
   void write_dead_end_grid(File& file, const BlockArrays& blocks);
@@ -109,6 +113,9 @@ ResultWriter::ResultWriter(std::string path, const Model& model, const ResultHea
   auto& my = *implementation_;
   my.partial = path + ".partial-" + std::to_string(getpid());
   my.path = std::move(path);
+  my.materials = model.materials;
+  for (const Material& m : model.materials)
+    my.with_strength |= !std::holds_alternative<std::monostate>(m.strength);
   if (std::filesystem::is_directory(my.path)) fail(my.path, "cannot write: it is a folder");
   std::remove(my.partial.c_str());
   try {
@@ -251,7 +258,7 @@ void ResultWriter::write_elements(const CoverArrays& covers) {
   my.unknowns = static_cast<std::size_t>(covers.unknown_count());
   my.elements = static_cast<std::size_t>(covers.element_count());
   my.mesh.tetrahedron = {};
-  my.mesh.block = my.mesh.material = {};
+  my.mesh.block = {};
   my.mesh.point = {};
 }
 
@@ -261,8 +268,28 @@ std::int64_t ResultWriter::Implementation::bytes_of(const ResultState& state) co
   const auto native = static_cast<std::int64_t>(3 * unknowns * sizeof(Vec3) +
                                                 state.block_stress.size() * 6 * sizeof(Real));
   return native + vtkhdf::state_bytes(points, 3) +
-         (state.stress.empty() ? 0 : vtkhdf::state_bytes(mesh.element.size(), 6)) +
+         (state.stress.empty()
+              ? 0
+              : vtkhdf::state_bytes(mesh.element.size(), 6 + 3 + 1 + with_strength)) +
          (state.block_stress.empty() ? 0 : vtkhdf::state_bytes(polygon_block.size(), 6));
+}
+
+void ResultWriter::Implementation::append_measures(File& file, Grid& grid, const ResultState& state,
+                                                   std::int64_t number) {
+  const std::size_t cells = mesh.element.size();
+  std::vector<std::array<float, 3>> principal(cells);
+  std::vector<float> mises(cells), ratio(cells);
+  for (std::size_t t = 0; t < cells; ++t) {
+    const auto& stress = state.stress[mesh.element[t]];
+    const Vec3 s = principal_stresses(stress);
+    for (int d = 0; d < 3; ++d) principal[t][d] = static_cast<float>(s[d]);
+    mises[t] = static_cast<float>(von_mises(stress));
+    if (with_strength)
+      ratio[t] = static_cast<float>(strength_ratio(stress, materials[mesh.material[t]]));
+  }
+  vtkhdf::append_cell_field(file, grid, "principal_stress", number, principal);
+  vtkhdf::append_cell_field(file, grid, "von_mises", number, mises);
+  if (with_strength) vtkhdf::append_cell_field(file, grid, "strength_ratio", number, ratio);
 }
 
 void ResultWriter::Implementation::append_grids(File& file, const ResultState& state,
@@ -281,6 +308,7 @@ void ResultWriter::Implementation::append_grids(File& file, const ResultState& s
           for (int i = 0; i < 6; ++i)
             stress[t][i] = static_cast<float>(state.stress[mesh.element[t]][i]);
         vtkhdf::append_cell_field(file, grid, "stress", number, stress);
+        append_measures(file, grid, state, number);
       }
       continue;
     }

@@ -58,9 +58,9 @@ void append_one(File& file, const std::string& path, const T& value) {
   file.append(path, std::span<const T>(&value, 1));
 }
 
-template <std::size_t width>
+template <class T>
 void append_field(File& file, Grid& grid, Field field, std::int64_t state,
-                  std::span<const std::array<float, width>> values) {
+                  std::span<const T> values) {
   const std::string data =
       grid.path() + (field.at_points ? "/PointData/" : "/CellData/") + field.name;
   const std::string offsets =
@@ -147,6 +147,14 @@ void append_point_field(File& file, Grid& grid, const std::string& name, std::in
 void append_cell_field(File& file, Grid& grid, const std::string& name, std::int64_t state,
                        std::span<const std::array<float, 6>> values) {
   append_field(file, grid, {name, hdf5::Type::float32, 6, false, true}, state, values);
+}
+void append_cell_field(File& file, Grid& grid, const std::string& name, std::int64_t state,
+                       std::span<const std::array<float, 3>> values) {
+  append_field(file, grid, {name, hdf5::Type::float32, 3, false, true}, state, values);
+}
+void append_cell_field(File& file, Grid& grid, const std::string& name, std::int64_t state,
+                       std::span<const float> values) {
+  append_field(file, grid, {name, hdf5::Type::float32, 1, false, true}, state, values);
 }
 
 void append_step(File& file, std::span<const Grid> grids, const std::string& times,

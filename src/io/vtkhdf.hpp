@@ -56,6 +56,10 @@ void append_point_field(hdf5::File& file, Grid& grid, const std::string& name, s
                         std::span<const std::array<float, 3>> values);
 void append_cell_field(hdf5::File& file, Grid& grid, const std::string& name, std::int64_t state,
                        std::span<const std::array<float, 6>> values);
+void append_cell_field(hdf5::File& file, Grid& grid, const std::string& name, std::int64_t state,
+                       std::span<const std::array<float, 3>> values);
+void append_cell_field(hdf5::File& file, Grid& grid, const std::string& name, std::int64_t state,
+                       std::span<const float> values);
 
 /// After the fields of a state were appended to all grids and its time to `times`: makes the state
 /// known to readers.

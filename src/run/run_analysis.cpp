@@ -41,7 +41,10 @@ MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
   setup.damping = {analysis.rayleigh_alpha, analysis.rayleigh_beta};
   setup.quiet = input.quiet;
   setup.initial_stress = input.model.initial_stress;
-  if (input.model.base_acceleration) setup.base_acceleration = input.model.base_acceleration->table;
+  if (const auto& base = input.model.base_acceleration) {
+    setup.base_acceleration = base->table;
+    for (Vec3& a : setup.base_acceleration.value) a = base->scale * a;
+  }
   setup.large = analysis.large();
   setup.dynamic_ratio = analysis.type == AnalysisType::quasi_static ? 0 : analysis.dynamic_ratio;
   setup.solver.tolerance = input.model.solver.tolerance;

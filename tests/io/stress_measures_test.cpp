@@ -1,4 +1,4 @@
-#include "src/run/stress_measures.hpp"
+#include "src/io/stress_measures.hpp"
 
 #include <algorithm>
 #include <cmath>
