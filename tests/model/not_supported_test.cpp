@@ -15,13 +15,11 @@ struct NotYet {
   const char* key;
 };
 
-
 TEST(NotSupportedYet, IsSaidOfEachKeyAndValue) {
   const NotYet cases[] = {
       {"[contact]\npenalty = 0", 6, 2, "contact"},
       {"[[bolt]]\nname = 'b'", 6, 3, "bolt"},
       {"[[bolt_pattern]]\nname = 'b'", 6, 3, "bolt_pattern"},
-      {"[solver]\npreconditioner = 'multigrid'", 7, 18, "solver.preconditioner"},
       {"[output]\ncheckpoint_every = 60.0", 7, 1, "output.checkpoint_every"},
   };
   for (const auto& [text, line, column, key] : cases) {

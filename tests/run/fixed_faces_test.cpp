@@ -33,7 +33,7 @@ Answer run(const std::string& text) {
   Answer answer;
   const auto store = [&](const StoredState& state) { answer.stress = state.element_stress; };
   answer.result = run_analysis(
-      {model, covering.arrays, blocks, fixed, monitors, loads, quiet, vertices}, store, silent);
+      {model, covering.arrays, blocks, fixed, monitors, loads, quiet, {}, vertices}, store, silent);
   return answer;
 }
 
