@@ -1,6 +1,6 @@
 #include "src/base/vector.hpp"
-#include "src/report/names.hpp"
 #include "src/report/document_parts.hpp"
+#include "src/report/names.hpp"
 
 namespace rockfold {
 

@@ -1,4 +1,3 @@
-#include "src/report/names.hpp"
 #include "src/report/summary.hpp"
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include "src/base/vector.hpp"
 #include "src/model/check_model.hpp"
 #include "src/report/document_parts.hpp"
+#include "src/report/names.hpp"
 #include "src/report/progress_line.hpp"
 #include "src/report/table.hpp"
 

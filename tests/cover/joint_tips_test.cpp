@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "host/cover/loads.hpp"
+#include "src/base/vector.hpp"
 #include "tests/cover/covers.hpp"
 #include "tests/cover/plain_clipping.hpp"
 
@@ -149,6 +151,8 @@ TEST(JointTips, ExtendedLeaveLoadedFacesTheirArea) {
   Model model = cracked_box({2.1, -1, 5, -1, 0.3});
   Traction traction;
   traction.where = FaceRegion{0, {4}};
+  traction.pressure = traction.follows = true;
+  traction.value = {1, 0, 0};
   model.tractions.push_back(traction);
   for (const LatticeKind kind : kinds) {
     const Covered c = cover(model, extended(kind, 0.8));
