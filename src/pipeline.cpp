@@ -20,6 +20,7 @@
 #include "src/results.hpp"
 #include "src/run/run_analysis.hpp"
 #include "src/signals.hpp"
+#include "src/support_design.hpp"
 #include "src/threads.hpp"
 
 namespace rockfold {
@@ -97,9 +98,15 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   if (measures) warn_of_flagged_blocks(measures->blocks, model, terminal);
 
   std::optional<KeyblockReport> keyblocks;
-  if (wants_support(options, model))
+  std::optional<SupportDesign> design;
+  if (wants_support(options, model)) {
     keyblocks = clock.measure("keyblock", "finding key blocks",
                               [&] { return find_keyblocks(blocks, model); });
+    design = clock.measure("support", "designing support", [&] {
+      return design_support(blocks, *keyblocks, measures ? &*measures : nullptr, model);
+    });
+    warn_of_support_design(*design, terminal);
+  }
 
   std::optional<CoveredRock> rock;
   if (wants_run(options)) {
@@ -134,8 +141,8 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   clock.measure("output", [&] { writer.finish(); });
 
   print_answer({options, model, cutting.totals, blocks, measures ? &*measures : nullptr,
-                keyblocks ? &*keyblocks : nullptr, rock ? &rock->covering.arrays : nullptr,
-                run ? &*run : nullptr, path},
+                keyblocks ? &*keyblocks : nullptr, design ? &*design : nullptr,
+                rock ? &rock->covering.arrays : nullptr, run ? &*run : nullptr, path},
                terminal, clock.seconds());
   return interrupted_status();
 }

@@ -55,10 +55,12 @@ void read_top_level(Draft& draft, const Value& root) {
   read_title_and_gravity(in, draft.model);
   for (const char* key : {"material", "joint_material", "solid", "joint_set", "joint", "joint_mesh",
                           "joint_table", "merge", "excavation", "cut", "scanline", "cover", "fixed",
-                          "point_load", "analysis", "solver", "output", "monitor", "support"})
+                          "point_load", "analysis", "solver", "output", "monitor", "support", "bolt_type",
+                          "bolt", "bolt_pattern", "shotcrete", "pattern_search", "classification",
+                          "drawing", "table"})
     in.has(key);
   for (const char* key :
-       {"traction", "initial_velocity", "initial_stress", "contact", "bolt", "bolt_pattern"})
+       {"traction", "initial_velocity", "initial_stress", "contact"})
     in.not_yet(key);
 }
 
@@ -82,6 +84,14 @@ void read_sections(Draft& draft) {
   read_solver(draft);
   read_output(draft);
   read_support(draft);
+  read_bolt_types(draft);
+  read_bolts(draft);
+  read_bolt_patterns(draft);
+  read_shotcrete(draft);
+  read_pattern_search(draft);
+  read_classification(draft);
+  read_drawings(draft);
+  read_tables(draft);
 }
 
 void add_missing(Draft& draft, Purpose purpose) {
