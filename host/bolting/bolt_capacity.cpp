@@ -46,6 +46,16 @@ BoltForce bolt_force(const BoltType& type, const Vec3& axis, Real axial, const V
   return result;
 }
 
+Index bolts_needed(Real force, Real capacity) {
+  constexpr Real rounding = 1e-9;
+  const Real count = std::ceil(force / capacity - rounding);
+  return static_cast<Index>(std::min(count, Real{std::numeric_limits<Index>::max()}));
+}
+
+Real square_spacing(Real capacity, Real pressure) {
+  return std::sqrt(capacity / pressure);
+}
+
 BoltCategory bolt_category(const BoltType& type, Real length) {
   constexpr Real longest_rock_bolt = 3, shortest_anchor = 10, longest_cable = 15;  // m
   if (length <= longest_rock_bolt) return BoltCategory::rock_bolt;

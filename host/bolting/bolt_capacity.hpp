@@ -32,6 +32,11 @@ struct BoltForce {
 /// capacity alone.
 BoltForce bolt_force(const BoltType& type, const Vec3& axis, Real axial, const Vec3& motion);
 
+/// Single bolts that a force asks for, each with its whole capacity: ⌈force / capacity⌉.
+Index bolts_needed(Real force, Real capacity);
+/// m: square spacing at which bolts of this capacity give a pressure, √(capacity / pressure); infinite for no pressure.
+Real square_spacing(Real capacity, Real pressure);
+
 /// By length (thesis 3.1.7): rock bolts up to 3 m, cable bolts up to 15 m, ground anchors beyond; from 10 m to 15 m it may be
 /// either of the latter, and the class decides: dmfc is an anchor.
 enum class BoltCategory { rock_bolt, cable_bolt, ground_anchor };

@@ -116,7 +116,7 @@ HeldBlock hold(std::span<const ContactPlane> planes, const Movement& movement,
   HeldBlock held;
   const Real driving = balance.driving(full.active);
   const Real resisting = balance.resisting(full.active, full.passive);
-  held.factor_of_safety = driving > rounding * size ? resisting / driving : infinite;
+  held.factor_of_safety = driving > rounding * size ? resisting / driving + 0.0 : infinite;
   if (elements.empty()) held.factor_of_safety = movement.factor_of_safety();
   const Real missing = target * driving - resisting;
   held.adequate = missing <= rounding * size;

@@ -18,7 +18,13 @@ void add_segment(SweptLayout& layout, const Vec3& start, const Vec3& end) {
   const SectionFrame frame = section_frame(leg);
   const Real v0 =
       layout.segments.empty() ? 0 : layout.segments.back().v0 + layout.segments.back().length;
-  layout.segments.push_back({start, normalized(leg), frame.right, frame.up, v0, norm(leg)});
+  const Vec3 along = normalized(leg);
+  SweptSegment segment{start, along, frame.right, frame.up, v0, norm(leg), along, along};
+  if (!layout.segments.empty()) {
+    segment.start_plane = normalized(layout.segments.back().along + along);
+    layout.segments.back().end_plane = segment.start_plane;
+  }
+  layout.segments.push_back(segment);
 }
 
 Real signed_area(const std::vector<Point>& section) {

@@ -15,6 +15,8 @@ struct SweptSegment {
   Vec3 along{};             ///< unit
   Vec3 right{}, up{};       ///< unit, across
   Real v0 = 0, length = 0;  ///< m: where it begins on the sheet, and how long it is
+  /// Normals, along the axis, of the planes across its start and its end: at a bend halfway between both directions.
+  Vec3 start_plane{}, end_plane{};
 };
 
 struct SweptLayout {

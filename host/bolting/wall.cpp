@@ -46,6 +46,15 @@ std::pair<Vec3, Vec3> face_axes(const Vec3& outward) {
   return {u, cross(outward, u)};
 }
 
+/// A bolt on an edge of a strip stands this share of the strip's width beside it.
+constexpr Real edge = 1e-6;
+
+bool between_ends(const WallStrip& strip, const Vec3& point, Real v) {
+  if (strip.side == none) return v >= strip.v[0] && v <= strip.v[1];
+  return dot(strip.end_normal[0], point - strip.end_point[0]) >= 0 &&
+         dot(strip.end_normal[1], point - strip.end_point[1]) < 0;
+}
+
 /// ±x, ±y, ±z as 0 … 5: where a face of a surface looks.
 int looks(const Vec3& normal) {
   int axis = 0;
@@ -111,6 +120,9 @@ void Wall::lay_sides(const Shape& shape, const std::string& name) {
       strip.along_u = layout.counter_clockwise ? -edge : edge;
       strip.across = normalized(cross(strip.along_u, strip.along_v));
       strip.reach = 1e-3 * layout.perimeter;
+      strip.side = static_cast<Index>(i);
+      strip.end_point = {segment.start, segment.start + segment.length * segment.along};
+      strip.end_normal = {segment.start_plane, segment.end_plane};
       panel.strips.push_back(static_cast<Index>(strips_.size()));
       strips_.push_back(strip);
     }
@@ -195,12 +207,19 @@ std::optional<Wall::Hit> Wall::at(const WallPanel& panel, Real u, Real v) const 
   for (const Index s : panel.strips) {
     const WallStrip& strip = strips_[s];
     Real su = u;
-    if (around > 0 && su < strip.u[0]) su += around;
-    if (su < strip.u[0] || su > strip.u[1] || v < strip.v[0] || v > strip.v[1]) continue;
+    if (su < strip.u[0]) su += around;
+    if (su > strip.u[1]) su -= around;
+    if (su < strip.u[0] || su > strip.u[1]) continue;
+    const Real width = strip.u[1] - strip.u[0];
+    su = std::clamp(su, strip.u[0] + edge * width, strip.u[1] - edge * width);
     const Vec3 point =
         strip.origin + (su - strip.u[0]) * strip.along_u + (v - strip.v[0]) * strip.along_v;
+    if (!between_ends(strip, point, v)) continue;
     for (const Index k : tree_.along(point, strip.across, -strip.reach, strip.reach)) {
-      if (strip_of_face_[k] != s) continue;
+      if (strip.side == none
+              ? strip_of_face_[k] != s
+              : blocks_.origins[blocks_.face_origin[faces_[k]]].solid_face != strip.side)
+        continue;
       const auto t = line_meets_face(blocks_, faces_[k], point, strip.across);
       // Of several faces of a surface the one nearest to the opening.
       if (!t || std::abs(*t) > strip.reach) continue;

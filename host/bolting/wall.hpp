@@ -19,6 +19,9 @@ struct WallStrip {
   Vec3 across{};                 ///< unit: bolts look for the face along it, both ways
   std::array<Real, 2> u{}, v{};  ///< m, its extent on the sheet
   Real reach = 0;                ///< m, how far a face may be from the strip's plane
+  Index side = none;             ///< its faces' number, or none: any
+  /// Planes that bound it besides, where a tunnel bends: point, and normal along v.
+  std::array<Vec3, 2> end_point{}, end_normal{};
 };
 
 /// A rectangle of the sheet that carries one grid.

@@ -1,6 +1,4 @@
 // Bolts, patterns and the search for one, as JSON.
-#include <cmath>
-
 #include "src/report/design_names.hpp"
 #include "src/report/document_parts.hpp"
 
@@ -96,8 +94,8 @@ void add_spot_bolts(Json& keyblock, const Keyblock& key, const Model& model) {
   auto& list = keyblock["spot_bolts"] = Json::array();
   for (const BoltType& type : model.bolt_types)
     list.push_back({{"type", type.name},
-                    {"bolts", std::ceil(key.support_force / type.force_capacity - 1e-9)},
-                    {"spacing", std::sqrt(type.force_capacity / key.support_pressure)}});
+                    {"bolts", bolts_needed(key.support_force, type.force_capacity)},
+                    {"spacing", square_spacing(type.force_capacity, key.support_pressure)}});
 }
 
 void add_design(Json& document, const Model& model, const SupportDesign& design) {
