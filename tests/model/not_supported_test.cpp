@@ -25,8 +25,6 @@ TEST(NotSupportedYet, IsSaidOfEachKeyAndValue) {
       {"[[initial_velocity]]\nwhere = {all = true}", 6, 3, "initial_velocity"},
       {"[initial_stress]\nvalue = [[-1, 0, 0], [0, -1, 0], [0, 0, -2]]", 6, 2, "initial_stress"},
       {"[contact]\npenalty = 0", 6, 2, "contact"},
-      {"[[bolt]]\nname = 'b'", 6, 3, "bolt"},
-      {"[[bolt_pattern]]\nname = 'b'", 6, 3, "bolt_pattern"},
       {COVER "lattice = 'tet5'", 8, 11, "cover.lattice"},
       {COVER "lattice = 'tet6_kuhn'", 8, 11, "cover.lattice"},
       {COVER "lattice = 'tet24'", 8, 11, "cover.lattice"},
