@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generated/version.hpp"
+#include "src/design_files.hpp"
 #include "src/examples.hpp"
 #include "src/output_path.hpp"
 #include "src/report/design_summary.hpp"
@@ -52,6 +53,9 @@ std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
   if (answer.design) text += design_summary(answer.model, *answer.design);
   if (answer.run) text.append("\n").append(run_summary(run_report(answer)));
   text.append("\n").append(fact("result", answer.path + "  (rockfold info, or ParaView)"));
+  if (answer.design)
+    for (const auto& path : design_paths(answer.model, answer.path))
+      text += fact("drawing or table", path);
   for (const auto& path : answer.options.exports) text += fact("export", path);
   if (demo) text += fact("model", "rockfold examples slope  writes slope.toml");
   return text + fact("time", fmt::format("{:.2f} s", seconds.back().second));

@@ -12,6 +12,7 @@
 #include "host/measure/parts.hpp"
 #include "kernels/device/device.hpp"
 #include "src/answers.hpp"
+#include "src/design_files.hpp"
 #include "src/io/exports/export.hpp"
 #include "src/memory.hpp"
 #include "src/model/read_model.hpp"
@@ -124,6 +125,10 @@ int analyse_rock(const Options& options, Terminal& terminal) {
     writer.write_blocks(blocks, keyblocks ? block_fields(*keyblocks) : BlockFields{},
                         measures ? measures->blocks.flags : std::vector<std::uint8_t>{});
   });
+
+  if (design && !(model.drawings.empty() && model.tables.empty()))
+    clock.measure("output", "writing drawings and tables",
+                  [&] { write_design_files(blocks, *keyblocks, *design, model, path); });
 
   if (!options.exports.empty())
     clock.measure("output", "writing exports",

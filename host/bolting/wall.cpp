@@ -230,6 +230,22 @@ std::optional<Wall::Hit> Wall::at(const WallPanel& panel, Real u, Real v) const 
   return nearest;
 }
 
+std::optional<std::size_t> Wall::face_at(const Vec3& point) const {
+  const Real near = 1e-3 * model_size(blocks_);
+  std::optional<std::size_t> nearest;
+  Real best = near;
+  // Whatever way the faces look: lines along the axes meet those nearby.
+  for (int d = 0; d < 3; ++d) {
+    Vec3 along{};
+    along[d] = 1;
+    for (const Index k : tree_.along(point, along, -near, near)) {
+      const auto t = line_meets_face(blocks_, faces_[k], point, blocks_.face_normal[faces_[k]]);
+      if (t && std::abs(*t) < best) best = std::abs(*t), nearest = static_cast<std::size_t>(k);
+    }
+  }
+  return nearest;
+}
+
 std::array<Real, 2> Wall::on_sheet(std::size_t face_number, const Vec3& point) const {
   const WallStrip& strip = strips_[strip_of_face_[face_number]];
   const Vec3 offset = point - strip.origin;

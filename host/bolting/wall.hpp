@@ -51,9 +51,13 @@ class Wall {
   /// A point of a face, on the sheet.
   std::array<Real, 2> on_sheet(std::size_t face_number, const Vec3& point) const;
 
+  /// The number of the face that a point lies on, to a thousandth of the model's size.
+  std::optional<std::size_t> face_at(const Vec3& point) const;
+
   const std::vector<WallPanel>& panels() const { return panels_; }
   const std::vector<Index>& faces() const { return faces_; }
   Index strip_of(std::size_t face_number) const { return strip_of_face_[face_number]; }
+  const WallStrip& strip(Index s) const { return strips_[s]; }
   Real area() const { return area_; }
 
  private:
