@@ -199,7 +199,9 @@ void Layout::draw_numbers(Svg& svg) const {
     const auto found = largest.find(block);
     if (found == largest.end() || found->second != k) continue;
     const Chart& chart = charts_[chart_of(k)];
-    if (blocks_.face_area[wall_.faces()[k]] * chart.scale * chart.scale < 60) continue;  // px²
+    const std::string number = std::to_string(block + 1);
+    const Real room = blocks_.face_area[wall_.faces()[k]] * chart.scale * chart.scale;  // px²
+    if (room < 110 * static_cast<Real>(number.size())) continue;
     Point2 middle{};
     Real count = 0;
     for_each_corner(wall_.faces()[k], [&](const Vec3& x, Index) {
@@ -207,7 +209,7 @@ void Layout::draw_numbers(Svg& svg) const {
       middle = {middle[0] + p[0], middle[1] + p[1]};
       ++count;
     });
-    svg.text({middle[0] / count, middle[1] / count + 4}, std::to_string(block + 1),
+    svg.text({middle[0] / count, middle[1] / count + 4}, number,
              {.size = 11, .anchor = "middle", .bold = true, .halo = true});
   }
 }

@@ -249,10 +249,12 @@ void Stereonet::draw_legend() {
     svg_.circle({legend_x + 13, y - 4}, 3.6, {.stroke = "none", .fill = series_colour(7)});
     row("pole of a joint between blocks");
   }
-  svg_.line({legend_x, y - 4}, {legend_x + 26, y - 4},
-            {.stroke = "#666666", .width = 1.2, .dash = "5 4"});
-  row("friction angle, for poles");
-  if (!drawing_.joint_pyramids) return;
+  if (!drawing_.joint_pyramids) {
+    svg_.line({legend_x, y - 4}, {legend_x + 26, y - 4},
+              {.stroke = "#666666", .width = 1.2, .dash = "5 4"});
+    row("friction angle, for poles");
+    return;
+  }
   svg_.square({legend_x + 13, y - 4}, 7, {.stroke = "#b2182b", .width = 0.8, .fill = "#fddbc7"});
   row(drawing_.on.owner == none ? "removable: name a wall with `on`"
                                 : "removable from " + drawing_.on.name);
@@ -270,7 +272,7 @@ std::string Stereonet::draw() {
     draw_circles();
   }
   draw_frame();
-  draw_friction();
+  if (!drawing_.joint_pyramids) draw_friction();
   if (drawing_.poles) draw_poles();
   draw_legend();
   return svg_.document("Stereonet of " + (model_.title.empty() ? model_.path : model_.title));
