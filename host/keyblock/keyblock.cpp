@@ -26,7 +26,7 @@ struct FaceStrength {
 /// Whether a `fixed` condition stands on this face of a solid.
 bool holds(const Fixed& fixed, const FaceOrigin& origin) {
   const auto* region = std::get_if<FaceRegion>(&fixed.where);
-  return region && region->solid == origin.solid &&
+  return region && !region->of_excavation && region->solid == origin.solid &&
          std::find(region->faces.begin(), region->faces.end(), origin.solid_face) !=
              region->faces.end();
 }

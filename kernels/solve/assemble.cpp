@@ -44,15 +44,8 @@ struct Assembly {
   Array<Real> cell_table;  ///< [materials][cell_table_size]
   Array<Real> moments;     ///< [E][10]
   Array<Index> regular_cover, regular_material, element_cover, element_material;
-  Array<std::uint8_t> element_tet;
+  Array<std::uint8_t> element_part;
 };
-
-/// The place of column q among the sorted columns of a row; padding repeats the row's own id at the end.
-KOKKOS_INLINE_FUNCTION Index find_column(const DeviceBlocks& block, Index begin, Index end,
-                                         int lane, Index q) {
-  while (begin < end && block.column(begin * slice_lanes + lane) != q) ++begin;
-  return begin;
-}
 
 /// Adds a block of 9 and a mass where row and column say.
 KOKKOS_INLINE_FUNCTION void add_entry(const DeviceBlocks& block, Index slot, Index q,
@@ -82,7 +75,7 @@ KOKKOS_INLINE_FUNCTION void add_cell(const Assembly& as, Index slot, Index cell,
 
 KOKKOS_INLINE_FUNCTION void add_element(const Assembly& as, Index slot, Index e, int a) {
   const TetTable& tets = as.tets(0);
-  const int t = as.element_tet(e);
+  const int t = as.element_part(e);
   const Elastic m = as.elastic(as.element_material(e));
   const Real* moments = &as.moments(10 * static_cast<std::size_t>(e));
   for (int b = 0; b < 4; ++b) {
@@ -145,7 +138,7 @@ Array<Real> element_moments(const CoverArrays& covers, const PieceMoments& momen
 }
 
 Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
-                        const std::vector<ElasticMaterial>& materials) {
+                        const std::vector<ElasticMaterial>& materials, bool stencils) {
   const TetTable tets = make_tet_table(covers.lattice);
   const std::vector<Elastic> elastic = make_elastic(materials);
   std::vector<Real> cell_table(cell_table_size * materials.size(), 0.0);
@@ -156,7 +149,7 @@ Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
                        &stencil_table[DeviceStencil::table_size * m]);
   }
 
-  const Rows rows = sort_rows(covers, slice_lanes);
+  const Rows rows = sort_rows(covers, slice_lanes, stencils);
   Operator op;
   op.covers = covers.cover_count();
   op.stencil_rows = rows.stencil_rows;
@@ -173,7 +166,7 @@ Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
        to_device("solve::regular_material", covers.regular_material),
        to_device("solve::element_cover", covers.element_cover),
        to_device("solve::element_material", covers.element_material),
-       to_device("solve::element_tet", covers.element_tet)},
+       to_device("solve::element_part", covers.element_part)},
       static_cast<Index>(rows.block.row.size()));
   Kokkos::fence();
   return op;

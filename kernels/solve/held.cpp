@@ -64,7 +64,10 @@ HeldSystem make_held_system(Operator op, const FixedPoints& fixed) {
 void set_combination(HeldSystem& system, const Combination& c, Real spring_factor, bool stiffen) {
   system.combination = c;
   system.spring_factor = spring_factor;
-  diagonal_blocks(system.op, c, system.inverse);
+  if (system.other.diagonal)
+    system.other.diagonal(system.inverse);
+  else
+    diagonal_blocks(system.op, c, system.inverse);
   if (stiffen) stiffen_springs(system.springs, spring_factor, system.inverse);
   add_spring_diagonal(system.springs, spring_factor, system.inverse);
   invert_blocks(system.inverse);
@@ -76,7 +79,10 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
   const Springs& springs = system.springs;
   const Real factor = system.spring_factor;
   const Apply a = [&](const Field& u, const Field& v) {
-    apply(system.op, system.combination, u, v);
+    if (system.other.apply)
+      system.other.apply(u, v);
+    else
+      apply(system.op, system.combination, u, v);
     apply_springs(springs, factor, u, v);
   };
   PcgOptions pcg = options.pcg;

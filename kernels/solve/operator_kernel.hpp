@@ -45,11 +45,45 @@ struct Operator {
   DeviceBlocks block;
 };
 
+/// The place of column q among the sorted columns of a row; padding repeats the row's own id at the end.
+KOKKOS_INLINE_FUNCTION Index find_column(const DeviceBlocks& block, Index begin, Index end,
+                                         int lane, Index q) {
+  while (begin < end && block.column(begin * slice_lanes + lane) != q) ++begin;
+  return begin;
+}
+
+/// The stiffness of a block row becomes 0; its mass stays.
+KOKKOS_INLINE_FUNCTION void clear_stiffness(const DeviceBlocks& block, Index slot) {
+  for (int k = 0; k < 6; ++k) block.diagonal(7 * static_cast<std::size_t>(slot) + k) = 0;
+  const Index slice = slot / slice_lanes;
+  for (Index k = block.slice_begin(slice); k < block.slice_begin(slice + 1); ++k)
+    for (int m = 0; m < 9; ++m)
+      block.value((static_cast<std::size_t>(k) * 10 + m) * slice_lanes + slot % slice_lanes) = 0;
+}
+
+/// Adds a block of 9 to column q of a block row.
+KOKKOS_INLINE_FUNCTION void add_stiffness_entry(const DeviceBlocks& block, Index slot, Index q,
+                                                const Real* entry) {
+  if (q == block.row(slot)) {
+    Real* d = &block.diagonal(7 * static_cast<std::size_t>(slot));
+    const int at[6] = {0, 4, 8, 1, 5, 2};
+    for (int k = 0; k < 6; ++k) d[k] += entry[at[k]];
+    return;
+  }
+  const int lane = slot % slice_lanes;
+  const Index slice = slot / slice_lanes;
+  const Index k =
+      find_column(block, block.slice_begin(slice), block.slice_begin(slice + 1), lane, q);
+  Real* v = &block.value(static_cast<std::size_t>(k) * 10 * slice_lanes + lane);
+  for (int m = 0; m < 9; ++m) v[m * slice_lanes] += entry[m];
+}
+
 /// Moments of the cut elements on the device, [E][10]: volume, first, second.
 Array<Real> element_moments(const CoverArrays& covers, const PieceMoments& moments);
 
+/// `stencils`: see sort_rows. Without them all values may be written anew, row by row (below).
 Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
-                        const std::vector<ElasticMaterial>& materials);
+                        const std::vector<ElasticMaterial>& materials, bool stencils = true);
 
 void apply(const Operator& op, const Combination& c, const Field& x, const Field& y);
 

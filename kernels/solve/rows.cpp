@@ -192,8 +192,9 @@ bool corners_couple(int a, int b) {
   });
 }
 
-Rows sort_rows(const CoverArrays& covers, int lanes) {
-  const StencilCovers stencil = find_stencil_covers(covers);
+Rows sort_rows(const CoverArrays& covers, int lanes, bool stencils) {
+  StencilCovers stencil = find_stencil_covers(covers);
+  if (!stencils) std::fill(stencil.material.begin(), stencil.material.end(), none);
   PlainRows plain;
   std::vector<Index> row_of_cover(covers.cover_node.size(), none);
   for (Index p = 0; p < covers.cover_count(); ++p)

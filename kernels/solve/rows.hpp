@@ -59,6 +59,7 @@ struct Rows {
 };
 
 /// Linear in the number of covers, cells and elements.
-Rows sort_rows(const CoverArrays& covers, int lanes);
+/// `stencils`: regular surroundings as stencil rows; otherwise every row is a block row.
+Rows sort_rows(const CoverArrays& covers, int lanes, bool stencils = true);
 
 }  // namespace rockfold::solve

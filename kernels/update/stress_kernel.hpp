@@ -12,7 +12,7 @@ using device::Field;
 struct ElementTable {
   Index regular = 0, cut = 0;
   Array<Index> regular_cover, regular_material, element_cover, element_material;
-  Array<std::uint8_t> element_tet;
+  Array<std::uint8_t> element_part;
   Array<solve::TetTable> tets;
   Array<solve::Elastic> elastic;
   Index count() const { return 6 * regular + cut; }
@@ -35,7 +35,7 @@ KOKKOS_INLINE_FUNCTION void stress_of_element(const ElementTable& table, const F
         moved[a][i] = d(table.regular_cover(8 * (e / 6) + tets.corner[tet][a]), i);
   } else {
     const Index c = e - 6 * table.regular;
-    tet = table.element_tet(c);
+    tet = table.element_part(c);
     material = table.element_material(c);
     for (int a = 0; a < 4; ++a)
       for (int i = 0; i < 3; ++i) moved[a][i] = d(table.element_cover(4 * c + a), i);

@@ -53,15 +53,40 @@ void read_title_and_gravity(TableReader& in, Model& model) {
 void read_top_level(Draft& draft, const Value& root) {
   TableReader in(root, "", draft.out);
   read_title_and_gravity(in, draft.model);
-  for (const char* key : {"material", "joint_material", "solid", "joint_set", "joint", "joint_mesh",
-                          "joint_table", "merge", "excavation", "cut", "scanline", "cover", "fixed",
-                          "point_load", "analysis", "solver", "output", "monitor", "support", "bolt_type",
-                          "bolt", "bolt_pattern", "shotcrete", "pattern_search", "classification",
-                          "drawing", "table"})
+  for (const char* key : {"material",
+                          "joint_material",
+                          "solid",
+                          "joint_set",
+                          "joint",
+                          "joint_mesh",
+                          "joint_table",
+                          "merge",
+                          "excavation",
+                          "cut",
+                          "scanline",
+                          "cover",
+                          "fixed",
+                          "traction",
+                          "point_load",
+                          "quiet_boundary",
+                          "initial_velocity",
+                          "initial_stress",
+                          "base_acceleration",
+                          "analysis",
+                          "solver",
+                          "output",
+                          "monitor",
+                          "support",
+                          "bolt_type",
+                          "bolt",
+                          "bolt_pattern",
+                          "shotcrete",
+                          "pattern_search",
+                          "classification",
+                          "drawing",
+                          "table"})
     in.has(key);
-  for (const char* key :
-       {"traction", "initial_velocity", "initial_stress", "contact"})
-    in.not_yet(key);
+  in.not_yet("contact");
 }
 
 void read_sections(Draft& draft) {
@@ -78,7 +103,12 @@ void read_sections(Draft& draft) {
   read_scanlines(draft);
   read_cover(draft);
   read_fixed(draft);
+  read_tractions(draft);
   read_point_loads(draft);
+  read_quiet_boundaries(draft);
+  read_initial_velocities(draft);
+  read_initial_stress(draft);
+  read_base_acceleration(draft);
   read_monitors(draft);
   read_analysis(draft);
   read_solver(draft);

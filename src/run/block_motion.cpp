@@ -56,7 +56,7 @@ std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
     const Vec3* d[4];
     for (int a = 0; a < 4; ++a) d[a] = &displacement[covers.element_cover[4 * e + a]];
     for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
-      sums.add(covers.piece_block[q], covers.element_tet[e], moments.volume[q], moments.first[q],
+      sums.add(covers.piece_block[q], covers.element_part[e], moments.volume[q], moments.first[q],
                d);
   }
   return sums.take();
@@ -78,7 +78,7 @@ LargestDisplacement find_largest_displacement(const CoverArrays& covers,
   }
   const auto weights = tet_weights(covers.lattice);
   for (Index e = 0; e < covers.cut_count(); ++e) {
-    const TetWeights& tet = weights[covers.element_tet[e]];
+    const TetWeights& tet = weights[covers.element_part[e]];
     const Vec3 centre = covers.lattice.cell_centre(covers.element_cell[e]);
     for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
       for (Index v = covers.vertex_begin[q]; v < covers.vertex_begin[q + 1]; ++v) {

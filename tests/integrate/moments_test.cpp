@@ -102,10 +102,11 @@ TEST(Monomials, OfTheReferenceBodiesEqualTheExactRationals) {
 /// Irregular and off the origin: no symmetry for an error to cancel in, no zero to hide it.
 CoverArrays one_tetrahedron() {
   CoverArrays covers;
-  covers.lattice = {{0, 0, 0}, {{{6, 0, 0}, {0, 6, 0}, {0, 0, 6}}}, {1, 1, 1}};
+  covers.lattice.edge = {{{6, 0, 0}, {0, 6, 0}, {0, 0, 6}}};
+  covers.lattice.cells = {1, 1, 1};
   covers.cover_node = {0, 1, 2, 3, 4, 5, 6, 7};
   covers.element_cell = {0};
-  covers.element_tet = {3};
+  covers.element_part = {3};
   covers.element_cover = {0, 4, 6, 7};
   covers.element_material = {0};
   covers.piece_begin = {0, 1};
@@ -161,7 +162,7 @@ CoverArrays three_tetrahedra() {
   CoverArrays three = one;
   for (Index e = 1; e < 3; ++e) {
     three.element_cell.push_back(0);
-    three.element_tet.push_back(3);
+    three.element_part.push_back(3);
     three.element_material.push_back(0);
     three.piece_begin.push_back(e + 1);
     three.piece_block.push_back(0);

@@ -172,7 +172,7 @@ class Builder {
                    const std::vector<std::pair<Solid, Index>>& pieces) {
     CoverArrays& a = result_.arrays;
     a.element_cell.push_back(cell);
-    a.element_tet.push_back(static_cast<std::uint8_t>(t));
+    a.element_part.push_back(static_cast<std::uint8_t>(t));
     a.element_material.push_back(material);
     result_.element_body.push_back(body);
     for (int k = 0; k < 4; ++k)
@@ -220,7 +220,7 @@ std::map<std::tuple<Index, int, Index>, Index> index_elements(const CoveredRegio
     for (int t = 0; t < 6; ++t)
       elements[{a.regular_cell[r], t, covered.cover_body[a.regular_cover[8 * r]]}] = 6 * r + t;
   for (Index e = 0; e < a.cut_count(); ++e)
-    elements[{a.element_cell[e], a.element_tet[e], covered.element_body[e]}] =
+    elements[{a.element_cell[e], a.element_part[e], covered.element_body[e]}] =
         6 * a.regular_count() + e;
   return elements;
 }
@@ -281,13 +281,14 @@ MaterialPoints locate(const CoveredRegions& covered, const std::vector<Vec3>& po
       if (*std::min_element(weight.begin(), weight.end()) < -1e-9) continue;
       found = true;
       located.element.push_back(element);
-      located.weight.push_back(weight);
-      std::array<Index, 4> cover{};
-      for (int k = 0; k < 4; ++k)
-        cover[k] = element < 6 * a.regular_count()
-                       ? a.regular_cover[8 * (element / 6) + tet6_corner[t][k]]
-                       : a.element_cover[4 * (element - 6 * a.regular_count()) + k];
-      located.cover.push_back(cover);
+      located.local.push_back(x - a.lattice.cell_centre(cell));
+      for (int k = 0; k < 4; ++k) {
+        located.weight.push_back(weight[k]);
+        located.unknown.push_back(element < 6 * a.regular_count()
+                                      ? a.regular_cover[8 * (element / 6) + tet6_corner[t][k]]
+                                      : a.element_cover[4 * (element - 6 * a.regular_count()) + k]);
+      }
+      located.begin.push_back(static_cast<Index>(located.unknown.size()));
     }
     if (!found) throw std::runtime_error("a point lies outside the body");
   }

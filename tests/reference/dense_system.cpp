@@ -37,7 +37,7 @@ void for_each_element(
     }
   for (Index c = 0; c < a.cut_count(); ++c) {
     ElementView e{
-        {}, tet_corners(a.lattice, a.element_cell[c], a.element_tet[c]), a.element_material[c]};
+        {}, tet_corners(a.lattice, a.element_cell[c], a.element_part[c]), a.element_material[c]};
     for (int k = 0; k < 4; ++k) e.cover[k] = a.element_cover[4 * c + k];
     std::vector<std::array<Vec3, 4>> filling;
     const Vec3 centre = a.lattice.cell_centre(a.element_cell[c]);
@@ -153,8 +153,9 @@ Dense assemble_springs(const CoverArrays& covers, const FixedPoints& fixed) {
       for (int b = 0; b < 4; ++b)
         for (int d = 0; d < 3; ++d)
           if (fixed.component[n][d])
-            k(3 * fixed.points.cover[n][a] + d, 3 * fixed.points.cover[n][b] + d) +=
-                fixed.stiffness[n] * fixed.points.weight[n][a] * fixed.points.weight[n][b];
+            k(3 * fixed.points.unknown[4 * n + a] + d, 3 * fixed.points.unknown[4 * n + b] + d) +=
+                fixed.stiffness[n] * fixed.points.weight[4 * n + a] *
+                fixed.points.weight[4 * n + b];
   return k;
 }
 

@@ -65,7 +65,7 @@ inline SmallSystem with_block_rows_alone(const SmallSystem& s) {
   for (Index r = 0; r < from.regular_count(); ++r)
     for (int tet = 0; tet < 6; ++tet) {
       a.element_cell.push_back(from.regular_cell[r]);
-      a.element_tet.push_back(static_cast<std::uint8_t>(tet));
+      a.element_part.push_back(static_cast<std::uint8_t>(tet));
       a.element_material.push_back(from.regular_material[r]);
       const Index first = static_cast<Index>(a.vertex_xyz.size() / 3);
       for (int k = 0; k < 4; ++k) {

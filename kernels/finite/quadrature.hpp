@@ -1,0 +1,38 @@
+// Points and weights at which polynomials over a manifold element of any shape are integrated exactly.
+//
+// An element may be any polyhedron inside its part of a lattice cell. The points are those of the part, the same for all its
+// elements and as many as there are monomials up to the degree; only the weights are an element's own: those that reproduce
+// its exact moments (moment fitting; weights may be negative). Sources: exact simplex integration, thesis 4.2.3; moment fitting:
+// Mueller, Kummer & Oberlack, Int. J. Numer. Meth. Eng. 96 (2013).
+#pragma once
+
+#include <vector>
+
+#include "src/arrays/cover_arrays.hpp"
+#include "src/arrays/element_arrays.hpp"
+
+namespace rockfold::finite {
+
+/// Exact for polynomials up to this degree: those of the strain energy of small strain.
+int quadrature_degree(const CoverArrays& covers);
+
+/// Splits of a lattice have up to two forms (tet5); "kind" f·parts + t is part t of form f.
+struct Quadrature {
+  int kinds = 0;   ///< forms · parts
+  int points = 0;  ///< Q of each element
+  int functions =
+      0;  ///< of an element: nodes of a part · functions of a cover, node-major: a·n + k
+  std::vector<Vec3> place;     ///< [kinds][Q] η
+  std::vector<Vec3> gradient;  ///< [kinds][Q][functions] ∇φ, 1/m
+  std::vector<int> kind;       ///< [elements] in the numbering of CoverArrays
+  std::vector<Real> weight;    ///< [elements][Q] m³ of rock that the element stands for
+};
+
+/// Throws Error(analysis) where a piece is inside out.
+Quadrature make_quadrature(const CoverArrays& covers);
+
+/// ∇φ_ak of an element's part at η, [functions], 1/m, node-major.
+std::vector<Vec3> function_gradients(const CoverArrays& covers, const CellSplit& split,
+                                     const CellPart& part, const Vec3& eta);
+
+}  // namespace rockfold::finite

@@ -1,0 +1,78 @@
+// Large kinematics: forces of finite strain (kernels/finite), their tangent in the rows of the operator.
+#include "kernels/device/sums_kernel.hpp"
+#include "kernels/finite/deformation_kernel.hpp"
+#include "kernels/update/finite_strain_kernel.hpp"
+
+namespace rockfold::update {
+namespace {
+
+class FiniteStrain : public LargeDeformation {
+ public:
+  FiniteStrain(const MotionSetup& setup, const solve::HeldSystem& held)
+      : op_(held.op),
+        body_(finite::make_deformation(setup.covers, setup.materials, setup.initial_stress)),
+        partial_(
+            device::allocate<Real>("update::strain_partial", device::chunk_count(body_.elements))),
+        sums_("rockfold::update::strain_sums", 1),
+        rounding_(finite::rounding_force(body_, partial_, sums_)) {}
+
+  bool linear() const override { return false; }
+
+  void begin_step(const Field& d, const finite::ForceRule& rule) override {
+    finite::deform(body_, d);
+    finite::keep(body_);
+    rule_ = rule;
+  }
+  void force(const Field& d, const Field& f) const override {
+    finite::deform(body_, d);
+    finite::internal_forces(body_, rule_, f);
+  }
+  void linearise(const Field& d) override {
+    finite::deform(body_, d);
+    finite::assemble_tangent(body_, rule_, op_.block);
+  }
+  void soften() override {
+    finite::ForceRule rule = rule_;
+    rule.geometric = false;
+    finite::assemble_tangent(body_, rule, op_.block);
+  }
+  void turn(const Field& x) const override {
+    if (rule_.middle) finite::turn_from_middle(body_, x);
+  }
+  Real rounding() const override { return rounding_; }
+
+  void apply(const solve::Combination& c, const Field& x, const Field& y) const override {
+    solve::apply(op_, c, x, y);
+  }
+  void diagonal(const solve::Combination& c, const solve::Blocks& d) const override {
+    solve::diagonal_blocks(op_, c, d);
+  }
+  Real energy(const Field& d) const override {
+    finite::deform(body_, d);
+    return finite::strain_energy(body_, partial_, sums_);
+  }
+  void element_stress(const Field& d, const Array<Real>& stress) const override {
+    finite::deform(body_, d);
+    finite::mean_stress(body_, stress);
+  }
+  void point_stress(const Field& d, const TrackedPoints::Data& at) const override {
+    finite::deform(body_, d);
+    finite::mean_stress_of(body_, at.element, at.stress);
+  }
+
+ private:
+  solve::Operator op_;  // the same arrays as the system's
+  finite::Deformation body_;
+  finite::ForceRule rule_;
+  Array<Real> partial_, sums_;
+  Real rounding_;
+};
+
+}  // namespace
+
+std::unique_ptr<LargeDeformation> make_finite_strain(const MotionSetup& setup,
+                                                     const solve::HeldSystem& held) {
+  return std::make_unique<FiniteStrain>(setup, held);
+}
+
+}  // namespace rockfold::update
