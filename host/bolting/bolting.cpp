@@ -26,6 +26,15 @@ BoltsOfBlock bolts_of_blocks(const std::vector<Bolt>& bolts) {
   return of;
 }
 
+/// The blocks that move as one.
+std::vector<Index> members_of(const Keyblock& key) {
+  return {key.block};
+}
+
+bool is_in(Index block, const std::vector<Index>& members) {
+  return std::find(members.begin(), members.end(), block) != members.end();
+}
+
 class SupportJudge {
  public:
   SupportJudge(const SupportedRock& rock, const BoltingReport& report)
@@ -40,8 +49,10 @@ class SupportJudge {
     return batch(block) > 0 && (with == 0 || batch(block) <= with);
   }
   const BoltType& type_of(const Bolt& bolt) const { return report_.groups[bolt.group].type; }
-  Embedment embedment(const Bolt& bolt, Index block, Index with) const;
-  Real axial_left(const Bolt& bolt, Index block, Index with, const Embedment& embedment) const;
+  Embedment embedment(const Bolt& bolt, const std::vector<Index>& members, Index with) const;
+  Real axial_left(const Bolt& bolt, const std::vector<Index>& members, Index with,
+                  const Embedment& own) const;
+  std::vector<Index> bolts_through(const std::vector<Index>& members) const;
   BoltCrossing crossing(Index bolt, const Keyblock& key) const;
   void mobilise(BlockSupport& support) const;
 
@@ -50,7 +61,8 @@ class SupportJudge {
   BoltsOfBlock bolts_of_;
 };
 
-Embedment SupportJudge::embedment(const Bolt& bolt, Index block, Index with) const {
+Embedment SupportJudge::embedment(const Bolt& bolt, const std::vector<Index>& members,
+                                  Index with) const {
   constexpr Real gap = 1e-3;  // m: a wider one between plate and block is air
   Embedment e;
   e.length = bolt.length;
@@ -58,7 +70,7 @@ Embedment SupportJudge::embedment(const Bolt& bolt, Index block, Index with) con
   bool met = false;
   for (const RockSegment& segment : bolt.rock) {
     const Real length = segment.to - segment.from;
-    if (segment.block == block) {
+    if (is_in(segment.block, members)) {
       if (!met && segment.from > front + gap) e.plate = false;
       met = true;
       e.within += length;
@@ -79,19 +91,21 @@ Embedment SupportJudge::embedment(const Bolt& bolt, Index block, Index with) con
     const RockSegment& last = bolt.rock.back();
     const bool beyond = last.exit_face != none &&
                         rock_.blocks.origins[rock_.blocks.face_origin[last.exit_face]].continues;
-    if (beyond && last.block != block) e.anchored += std::max(bolt.length - last.to, Real{0});
+    if (beyond && !is_in(last.block, members))
+      e.anchored += std::max(bolt.length - last.to, Real{0});
   }
   return e;
 }
 
 /// A bolt's tension does not grow from block to block of one batch: the nearest to the collar takes first.
-Real SupportJudge::axial_left(const Bolt& bolt, Index block, Index with,
+Real SupportJudge::axial_left(const Bolt& bolt, const std::vector<Index>& members, Index with,
                               const Embedment& own) const {
   Real taken = 0;
   for (const RockSegment& segment : bolt.rock) {
-    if (segment.block == block) break;
+    if (is_in(segment.block, members)) break;
     if (with > 0 && batch(segment.block) == with)
-      taken = std::max(taken, axial_capacity(type_of(bolt), embedment(bolt, segment.block, with)));
+      taken =
+          std::max(taken, axial_capacity(type_of(bolt), embedment(bolt, {segment.block}, with)));
   }
   return std::max(axial_capacity(type_of(bolt), own) - taken, Real{0});
 }
@@ -100,8 +114,9 @@ BoltCrossing SupportJudge::crossing(Index id, const Keyblock& key) const {
   const Bolt& bolt = report_.bolts[id];
   BoltCrossing crossing;
   crossing.bolt = id;
-  crossing.embedment = embedment(bolt, key.block, key.batch);
-  crossing.axial_capacity = axial_left(bolt, key.block, key.batch, crossing.embedment);
+  const std::vector<Index> members = members_of(key);
+  crossing.embedment = embedment(bolt, members, key.batch);
+  crossing.axial_capacity = axial_left(bolt, members, key.batch, crossing.embedment);
   crossing.force =
       bolt_force(type_of(bolt), bolt.direction, crossing.axial_capacity, key.movement.direction);
   crossing.capacity = norm(crossing.force.force);
@@ -124,16 +139,25 @@ void SupportJudge::mobilise(BlockSupport& support) const {
   if (capacity > 0) support.force_mobilisation = load / capacity;
 }
 
+std::vector<Index> SupportJudge::bolts_through(const std::vector<Index>& members) const {
+  std::vector<Index> bolts;
+  for (const Index block : members)
+    if (const auto found = bolts_of_.find(block); found != bolts_of_.end())
+      bolts.insert(bolts.end(), found->second.begin(), found->second.end());
+  std::sort(bolts.begin(), bolts.end());
+  bolts.erase(std::unique(bolts.begin(), bolts.end()), bolts.end());
+  return bolts;
+}
+
 BlockSupport SupportJudge::judge(const Keyblock& key) const {
   BlockSupport support;
   support.block = key.block;
   std::vector<SupportElement> elements;
-  if (const auto found = bolts_of_.find(key.block); found != bolts_of_.end())
-    for (const Index bolt : found->second) {
-      const BoltCrossing& c = support.crossings.emplace_back(crossing(bolt, key));
-      const BoltType& type = type_of(report_.bolts[bolt]);
-      elements.push_back({c.force.force, type.action == BoltAction::active, type.stiffness});
-    }
+  for (const Index bolt : bolts_through(members_of(key))) {
+    const BoltCrossing& c = support.crossings.emplace_back(crossing(bolt, key));
+    const BoltType& type = type_of(report_.bolts[bolt]);
+    elements.push_back({c.force.force, type.action == BoltAction::active, type.stiffness});
+  }
   if (!rock_.shotcrete.empty()) {
     support.shotcrete = rock_.shotcrete[key.block];
     if (norm(support.shotcrete.force) > 0) elements.push_back({support.shotcrete.force, false, 0});

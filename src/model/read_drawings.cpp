@@ -6,13 +6,13 @@ namespace rockfold {
 
 namespace {
 
-/// "file", with the ending that its kind has.
+/// "output", with the ending that its kind has.
 void read_output_name(TableReader& in, const std::string& ending, std::string& target) {
   std::string name;
-  if (!in.read("file", name)) return;
+  if (!in.read("output", name)) return;
   if (name.size() <= ending.size() || !name.ends_with(ending) ||
       name.find('\0') != std::string::npos)
-    in.wrong("file", "found " + described({name, {}}) + ", must be a name that ends in " + ending);
+    in.wrong("output", "found " + described({name, {}}) + ", must be a name that ends in " + ending);
   target = name;
 }
 

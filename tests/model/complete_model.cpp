@@ -429,7 +429,7 @@ orientation = "unfavourable"
 use = "slope"
 
 [[drawing]]
-file = "net.svg"
+output = "net.svg"
 kind = "stereonet"
 hemisphere = "upper"
 projection = "equal_angle"
@@ -438,12 +438,12 @@ poles = false
 on = "rock.zmax"
 
 [[drawing]]
-file = "bolts.svg"
+output = "bolts.svg"
 kind = "bolt_layout"
 on = "excavation2"
 
 [[table]]
-file = "keys.csv"
+output = "keys.csv"
 kind = "keyblocks"
 )";
 

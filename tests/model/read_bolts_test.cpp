@@ -117,11 +117,11 @@ TEST(WrongSupport, OfClassifications) {
 
 TEST(WrongSupport, OfDrawingsAndTables) {
   const Wrong cases[] = {
-      {ROCK "[[drawing]]\nfile = 'a.png'\nkind = 'stereonet'", 7, 8, "drawing[1].file", "must be a name that ends in .svg"},
-      {ROCK "[[drawing]]\nfile = 'a.svg'\nkind = 'sterionet'", 8, 8, "drawing[1].kind", "did you mean \"stereonet\"?"},
-      {ROCK "[[drawing]]\nfile = 'a.svg'\nkind = 'bolt_layout'", 6, 1, "drawing[1].on", "must name an excavation"},
-      {ROCK "[[drawing]]\nfile = 'a.svg'\nkind = 'stereonet'\nprojection = 'equal_area'\njoint_pyramids = true", 9, 14, "drawing[1].projection", "need \"equal_angle\""},
-      {ROCK "[[table]]\nfile = '.csv'\nkind = 'bolts'", 7, 8, "table[1].file", "must be a name that ends in .csv"},
+      {ROCK "[[drawing]]\noutput = 'a.png'\nkind = 'stereonet'", 7, 10, "drawing[1].output", "must be a name that ends in .svg"},
+      {ROCK "[[drawing]]\noutput = 'a.svg'\nkind = 'sterionet'", 8, 8, "drawing[1].kind", "did you mean \"stereonet\"?"},
+      {ROCK "[[drawing]]\noutput = 'a.svg'\nkind = 'bolt_layout'", 6, 1, "drawing[1].on", "must name an excavation"},
+      {ROCK "[[drawing]]\noutput = 'a.svg'\nkind = 'stereonet'\nprojection = 'equal_area'\njoint_pyramids = true", 9, 14, "drawing[1].projection", "need \"equal_angle\""},
+      {ROCK "[[table]]\noutput = '.csv'\nkind = 'bolts'", 7, 10, "table[1].output", "must be a name that ends in .csv"},
   };
   for (const auto& wrong : cases) expect_error(wrong);
 }
