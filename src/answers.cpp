@@ -50,7 +50,7 @@ std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
     text.append("\n").append(measure_summary(*answer.measures));
   if (answer.keyblocks)
     text.append("\n").append(support_summary(*answer.keyblocks, answer.blocks, most));
-  if (answer.design) text += design_summary(answer.model, *answer.design);
+  if (answer.design) text += design_summary(answer.model, *answer.keyblocks, *answer.design);
   if (answer.run) text.append("\n").append(run_summary(run_report(answer)));
   text.append("\n").append(fact("result", answer.path + "  (rockfold info, or ParaView)"));
   if (answer.design)

@@ -67,8 +67,8 @@ CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockAr
 /// Steps through the analysis and stores its states. If it fails, the states so far are kept.
 RunResult analyse(const CoveredRock& rock, const Model& model, const BlockArrays& blocks,
                   ResultWriter& writer, int threads, Terminal& terminal) {
-  const RunInput input{model,      rock.covering.arrays, blocks, rock.fixed, rock.monitors,
-                       rock.loads, rock.quiet,          rock.block_vertices};
+  const RunInput input{model,         rock.covering.arrays, blocks,     rock.fixed,
+                       rock.monitors, rock.loads,           rock.quiet, rock.block_vertices};
   const auto store = [&](const StoredState& state) {
     add_stored_state(writer, rock.block_vertices, state);
   };
@@ -138,7 +138,9 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   remember_interrupts();
   ResultWriter writer(path, model, result_header(options));
   clock.measure("output", "writing blocks", [&] {
-    writer.write_blocks(blocks, keyblocks ? block_fields(*keyblocks) : BlockFields{},
+    BlockFields fields = keyblocks ? block_fields(*keyblocks) : BlockFields{};
+    if (design && design->bolting) add_bolting(fields, *design->bolting);
+    writer.write_blocks(blocks, fields,
                         measures ? measures->blocks.flags : std::vector<std::uint8_t>{});
   });
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -38,7 +39,17 @@ std::vector<std::string> support_row(const BlockSupport& support) {
       fmt::format("{:.1f}", support.held.missing_force / 1e3)};
 }
 
-std::string bolting_text(const BoltingReport& bolting) {
+/// Those that need most support first, as in the table of key blocks.
+std::vector<std::size_t> by_support(const std::vector<Keyblock>& keyblocks) {
+  std::vector<std::size_t> order(keyblocks.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return keyblocks[a].support_force > keyblocks[b].support_force;
+  });
+  return order;
+}
+
+std::string bolting_text(const BoltingReport& bolting, const KeyblockReport& keyblocks) {
   std::string text;
   for (const BoltGroup& group : bolting.groups)
     if (group.is_pattern)
@@ -49,9 +60,9 @@ std::string bolting_text(const BoltingReport& bolting) {
                                    bolting.adequate, bolting.keyblocks.size(),
                                    bolting.first_batch_adequate, bolting.first_batch));
   std::vector<std::vector<std::string>> rows;
-  for (const BlockSupport& support : bolting.keyblocks) {
+  for (const std::size_t i : by_support(keyblocks.keyblocks)) {
     if (rows.size() == most_rows) break;
-    rows.push_back(support_row(support));
+    rows.push_back(support_row(bolting.keyblocks[i]));
   }
   if (rows.empty()) return text;
   text += "\n" + table_text({{"block", "", false},
@@ -116,9 +127,10 @@ std::string classification_text(const ClassificationReport& report) {
 
 }  // namespace
 
-std::string design_summary(const Model& model, const SupportDesign& design) {
+std::string design_summary(const Model& model, const KeyblockReport& keyblocks,
+                           const SupportDesign& design) {
   std::string text;
-  if (design.bolting) text += "\n" + bolting_text(*design.bolting);
+  if (design.bolting) text += "\n" + bolting_text(*design.bolting, keyblocks);
   if (design.search) text += "\n" + search_text(*design.search, model);
   if (design.classification) text += "\n" + classification_text(*design.classification);
   return text;

@@ -9,6 +9,7 @@
 namespace rockfold {
 
 /// Bolts, the pattern that was searched for, Q and RMR: what the model asks for, each after an empty line.
-std::string design_summary(const Model& model, const SupportDesign& design);
+std::string design_summary(const Model& model, const KeyblockReport& keyblocks,
+                           const SupportDesign& design);
 
 }  // namespace rockfold
