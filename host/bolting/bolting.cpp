@@ -131,7 +131,7 @@ void SupportJudge::mobilise(BlockSupport& support) const {
     c.force_mobilisation = support.held.mobilised[i];
     c.load = c.force_mobilisation * c.capacity;
     c.displacement_mobilisation =
-        support.held.displacement / type_of(report_.bolts[c.bolt]).displacement_capacity;
+        support.held.moved[i] / type_of(report_.bolts[c.bolt]).displacement_capacity;
     load += c.load, capacity += c.capacity;
     support.displacement_mobilisation =
         std::max(support.displacement_mobilisation, c.displacement_mobilisation);

@@ -16,7 +16,7 @@ constexpr Real rounding = 1e-12;
 class Balance {
  public:
   Balance(std::span<const ContactPlane> planes, const Movement& movement) : movement_(movement) {
-    if (movement.mode == SlidingMode::lifting) return;
+    if (movement.mode == SlidingMode::lifting || movement.planes[0] == none) return;
     count_ = movement.planes[1] == none ? 1 : 2;
     const ContactPlane& first = planes[static_cast<std::size_t>(movement.planes[0])];
     friction_[0] = first.friction;
@@ -124,6 +124,7 @@ HeldBlock hold(std::span<const ContactPlane> planes, const Movement& movement,
   held.in_balance = driving - resisting <= rounding * size;
 
   held.mobilised.assign(elements.size(), 1);
+  held.moved.assign(elements.size(), infinite);
   const auto yield = yield_displacements(elements);
   const Real largest = yield.empty() ? 0 : *std::max_element(yield.begin(), yield.end());
   if (margin(balance, {}) >= 0) {
@@ -135,6 +136,33 @@ HeldBlock hold(std::span<const ContactPlane> planes, const Movement& movement,
     held.displacement = displacement_of_balance(balance, elements, yield, largest);
   }
   held.mobilised = mobilised_at(yield, held.displacement);
+  held.moved.assign(elements.size(), held.displacement);
+  return held;
+}
+
+Vec3 Turning::motion(const Vec3& at) const {
+  return cross(axis, at - point);
+}
+
+/// As forces at the arm, all along one line: a movement without planes.
+HeldBlock hold(const Turning& turning, std::span<const SupportElement> elements, Real target) {
+  constexpr Vec3 line{1, 0, 0};
+  Movement movement;
+  movement.mode = SlidingMode::single_plane;
+  movement.direction = line;
+  movement.driving = turning.driving / turning.arm;
+  movement.resisting = turning.resisting / turning.arm;
+  std::vector<SupportElement> along;
+  std::vector<Real> lever;  // of each element's displacement over that at the arm
+  for (const SupportElement& element : elements) {
+    const Vec3 motion = turning.motion(element.point);
+    const Real force = dot(motion, element.force) / turning.arm, full = norm(element.force);
+    lever.push_back(norm(motion) / turning.arm);
+    const Real stiffness = full > 0 ? element.stiffness * lever.back() * std::abs(force) / full : 0;
+    along.push_back({force * line, element.active, stiffness, {}});
+  }
+  HeldBlock held = hold({}, movement, along, target);
+  for (std::size_t i = 0; i < lever.size(); ++i) held.moved[i] *= lever[i];
   return held;
 }
 

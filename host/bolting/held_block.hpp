@@ -15,6 +15,19 @@ struct SupportElement {
   Vec3 force{};         ///< N, on the block, at its capacity
   bool active = false;  ///< takes from the driving force, else adds to the resistance
   Real stiffness = 0;   ///< N/m; 0 = loaded in step with the one that reaches its capacity last
+  Vec3 point{};         ///< m, where the force acts; for rotations
+};
+
+/// A block that turns about an axis.
+struct Turning {
+  Vec3 point{};        ///< m, on the axis
+  Vec3 axis{};         ///< unit; the block turns counter-clockwise seen against it
+  Real driving = 0;    ///< N m, > 0
+  Real resisting = 0;  ///< N m
+  Real arm = 1;        ///< m, of the point whose displacement is told
+
+  /// m at one radian: how a point of the block moves.
+  Vec3 motion(const Vec3& at) const;
 };
 
 struct HeldBlock {
@@ -28,6 +41,7 @@ struct HeldBlock {
   Real displacement = 0;
   std::vector<Real>
       mobilised;  ///< [elements] service load over capacity, 0 … 1; 1 where they do not hold it
+  std::vector<Real> moved;  ///< m, [elements] how far the block moves at each
 };
 
 /// Keeps the movement that the block has without support. With forces P_a (active) and P_p (passive) a sliding block has
@@ -37,5 +51,11 @@ struct HeldBlock {
 /// Each element carries stiffness × displacement up to its capacity; the displacement is that at which F = 1.
 HeldBlock hold(std::span<const ContactPlane> planes, const Movement& movement,
                std::span<const SupportElement> elements, Real target_factor_of_safety);
+
+/// The same for a block that turns, with the moments of the forces about its axis:
+///   F = (M_resisting − Σ m_p) / (M_driving + Σ m_a),  m = axis · ((x − point) × P).
+/// `missing_force` acts at the arm; displacements are those at the arm, and each element's follows its own.
+HeldBlock hold(const Turning& turning, std::span<const SupportElement> elements,
+               Real target_factor_of_safety);
 
 }  // namespace rockfold

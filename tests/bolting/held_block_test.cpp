@@ -115,6 +115,21 @@ TEST(HeldBlock, KeepsNoFrictionOnAPlaneThatTheSupportLiftsOpen) {
   EXPECT_NEAR(hold(block.planes, block.movement, lifts, 1).factor_of_safety, 0, 1e-12);
 }
 
+// A block of 100 kN whose weight is 0.5 m in front of its toe, with a moment of 20 kN m that resists, held by a level bolt
+// 2 m above the toe: F = (20 + 2 T) / 50.
+TEST(HeldBlock, ThatTurnsIsHeldByMoments) {
+  const Turning turning{{3, 1, 0}, {0, 1, 0}, 50e3, 20e3, 1};
+  // Counter-clockwise about y: the top goes to +x, the bolt pulls back.
+  const std::vector<SupportElement> bolt{{{-30e3, 0, 0}, false, 10e6, {3, 4, 2}}};
+  const HeldBlock held = hold(turning, bolt, 1.5);
+  EXPECT_NEAR(held.factor_of_safety, 80.0 / 50, 1e-12);
+  EXPECT_TRUE(held.adequate);
+  EXPECT_NEAR(held.mobilised[0], 15.0 / 30, 1e-9);  // 30 kN m are missing: 15 kN at 2 m
+  EXPECT_NEAR(held.moved[0], 15e3 / 10e6, 1e-12);
+  EXPECT_NEAR(held.displacement, 15e3 / 10e6 / 2, 1e-12);  // at 1 m
+  EXPECT_NEAR(hold(turning, {}, 1.5).missing_force, (75e3 - 20e3) / 1.5, 1e-6);
+}
+
 BoltType bolt_of(Real tensile, Real plate, Real bond) {
   BoltType type;
   type.force_capacity = tensile;
