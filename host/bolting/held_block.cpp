@@ -162,7 +162,8 @@ HeldBlock hold(const Turning& turning, std::span<const SupportElement> elements,
     along.push_back({force * line, element.active, stiffness, {}});
   }
   HeldBlock held = hold({}, movement, along, target);
-  for (std::size_t i = 0; i < lever.size(); ++i) held.moved[i] *= lever[i];
+  for (std::size_t i = 0; i < lever.size(); ++i)
+    held.moved[i] = lever[i] > 0 ? lever[i] * held.moved[i] : 0;
   return held;
 }
 

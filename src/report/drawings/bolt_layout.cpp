@@ -70,6 +70,8 @@ class Layout {
   void find_extents();
   void lay_charts();
   Index chart_of(std::size_t face) const;
+  Point2 place(std::size_t face, const Vec3& x) const;
+  static std::string clip_name(std::size_t chart) { return "panel" + std::to_string(chart); }
   const Look& look_of(Index block) const;
   void draw_faces(Svg& svg) const;
   void draw_numbers(Svg& svg) const;
@@ -138,6 +140,10 @@ void Layout::find_extents() {
       e = {std::min(e[0], u), std::max(e[1], u), std::min(e[2], v), std::max(e[3], v)};
     });
   }
+  // The sheet of what runs round an axis is cut open opposite the crown.
+  for (std::size_t p = 0; p < extent_.size(); ++p)
+    if (const WallPanel& panel = wall_.panels()[p]; panel.around)
+      extent_[p][0] = panel.u[0], extent_[p][1] = panel.u[1];
   // The block of each face of the wall; both ascend.
   Index block = 0;
   for (const Index face : wall_.faces()) {
@@ -170,18 +176,43 @@ const Look& Layout::look_of(Index block) const {
 }
 
 void Layout::draw_faces(Svg& svg) const {
+  for (std::size_t p = 0; p < charts_.size(); ++p)
+    svg.clip_rectangle(
+        clip_name(p), charts_[p].origin,
+        {charts_[p].origin[0] + charts_[p].width(), charts_[p].origin[1] + charts_[p].height()});
   for (std::size_t k = 0; k < wall_.faces().size(); ++k) {
-    const Chart& chart = charts_[chart_of(k)];
-    std::vector<std::vector<Point2>> loops;
-    Index last = none;
-    for_each_corner(wall_.faces()[k], [&](const Vec3& x, Index loop) {
-      if (loop != last) loops.emplace_back();
-      last = loop;
-      loops.back().push_back(chart.at(wall_.on_sheet(k, x)));
-    });
-    svg.polygon(loops,
-                {.stroke = "#9a948a", .width = 0.6, .fill = look_of(block_of_face_[k]).fill});
+    const Index number = chart_of(k);
+    const Chart& chart = charts_[number];
+    // A face across the cut is drawn at both ends of the sheet.
+    for (const Real turn : {0.0, 1.0, -1.0}) {
+      const Real shift = turn * (chart.u[1] - chart.u[0]);
+      if (turn != 0 && !chart.around) continue;
+      std::vector<std::vector<Point2>> loops;
+      Index last = none;
+      bool seen = false;
+      for_each_corner(wall_.faces()[k], [&](const Vec3& x, Index loop) {
+        if (loop != last) loops.emplace_back();
+        last = loop;
+        const auto [u, v] = wall_.on_sheet(k, x);
+        seen |= u + shift > chart.u[0] + 1e-9 && u + shift < chart.u[1] - 1e-9;
+        loops.back().push_back(chart.at({u + shift, v}));
+      });
+      if (turn == 0 || seen)
+        svg.polygon(loops,
+                    {.stroke = "#9a948a", .width = 0.6, .fill = look_of(block_of_face_[k]).fill},
+                    clip_name(static_cast<std::size_t>(number)));
+    }
   }
+}
+
+/// A point of a face, brought back onto the sheet.
+Point2 Layout::place(std::size_t face, const Vec3& x) const {
+  const Chart& chart = charts_[chart_of(face)];
+  auto [u, v] = wall_.on_sheet(face, x);
+  const Real around = chart.u[1] - chart.u[0];
+  if (chart.around && u > chart.u[1]) u -= around;
+  if (chart.around && u < chart.u[0]) u += around;
+  return chart.at({u, v});
 }
 
 /// On the largest face of each key block, where there is room.
@@ -202,14 +233,14 @@ void Layout::draw_numbers(Svg& svg) const {
     const std::string number = std::to_string(block + 1);
     const Real room = blocks_.face_area[wall_.faces()[k]] * chart.scale * chart.scale;  // px²
     if (room < 110 * static_cast<Real>(number.size())) continue;
-    Point2 middle{};
+    Vec3 middle{};
     Real count = 0;
     for_each_corner(wall_.faces()[k], [&](const Vec3& x, Index) {
-      const Point2 p = chart.at(wall_.on_sheet(k, x));
-      middle = {middle[0] + p[0], middle[1] + p[1]};
+      middle += x;
       ++count;
     });
-    svg.text({middle[0] / count, middle[1] / count + 4}, number,
+    const Point2 at = place(k, (1 / count) * middle);
+    svg.text({at[0], at[1] + 4}, number,
              {.size = 11, .anchor = "middle", .bold = true, .halo = true});
   }
 }
@@ -220,7 +251,7 @@ void Layout::draw_bolts(Svg& svg) const {
   for (std::size_t i = 0; i < bolts.size(); ++i) {
     const auto face = wall_.face_at(bolts[i].collar);
     if (!face) continue;
-    const Point2 at = charts_[chart_of(*face)].at(wall_.on_sheet(*face, bolts[i].collar));
+    const Point2 at = place(*face, bolts[i].collar);
     const char* colour = useful_[i] ? "#08519c" : "#8c8c8c";
     const bool spot = !design_.bolting->groups[bolts[i].group].is_pattern;
     if (spot)
@@ -296,7 +327,9 @@ void Layout::draw_legend(Svg& svg) const {
 }
 
 std::string Layout::draw() {
-  Svg svg(page_width, height_);
+  Real width = 720;
+  for (const Chart& chart : charts_) width = std::max(width, left + chart.width() + right);
+  Svg svg(width, height_);
   draw_legend(svg);
   draw_faces(svg);
   for (std::size_t p = 0; p < charts_.size(); ++p)

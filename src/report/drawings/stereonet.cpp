@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@ constexpr Real degree = std::numbers::pi / 180;
 constexpr Real net_radius = 250, margin = 60, legend_x = 2 * (net_radius + margin) + 20;
 constexpr Real pyramid_reach = 2.1;  // of the radius: how far out whole circles are drawn
 constexpr std::size_t most_planes = 8;
+constexpr Real flat = 1e-3;  // cos dip: steeper planes are straight lines on whole-circle nets
 
 /// A plane that has a great circle of its own.
 struct NamedPlane {
@@ -80,6 +82,8 @@ class Stereonet {
   void draw_legend();
   std::vector<Vec3> free_normals(Vec3& axis) const;
   std::size_t colour_of(const std::string& name) const;
+  Real distance(const NamedPlane& plane, const Point2& p) const;
+  std::optional<Point2> place_for(const std::string& code) const;
 
   const BlockArrays& blocks_;
   const Model& model_;
@@ -124,7 +128,7 @@ void Stereonet::draw_circles() {
     }
     // In equal angle a great circle is a circle: radius R / cos dip about the point at R tan dip down (upper) or up the dip.
     const Vec3& n = planes_[i].normal;
-    if (n[2] < 1e-3) {
+    if (n[2] < flat) {
       const Point2 along = {n[1] * 3 * net_radius, n[0] * 3 * net_radius};
       svg_.polygon({{{net_.centre[0] - along[0], net_.centre[1] - along[1]},
                      {net_.centre[0] + along[0], net_.centre[1] + along[1]}}},
@@ -213,19 +217,46 @@ void Stereonet::draw_pyramids() {
     svg_.polygon(loops, {.stroke = "none", .fill = "#fddbc7"}, "net");
   }
   draw_circles();
-  for (const PyramidRegion& region : regions) {
-    Point2 at = net_.of(region.middle);
-    // What is off the paper is written at its rim.
-    const Real far = std::hypot(at[0] - c[0], at[1] - c[1]);
-    if (far > out - 24)
-      at = {c[0] + (at[0] - c[0]) * (out - 24) / far, c[1] + (at[1] - c[1]) * (out - 24) / far};
-    svg_.text({at[0], at[1] + 4}, region.code,
-              {.size = 13,
-               .anchor = "middle",
-               .colour = region.removable ? "#b2182b" : "#333333",
-               .bold = region.removable,
-               .halo = true});
-  }
+  for (const PyramidRegion& region : regions)
+    if (const auto at = place_for(region.code))
+      svg_.text({(*at)[0], (*at)[1] + 4}, region.code,
+                {.size = 13,
+                 .anchor = "middle",
+                 .colour = region.removable ? "#b2182b" : "#333333",
+                 .bold = region.removable,
+                 .halo = true});
+}
+
+/// px: how far a point of the paper is from a plane's circle.
+Real Stereonet::distance(const NamedPlane& plane, const Point2& p) const {
+  const Vec3& n = plane.normal;
+  const Real x = p[0] - net_.centre[0], y = net_.centre[1] - p[1];
+  if (n[2] < flat) return std::abs(n[0] * x + n[1] * y) / std::hypot(n[0], n[1]);
+  const Real side = net_.upper ? net_.radius : -net_.radius;
+  return std::abs(std::hypot(x - side * n[0] / n[2], y - side * n[1] / n[2]) - net_.radius / n[2]);
+}
+
+/// Where a region's code has most room on the paper; nothing where the paper does not show it.
+std::optional<Point2> Stereonet::place_for(const std::string& code) const {
+  constexpr Real step = 4;  // px
+  std::optional<Point2> best;
+  Real most = 8;  // px
+  for (Real dy = -net_radius; dy <= net_radius; dy += step)
+    for (Real dx = -net_radius; dx <= net_radius; dx += step) {
+      const Real far = std::hypot(dx, dy), rho = far / net_.radius;
+      // Back from the paper: θ = 2 atan ρ.
+      const Real height = (1 - rho * rho) / (1 + rho * rho);
+      const Vec3 u{2 * dx / net_.radius / (1 + rho * rho), -2 * dy / net_.radius / (1 + rho * rho),
+                   net_.upper ? height : -height};
+      const Point2 p{net_.centre[0] + dx, net_.centre[1] + dy};
+      Real room = net_radius - far;
+      for (std::size_t i = 0; i < planes_.size(); ++i)
+        room = (dot(planes_[i].normal, u) > 0) == (code[i] == '0')
+                   ? std::min(room, distance(planes_[i], p))
+                   : 0;
+      if (room > most) most = room, best = p;
+    }
+  return best;
 }
 
 void Stereonet::draw_legend() {
