@@ -206,6 +206,29 @@ TEST(BoltPattern, OfAWallThatTheRockDoesNotShowIsRefused) {
   }
 }
 
+// A slope that dips 65° to the south: a subtracted half-space, whose face carries the grid.
+TEST(BoltPattern, OnASlopeIsNormalToItAndRefusesWhatContinues) {
+  const std::string slope =
+      roof_wedge.substr(0, roof_wedge.find("[[excavation]]")) +
+      "[[solid]]\nname = 'face'\noperation = 'subtract'\nshape = 'halfspaces'\n"
+      "planes = [{dip = 65, dip_direction = 180, point = [0, 0, 6], keep = 'above'}]\n"
+      "[[joint]]\nname = 'A'\ndip = 40\ndip_direction = 180\npoint = [0, 0, 1]\n[support]\n";
+  const BoltingReport report =
+      supported(cut_rock(slope + pattern_on("face", "spacing = [1.5, 1.5]\nlength = 2\n")));
+  const Real a = 65 * M_PI / 180;
+  EXPECT_NEAR(report.groups[0].wall_area, 12 * 6 / std::cos(a),
+              1e-6);  // down to where it leaves the box
+  EXPECT_EQ(report.bolts.size(), 8u * 9);
+  for (const Bolt& bolt : report.bolts) {
+    EXPECT_NEAR(norm(bolt.direction - Vec3{0, std::sin(a), -std::cos(a)}), 0, 1e-9);
+    EXPECT_NEAR(std::tan(a) * bolt.collar[1] - (bolt.collar[2] - 6), 0, 1e-6);
+  }
+  EXPECT_THROW(
+      supported(cut_rock(slope +
+                         pattern_on("rock", "spacing = 1\nlength = 1\ninclination = [80, 90]\n"))),
+      Error);
+}
+
 TEST(Bolting, RefusesABoltWithoutRock) {
   const CutRock rock = cut_rock(roof_wedge +
                                 "[[bolt]]\ncollar = [0, 0, -1.9]\ndirection = [0, 0, 1]\n"

@@ -1,5 +1,6 @@
 """Support design from the command line: the JSON, the drawings and the tables of the bolted tunnel."""
 import csv
+import re
 import unittest
 import xml.etree.ElementTree as xml
 
@@ -49,13 +50,15 @@ class BoltedTunnel(ProgramTest):
             root = xml.parse(self.path(name)).getroot()
             self.assertEqual(root.tag, SVG + "svg")
             self.assertGreater(len(list(root)), 20)
-        words = [text.text for text in xml.parse(self.path("pyramids.svg")).getroot().iter(SVG + "text")]
-        # Of 2³ joint pyramids 3² − 3 are removable from a tunnel (Goodman & Shi); all are named.
-        codes = [text for text in xml.parse(self.path("pyramids.svg")).getroot().iter(SVG + "text")
-                 if set(text.text) <= {"0", "1"} and len(text.text) == 3]
-        self.assertEqual(sorted(code.text for code in codes), sorted(f"{n:03b}" for n in range(8)))
-        self.assertEqual(sum(code.get("font-weight") == "bold" for code in codes), 6)
-        self.assertIn("J1  62/065", words)
+        # Of 2³ joint pyramids 3² − 3 are removable from a tunnel (Goodman & Shi); all are named, on the net or beside it.
+        texts = list(xml.parse(self.path("pyramids.svg")).getroot().iter(SVG + "text"))
+        codes = [text for text in texts if set(text.text) <= {"0", "1"} and len(text.text) == 3]
+        beside = "".join(text.text for text in texts if text.text.startswith("off this paper:"))
+        found = [code.text for code in codes] + re.findall("[01]{3}", beside)
+        self.assertEqual(sorted(found), sorted(f"{n:03b}" for n in range(8)))
+        removable = sum(code.get("font-weight") == "bold" for code in codes) + beside.count("removable")
+        self.assertEqual(removable, 6)
+        self.assertIn("J1  62/065", [text.text for text in texts])
 
         document = self.json_of("support", "bolted_tunnel.toml")
         with open(self.path("keyblocks.csv"), encoding="utf-8", newline="") as file:

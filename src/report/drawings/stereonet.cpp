@@ -19,7 +19,7 @@ namespace {
 
 constexpr Real degree = std::numbers::pi / 180;
 constexpr Real net_radius = 250, margin = 60, legend_x = 2 * (net_radius + margin) + 20;
-constexpr Real pyramid_reach = 2.1;  // of the radius: how far out whole circles are drawn
+constexpr Real pyramid_reach = 2.4;  // of the radius: how far out whole circles are drawn
 constexpr std::size_t most_planes = 8;
 constexpr Real flat = 1e-3;  // cos dip: steeper planes are straight lines on whole-circle nets
 
@@ -92,6 +92,7 @@ class Stereonet {
   Real scale_;
   Svg svg_;
   Projection net_;
+  std::string hidden_;  ///< codes for which the paper has no room
 };
 
 void Stereonet::draw_frame() {
@@ -217,14 +218,17 @@ void Stereonet::draw_pyramids() {
     svg_.polygon(loops, {.stroke = "none", .fill = "#fddbc7"}, "net");
   }
   draw_circles();
-  for (const PyramidRegion& region : regions)
-    if (const auto at = place_for(region.code))
+  for (const PyramidRegion& region : regions) {
+    const auto at = place_for(region.code);
+    if (!at) hidden_ += " " + region.code + (region.removable ? " (removable)" : "");
+    if (at)
       svg_.text({(*at)[0], (*at)[1] + 4}, region.code,
                 {.size = 13,
                  .anchor = "middle",
                  .colour = region.removable ? "#b2182b" : "#333333",
                  .bold = region.removable,
                  .halo = true});
+  }
 }
 
 /// px: how far a point of the paper is from a plane's circle.
@@ -292,6 +296,7 @@ void Stereonet::draw_legend() {
   row("0 above, 1 below the joint, in the");
   y -= 5;
   row("order of the list");
+  if (!hidden_.empty()) row("off this paper:" + hidden_);
 }
 
 std::string Stereonet::draw() {
