@@ -216,8 +216,7 @@ TEST(BoltPattern, OnASlopeIsNormalToItAndRefusesWhatContinues) {
   const BoltingReport report =
       supported(cut_rock(slope + pattern_on("face", "spacing = [1.5, 1.5]\nlength = 2\n")));
   const Real a = 65 * M_PI / 180;
-  EXPECT_NEAR(report.groups[0].wall_area, 12 * 6 / std::cos(a),
-              1e-6);  // down to where it leaves the box
+  EXPECT_NEAR(report.groups[0].wall_area, 12 * 9 / std::sin(a), 1e-6);  // 9 m high
   EXPECT_EQ(report.bolts.size(), 8u * 6);
   for (const Bolt& bolt : report.bolts) {
     EXPECT_NEAR(norm(bolt.direction - Vec3{0, std::sin(a), -std::cos(a)}), 0, 1e-9);
