@@ -42,9 +42,14 @@ Vec3 middle_of(const std::vector<Vec3>& normals, const std::vector<Vec3>& corner
     for (const Vec3& n : normals) least = std::min(least, -dot(n, u));
     return least;
   };
+  // The mean of the corners is inside; of two opposite corners (a lune) the planes through them say where.
   Vec3 best{};
   for (const Vec3& c : corners) best += c;
-  for (const Vec3& n : normals) best -= 0.5 * n;
+  if (norm(best) < 1e-6) {
+    best = {};
+    for (const Vec3& n : normals)
+      if (corners.empty() || std::abs(dot(n, corners.front())) < 1e-7) best -= n;
+  }
   best = normalized(best);
   for (Real step = 0.5; step > 1e-5; step *= 0.5)
     for (int turn = 0; turn < 40; ++turn) {
