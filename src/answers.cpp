@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "generated/version.hpp"
+#include "src/design_files.hpp"
 #include "src/examples.hpp"
 #include "src/output_path.hpp"
+#include "src/report/design_summary.hpp"
 #include "src/report/documents.hpp"
 #include "src/report/summary.hpp"
 #include "src/report/table.hpp"
@@ -19,14 +21,16 @@ namespace {
 constexpr std::size_t demo_keyblocks = 10;
 
 RunReport run_report(const Answer& answer) {
-  return {answer.model, answer.blocks, *answer.covers, *answer.run, answer.keyblocks};
+  return {answer.model, answer.blocks,    *answer.covers,
+          *answer.run,  answer.keyblocks, answer.design};
 }
 
 Json answer_document(const Answer& answer) {
   const DocumentHead head{command_name(answer.options.command), answer.model.title,
                           answer.options.seed};
   if (answer.run) return run_document(head, run_report(answer));
-  if (answer.keyblocks) return support_document(head, answer.blocks, *answer.keyblocks);
+  if (answer.keyblocks)
+    return support_document(head, answer.model, answer.blocks, *answer.keyblocks, *answer.design);
   return cut_document_without_blocks(head, answer.totals, answer.blocks, *answer.measures);
 }
 
@@ -46,8 +50,12 @@ std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
     text.append("\n").append(measure_summary(*answer.measures));
   if (answer.keyblocks)
     text.append("\n").append(support_summary(*answer.keyblocks, answer.blocks, most));
+  if (answer.design) text += design_summary(answer.model, *answer.keyblocks, *answer.design);
   if (answer.run) text.append("\n").append(run_summary(run_report(answer)));
   text.append("\n").append(fact("result", answer.path + "  (rockfold info, or ParaView)"));
+  if (answer.design)
+    for (const auto& path : design_paths(answer.model, answer.path))
+      text += fact("drawing or table", path);
   for (const auto& path : answer.options.exports) text += fact("export", path);
   if (demo) text += fact("model", "rockfold examples slope  writes slope.toml");
   return text + fact("time", fmt::format("{:.2f} s", seconds.back().second));

@@ -13,6 +13,7 @@
 #include "src/report/phase_seconds.hpp"
 #include "src/report/terminal.hpp"
 #include "src/run/run_result.hpp"
+#include "src/support_design.hpp"
 
 namespace rockfold {
 
@@ -24,6 +25,7 @@ struct Answer {
   const BlockArrays& blocks;
   const RockMeasures* measures;
   const KeyblockReport* keyblocks;
+  const SupportDesign* design;  ///< with the key blocks
   const CoverArrays* covers;
   const RunResult* run;
   std::string path;  ///< of the result file

@@ -61,7 +61,8 @@ bool wants_support(const Options& options, const Model& model) {
 }
 
 bool wants_measures(const Options& options, const Model& model) {
-  return options.command == Command::cut || model.cut.min_volume || model.cut.max_aspect_ratio;
+  return options.command == Command::cut || model.cut.min_volume || model.cut.max_aspect_ratio ||
+         (model.classification && wants_support(options, model));
 }
 
 Model load_model(const Options& options, Terminal& terminal) {

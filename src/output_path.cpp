@@ -10,7 +10,9 @@
 
 #include "host/files/load_files.hpp"
 #include "src/base/error.hpp"
+#include "src/design_files.hpp"
 #include "src/io/result_file.hpp"
+#include "src/needs.hpp"
 
 namespace fs = std::filesystem;
 
@@ -59,7 +61,7 @@ std::vector<InputFile> inputs_of(const Options& options, const Model& model) {
   return inputs;
 }
 
-std::vector<OutputFile> outputs_of(const Options& options) {
+std::vector<OutputFile> outputs_of(const Options& options, const Model& model) {
   const std::string result = result_path(options);
   const std::string of_result = "name another file with -o, one that ends in .vtkhdf";
   std::vector<OutputFile> outputs{
@@ -67,6 +69,10 @@ std::vector<OutputFile> outputs_of(const Options& options) {
       {xdmf_path(result), "the .xdmf file that goes with the result", of_result}};
   for (const std::string& path : options.exports)
     outputs.push_back({path, "the export", "give each --export a name of its own"});
+  if (wants_support(options, model))
+    for (const std::string& path : design_paths(model, result))
+      outputs.push_back(
+          {path, "the drawing or table", "give each [[drawing]] and [[table]] a file of its own"});
   return outputs;
 }
 
@@ -102,7 +108,7 @@ std::string result_path(const Options& options) {
 }
 
 void check_output_paths(const Options& options, const Model& model) {
-  const std::vector<OutputFile> outputs = outputs_of(options);
+  const std::vector<OutputFile> outputs = outputs_of(options, model);
   const std::vector<InputFile> inputs = inputs_of(options, model);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const OutputFile& output = outputs[i];

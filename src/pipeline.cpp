@@ -13,6 +13,7 @@
 #include "host/measure/parts.hpp"
 #include "kernels/device/device.hpp"
 #include "src/answers.hpp"
+#include "src/design_files.hpp"
 #include "src/io/exports/export.hpp"
 #include "src/memory.hpp"
 #include "src/model/read_model.hpp"
@@ -21,6 +22,7 @@
 #include "src/results.hpp"
 #include "src/run/run_analysis.hpp"
 #include "src/signals.hpp"
+#include "src/support_design.hpp"
 #include "src/threads.hpp"
 
 namespace rockfold {
@@ -104,9 +106,15 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   if (measures) warn_of_flagged_blocks(measures->blocks, model, terminal);
 
   std::optional<KeyblockReport> keyblocks;
-  if (wants_support(options, model))
+  std::optional<SupportDesign> design;
+  if (wants_support(options, model)) {
     keyblocks = clock.measure("keyblock", "finding key blocks",
                               [&] { return find_keyblocks(blocks, model); });
+    design = clock.measure("support", "designing support", [&] {
+      return design_support(blocks, *keyblocks, measures ? &*measures : nullptr, model);
+    });
+    warn_of_support_design(*design, terminal);
+  }
 
   std::optional<CoveredRock> rock;
   if (wants_run(options)) {
@@ -122,9 +130,15 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   remember_interrupts();
   ResultWriter writer(path, model, result_header(options));
   clock.measure("output", "writing blocks", [&] {
-    writer.write_blocks(blocks, keyblocks ? block_fields(*keyblocks) : BlockFields{},
+    BlockFields fields = keyblocks ? block_fields(*keyblocks) : BlockFields{};
+    if (design && design->bolting) add_bolting(fields, *design->bolting);
+    writer.write_blocks(blocks, fields,
                         measures ? measures->blocks.flags : std::vector<std::uint8_t>{});
   });
+
+  if (design && !(model.drawings.empty() && model.tables.empty()))
+    clock.measure("output", "writing drawings and tables",
+                  [&] { write_design_files(blocks, *keyblocks, *design, model, path); });
 
   if (!options.exports.empty())
     clock.measure("output", "writing exports",
@@ -143,8 +157,8 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   clock.measure("output", [&] { writer.finish(); });
 
   print_answer({options, model, cutting.totals, blocks, measures ? &*measures : nullptr,
-                keyblocks ? &*keyblocks : nullptr, rock ? &rock->covering.arrays : nullptr,
-                run ? &*run : nullptr, path},
+                keyblocks ? &*keyblocks : nullptr, design ? &*design : nullptr,
+                rock ? &rock->covering.arrays : nullptr, run ? &*run : nullptr, path},
                terminal, clock.seconds());
   return interrupted_status();
 }

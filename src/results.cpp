@@ -38,6 +38,18 @@ BlockFields block_fields(const KeyblockReport& report) {
   return fields;
 }
 
+void add_bolting(BlockFields& fields, const BoltingReport& bolting) {
+  const std::size_t blocks = fields.block_class.size();
+  fields.supported_factor_of_safety.assign(blocks, std::numeric_limits<Real>::quiet_NaN());
+  fields.utilisation.assign(blocks, std::numeric_limits<Real>::quiet_NaN());
+  for (const auto* list : {&bolting.keyblocks, &bolting.stable})
+    for (const BlockSupport& support : *list) {
+      fields.supported_factor_of_safety[support.block] = support.held.factor_of_safety;
+      if (!support.crossings.empty())
+        fields.utilisation[support.block] = 100 * support.force_mobilisation;
+    }
+}
+
 void add_stored_state(ResultWriter& writer, const MaterialPoints& block_vertices,
                       const StoredState& state) {
   const auto displacement = interpolated(block_vertices, state.motion.displacement);

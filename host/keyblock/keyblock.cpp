@@ -149,8 +149,13 @@ Vec3 without_negative_zero(const Vec3& v) {
 
 Keyblock KeyblockSearch::describe(Index block, const BlockVerdict& verdict) const {
   const Movement& movement = *verdict.movement;
+  const Real target = spec_.target_factor_of_safety;
   const SupportForce support =
-      least_support(verdict.planes, movement, spec_.target_factor_of_safety);
+      spec_.support_direction
+          ? SupportForce{support_force_along(verdict.planes, movement, *spec_.support_direction,
+                                             target),
+                         *spec_.support_direction}
+          : least_support(verdict.planes, movement, target);
   Keyblock key;
   key.block = block;
   key.batch = report_.batch[static_cast<std::size_t>(block)];
@@ -167,6 +172,8 @@ Keyblock KeyblockSearch::describe(Index block, const BlockVerdict& verdict) cons
   key.support_force = support.force;
   key.support_pressure = key.free_area > 0 ? support.force / key.free_area : 0;
   key.support_direction = without_negative_zero(support.direction);
+  key.contact = verdict.planes;
+  key.movement = movement;
   return key;
 }
 

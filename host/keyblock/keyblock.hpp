@@ -34,6 +34,8 @@ struct Keyblock {
   Real support_force = 0;     ///< N for the target factor of safety, along support_direction
   Real support_pressure = 0;  ///< Pa = support_force / free_area
   Vec3 support_direction{};   ///< unit
+  std::vector<ContactPlane> contact;  ///< the planes that it leans on
+  Movement movement;                  ///< into `contact`
 };
 
 struct KeyblockReport {

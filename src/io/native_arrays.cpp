@@ -135,6 +135,10 @@ void write_block_theory(File& file, const BlockFields& fields) {
   file.write(group + "factor_of_safety", fields.factor_of_safety);
   file.write(group + "sliding_force", fields.sliding_force);
   file.write(group + "support_force", fields.support_force);
+  if (!fields.supported_factor_of_safety.empty()) {
+    file.write(group + "supported_factor_of_safety", fields.supported_factor_of_safety);
+    file.write(group + "utilisation", fields.utilisation);
+  }
   file.write(group + "direction", fields.direction);
 }
 

@@ -52,6 +52,9 @@ struct BlockFields {
   std::vector<Real> sliding_force;  ///< [B] N; 0 for others than key blocks
   std::vector<Real> support_force;  ///< [B] N; 0 likewise
   std::vector<Vec3> direction;      ///< [B] unit, of the motion; {0,0,0} likewise
+  // Where the model has bolts or shotcrete, else empty.
+  std::vector<Real> supported_factor_of_safety;  ///< [B] NaN likewise
+  std::vector<Real> utilisation;  ///< [B] % of the capacity of its bolts; NaN without bolts
 };
 
 /// One state to store; nothing is kept of it after add_state().

@@ -162,6 +162,11 @@ void ResultWriter::Implementation::write_block_grid(File& file, const BlockArray
                              gather<float>(fields.sliding_force, block));
     vtkhdf::write_cell_field(file, grid, "support_force",
                              gather<float>(fields.support_force, block));
+    if (!fields.supported_factor_of_safety.empty()) {
+      vtkhdf::write_cell_field(file, grid, "supported_factor_of_safety",
+                               gather<float>(fields.supported_factor_of_safety, block));
+      vtkhdf::write_cell_field(file, grid, "utilisation", gather<float>(fields.utilisation, block));
+    }
   }
   grids.push_back(std::move(grid));
 }

@@ -23,6 +23,8 @@ struct Draft {
   Names monitors{"monitor", "monitor"};
   Names excavations{"excavation", "excavation"};
   Names scanlines{"scanline", "scanline"};
+  Names bolt_types{"bolt type", "bolt_type"};
+  Names bolts{"bolt", "bolt"};  ///< single ones and patterns together: reports name bolts by them
   std::vector<bool> has_shape{};             ///< [solids] its shape could be read
   std::vector<bool> excavation_has_shape{};  ///< [excavations] likewise
 };
@@ -59,6 +61,14 @@ void read_analysis(Draft& draft);
 void read_solver(Draft& draft);
 void read_output(Draft& draft);
 void read_support(Draft& draft);
+void read_bolt_types(Draft& draft);
+void read_bolts(Draft& draft);           // needs bolt types
+void read_bolt_patterns(Draft& draft);   // needs bolt types, solids and excavations
+void read_shotcrete(Draft& draft);       // needs solids and excavations
+void read_pattern_search(Draft& draft);  // needs bolt types, solids and excavations
+void read_classification(Draft& draft);
+void read_drawings(Draft& draft);  // needs solids and excavations
+void read_tables(Draft& draft);
 
 /// "dip" and "dip_direction" of a table.
 bool read_dip(TableReader& in, DipOrientation& target, Need need = Need::required);

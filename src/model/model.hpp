@@ -17,6 +17,9 @@
 #include "src/arrays/load_arrays.hpp"
 #include "src/base/error.hpp"
 #include "src/base/types.hpp"
+#include "src/model/bolting_spec.hpp"
+#include "src/model/classification_spec.hpp"
+#include "src/model/drawing_spec.hpp"
 
 namespace rockfold {
 
@@ -438,6 +441,8 @@ struct SupportSpec {
   Real water_pressure = 0;             ///< Pa on joint faces, ≥ 0
   Vec3 seismic_coefficient{};          ///< fraction of g added to the resultant
   Real target_factor_of_safety = 1.5;  ///< > 0
+  /// Unit, of the support force on every block; none = the direction that needs the least force.
+  std::optional<Vec3> support_direction;
 };
 
 struct Model {
@@ -467,6 +472,14 @@ struct Model {
   Output output;
   std::vector<Monitor> monitors;
   std::optional<SupportSpec> support;
+  std::vector<BoltType> bolt_types;
+  std::vector<SpotBolt> bolts;
+  std::vector<BoltPattern> bolt_patterns;
+  std::optional<Shotcrete> shotcrete;
+  std::optional<PatternSearch> pattern_search;
+  std::optional<ClassificationSpec> classification;
+  std::vector<Drawing> drawings;
+  std::vector<TableFile> tables;
 
   std::string
       text;  ///< the model file as read, with overrides appended as comments; stored in results

@@ -76,9 +76,17 @@ void read_top_level(Draft& draft, const Value& root) {
                           "solver",
                           "output",
                           "monitor",
-                          "support"})
+                          "support",
+                          "bolt_type",
+                          "bolt",
+                          "bolt_pattern",
+                          "shotcrete",
+                          "pattern_search",
+                          "classification",
+                          "drawing",
+                          "table"})
     in.has(key);
-  for (const char* key : {"contact", "bolt", "bolt_pattern"}) in.not_yet(key);
+  in.not_yet("contact");
 }
 
 void read_sections(Draft& draft) {
@@ -106,6 +114,14 @@ void read_sections(Draft& draft) {
   read_solver(draft);
   read_output(draft);
   read_support(draft);
+  read_bolt_types(draft);
+  read_bolts(draft);
+  read_bolt_patterns(draft);
+  read_shotcrete(draft);
+  read_pattern_search(draft);
+  read_classification(draft);
+  read_drawings(draft);
+  read_tables(draft);
 }
 
 void add_missing(Draft& draft, Purpose purpose) {

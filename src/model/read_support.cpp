@@ -12,6 +12,9 @@ void read_support(Draft& draft) {
             Need::optional);
     in.read("target_factor_of_safety", support.target_factor_of_safety, positive(""),
             Need::optional);
+    Vec3 direction{};
+    if (in.has("support_direction") && in.read_direction("support_direction", direction))
+      support.support_direction = unit_normal(direction);
     draft.model.support = support;
   });
 }

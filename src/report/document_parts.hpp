@@ -8,7 +8,16 @@
 namespace rockfold {
 
 /// totals, keyblocks and blocks of block theory.
-void add_support(Json& document, const BlockArrays& blocks, const KeyblockReport& report);
+void add_support(Json& document, const Model& model, const BlockArrays& blocks,
+                 const KeyblockReport& report, const SupportDesign& design);
+
+/// "bolts", "mobilisation" and what else its bolts and shotcrete mean for a key block.
+void add_block_support(Json& keyblock, const BoltingReport& bolting, const BlockSupport& support);
+/// How many bolts of each type in the catalogue the force on a key block asks for.
+void add_spot_bolts(Json& keyblock, const Keyblock& key, const Model& model);
+/// "bolting", "bolts", "pattern_search" and "classification", each where the model asks for it.
+void add_design(Json& document, const Model& model, const SupportDesign& design);
+Json classification_json(const ClassificationReport& report);
 
 /// statistics, intensities, stages and flagged.
 void add_measures(Json& document, const RockMeasures& measures);

@@ -21,6 +21,7 @@
 #include "src/model/model.hpp"
 #include "src/report/phase_seconds.hpp"
 #include "src/run/run_result.hpp"
+#include "src/support_design.hpp"
 
 namespace rockfold {
 
@@ -33,6 +34,7 @@ struct RunReport {
   const CoverArrays& covers;
   const RunResult& run;
   const KeyblockReport* keyblocks = nullptr;  ///< null: the model asks for no support
+  const SupportDesign* design = nullptr;      ///< with the key blocks
 };
 
 /// Lattice nodes that carry a physical cover.
@@ -54,8 +56,8 @@ Json cut_document_without_blocks(const DocumentHead& head, const CutTotals& tota
                                  const BlockArrays& blocks, const RockMeasures& measures);
 Json block_json(const Model& model, const BlockArrays& blocks, const BlockStatistics& statistics,
                 Index b);
-Json support_document(const DocumentHead& head, const BlockArrays& blocks,
-                      const KeyblockReport& report);
+Json support_document(const DocumentHead& head, const Model& model, const BlockArrays& blocks,
+                      const KeyblockReport& report, const SupportDesign& design);
 /// With "support", as support_document has it, where there are key blocks to tell of.
 Json run_document(const DocumentHead& head, const RunReport& report);
 Json check_document(const DocumentHead& head, const Model& model);

@@ -93,7 +93,8 @@ Json run_document(const DocumentHead& head, const RunReport& report) {
                     {"volume", motion.volume}});
   }
   if (report.keyblocks)
-    add_support(document["support"] = Json::object(), report.blocks, *report.keyblocks);
+    add_support(document["support"] = Json::object(), report.model, report.blocks,
+                *report.keyblocks, *report.design);
   document["iterations"] = {{"pcg", report.run.iterations.pcg},
                             {"open_close", report.run.iterations.open_close},
                             {"preconditioner", preconditioner_name(report.run.preconditioner)}};

@@ -36,22 +36,36 @@ Json support_totals_json(const BlockArrays& blocks, const KeyblockReport& report
 
 }  // namespace
 
-void add_support(Json& document, const BlockArrays& blocks, const KeyblockReport& report) {
+void add_support(Json& document, const Model& model, const BlockArrays& blocks,
+                 const KeyblockReport& report, const SupportDesign& design) {
   document["totals"] = support_totals_json(blocks, report);
   auto& keys = document["keyblocks"] = Json::array();
-  for (const auto& key : report.keyblocks) keys.push_back(keyblock_json(key, blocks));
+  const auto add_to_last = [&](Json& list, const Keyblock& key,
+                               std::vector<BlockSupport> BoltingReport::*supports) {
+    add_spot_bolts(list.back(), key, model);
+    if (design.bolting)
+      add_block_support(list.back(), *design.bolting, (*design.bolting.*supports)[list.size() - 1]);
+  };
+  for (const auto& key : report.keyblocks) {
+    keys.push_back(keyblock_json(key, blocks));
+    add_to_last(keys, key, &BoltingReport::keyblocks);
+  }
   auto& stable = document["stable"] = Json::array();
-  for (const auto& block : report.stable) stable.push_back(keyblock_json(block, blocks));
+  for (const auto& block : report.stable) {
+    stable.push_back(keyblock_json(block, blocks));
+    add_to_last(stable, block, &BoltingReport::stable);
+  }
   auto& list = document["blocks"] = Json::array();
   for (Index b = 0; b < blocks.block_count(); ++b)
     list.push_back(
         {{"id", b + 1}, {"class", class_name(report.block_class[b])}, {"batch", report.batch[b]}});
+  add_design(document, model, design);
 }
 
-Json support_document(const DocumentHead& head, const BlockArrays& blocks,
-                      const KeyblockReport& report) {
+Json support_document(const DocumentHead& head, const Model& model, const BlockArrays& blocks,
+                      const KeyblockReport& report, const SupportDesign& design) {
   Json document = head_json(head);
-  add_support(document, blocks, report);
+  add_support(document, model, blocks, report, design);
   return document;
 }
 

@@ -342,6 +342,110 @@ joint_faces_only = false
 water_pressure = 1e4
 seismic_coefficient = [0.1, 0, 0]
 target_factor_of_safety = 1.3
+support_direction = [0, 3, -4]
+
+[[bolt_type]]
+name = "rebar"
+coupling = "CMC"
+force_capacity = 200e3
+displacement_capacity = 0.03
+plate_capacity = 100e3
+bond_strength = 150e3
+shear_capacity = 90e3
+stiffness = 12e6
+action = "active"
+efficiency = "cosine"
+mass_per_metre = 3.9
+
+[[bolt_type]]
+name = "anchor"
+coupling = "DMFC"
+force_capacity = 500e3
+displacement_capacity = 0.05
+bond_strength = 300e3
+anchor_length = 4
+mass_per_metre = 8
+
+[[bolt]]
+name = "spot"
+collar = [5, 5, 30]
+direction = [0, 0, -2]
+length = 6
+type = "anchor"
+
+[[bolt]]
+collar = [5, 5, 30]
+toe = [5, 7, 27]
+force_capacity = 100e3
+displacement_capacity = 0.02
+
+[[bolt_pattern]]
+name = "systematic"
+on = "excavation2"
+layout = "staggered"
+spacing = [1.5, 2]
+offset = [0.25, 0]
+inclination = [-20, 90]
+direction = [0, 0, 1]
+length = 3
+type = "rebar"
+
+[shotcrete]
+on = ["excavation2", "rock.zmax"]
+thickness = 0.1
+shear_strength = 2e6
+adhesion_strength = 0.5e6
+bond_width = 0.04
+
+[pattern_search]
+on = "excavation2.side"
+layout = "rectangular"
+spacing = [2, 1, 1]
+length = [3, 2]
+types = ["rebar"]
+hold = "first_batch"
+smallest_block = 0.5
+
+[classification]
+span = 11
+height = 9
+
+[classification.q]
+rqd = 75
+jn = 9
+jr = 1.5
+ja = 2
+jw = 0.66
+srf = 2.5
+location = "portal"
+excavation_support_ratio = 1.6
+
+[classification.rmr]
+point_load_index = 5e6
+rqd = 75
+spacing = 0.5
+joint_condition = 22
+groundwater = "damp"
+orientation = "unfavourable"
+use = "slope"
+
+[[drawing]]
+output = "net.svg"
+kind = "stereonet"
+hemisphere = "upper"
+projection = "equal_angle"
+joint_pyramids = true
+poles = false
+on = "rock.zmax"
+
+[[drawing]]
+output = "bolts.svg"
+kind = "bolt_layout"
+on = "excavation2"
+
+[[table]]
+output = "keys.csv"
+kind = "keyblocks"
 )";
 
 }  // namespace rockfold

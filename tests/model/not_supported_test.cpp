@@ -18,8 +18,6 @@ struct NotYet {
 TEST(NotSupportedYet, IsSaidOfEachKeyAndValue) {
   const NotYet cases[] = {
       {"[contact]\npenalty = 0", 6, 2, "contact"},
-      {"[[bolt]]\nname = 'b'", 6, 3, "bolt"},
-      {"[[bolt_pattern]]\nname = 'b'", 6, 3, "bolt_pattern"},
       {"[output]\ncheckpoint_every = 60.0", 7, 1, "output.checkpoint_every"},
   };
   for (const auto& [text, line, column, key] : cases) {

@@ -100,7 +100,7 @@ TEST(Override, ThatIsMalformedIsAUsageError) {
       {"joint_set.0.spacing=3", "joint_set has 5 entries, no number 0"},
       {"joint_set.J2.spacing=3", "no entry named \"J2\", did you mean \"J1\"?"},
       {"cover.spacing.x=3", "cover.spacing is 1.5, it has no \"x\""},
-      {"bolt.1.name=3", "the model has no bolt to change an entry of"},
+      {"contact.1.name=3", "the model has no contact to change an entry of"},
       {"title=\xFF", "no UTF-8"},
   };
   for (const auto& [text, part] : cases) {

@@ -326,7 +326,7 @@ components = ["u"]
 [analysis]
 kinematics = "lrge"
 newmark = {beta = 0}
-[[bolt]]
+[contact]
 name = "b"
 )");
   std::vector<std::string> found;
@@ -335,7 +335,7 @@ name = "b"
       "1 gravity[3]",         "6 solid[1].max", "6 solid[1].max",       "7 solid[1].material",
       "9 joint_set[1].dip",   "10 joint_set[1].dip_direction",          "11 joint_set[1].spcing",
       "13 cover.lattice",     "14 cover.spacing",                       "17 fixed[1].components[1]",
-      "19 analysis.kinematics", "20 analysis.newmark.beta",             "21 bolt"};
+      "19 analysis.kinematics", "20 analysis.newmark.beta",             "21 contact"};
   EXPECT_EQ(found, expected) << listed(errors);
 }
 

@@ -1,0 +1,264 @@
+#include "host/bolting/bolting.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+#include "host/parallel.hpp"
+#include "host/refuse.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+namespace {
+
+/// The bolts that cross each block, ascending.
+using BoltsOfBlock = std::unordered_map<Index, std::vector<Index>>;
+
+BoltsOfBlock bolts_of_blocks(const std::vector<Bolt>& bolts) {
+  BoltsOfBlock of;
+  for (std::size_t i = 0; i < bolts.size(); ++i)
+    for (const RockSegment& segment : bolts[i].rock) {
+      auto& list = of[segment.block];
+      if (list.empty() || list.back() != static_cast<Index>(i))
+        list.push_back(static_cast<Index>(i));
+    }
+  return of;
+}
+
+/// The blocks that move as one.
+std::vector<Index> members_of(const Keyblock& key) {
+  return {key.block};
+}
+
+bool is_in(Index block, const std::vector<Index>& members) {
+  return std::find(members.begin(), members.end(), block) != members.end();
+}
+
+class SupportJudge {
+ public:
+  SupportJudge(const SupportedRock& rock, const BoltingReport& report)
+      : rock_(rock), report_(report), bolts_of_(bolts_of_blocks(report.bolts)) {}
+
+  BlockSupport judge(const Keyblock& key) const;
+
+ private:
+  Index batch(Index block) const { return rock_.keyblocks.batch[block]; }
+  /// Whether a block is gone when those of a batch move; batch 0 stands for the blocks that stay to the end.
+  bool gone(Index block, Index with) const {
+    return batch(block) > 0 && (with == 0 || batch(block) <= with);
+  }
+  const BoltType& type_of(const Bolt& bolt) const { return report_.groups[bolt.group].type; }
+  Embedment embedment(const Bolt& bolt, const std::vector<Index>& members, Index with) const;
+  Real axial_left(const Bolt& bolt, const std::vector<Index>& members, Index with,
+                  const Embedment& own) const;
+  std::vector<Index> bolts_through(const std::vector<Index>& members) const;
+  BoltCrossing crossing(Index bolt, const Keyblock& key) const;
+  void mobilise(BlockSupport& support) const;
+
+  const SupportedRock& rock_;
+  const BoltingReport& report_;
+  BoltsOfBlock bolts_of_;
+};
+
+Embedment SupportJudge::embedment(const Bolt& bolt, const std::vector<Index>& members,
+                                  Index with) const {
+  constexpr Real gap = 1e-3;  // m: a wider one between plate and block is air
+  Embedment e;
+  e.length = bolt.length;
+  Real front = 0;
+  bool met = false;
+  for (const RockSegment& segment : bolt.rock) {
+    const Real length = segment.to - segment.from;
+    if (is_in(segment.block, members)) {
+      if (!met && segment.from > front + gap) e.plate = false;
+      met = true;
+      e.within += length;
+      e.anchored = 0;  // what lies before the last exit holds nothing
+      continue;
+    }
+    if (met) {
+      if (!gone(segment.block, with)) e.anchored += length;
+      continue;
+    }
+    // In front of the block: the plate reaches it only through blocks that move with it or later.
+    const bool carries = with > 0 && batch(segment.block) >= with;
+    if (!carries || segment.from > front + gap) e.plate = false;
+    front = segment.to;
+  }
+  // Where the rock goes on beyond the model, the bolt does too.
+  if (met && e.within > 0 && !bolt.rock.empty()) {
+    const RockSegment& last = bolt.rock.back();
+    const bool beyond = last.exit_face != none &&
+                        rock_.blocks.origins[rock_.blocks.face_origin[last.exit_face]].continues;
+    if (beyond && !is_in(last.block, members))
+      e.anchored += std::max(bolt.length - last.to, Real{0});
+  }
+  return e;
+}
+
+/// A bolt's tension does not grow from block to block of one batch: the nearest to the collar takes first.
+Real SupportJudge::axial_left(const Bolt& bolt, const std::vector<Index>& members, Index with,
+                              const Embedment& own) const {
+  Real taken = 0;
+  for (const RockSegment& segment : bolt.rock) {
+    if (is_in(segment.block, members)) break;
+    if (with > 0 && batch(segment.block) == with)
+      taken =
+          std::max(taken, axial_capacity(type_of(bolt), embedment(bolt, {segment.block}, with)));
+  }
+  return std::max(axial_capacity(type_of(bolt), own) - taken, Real{0});
+}
+
+BoltCrossing SupportJudge::crossing(Index id, const Keyblock& key) const {
+  const Bolt& bolt = report_.bolts[id];
+  BoltCrossing crossing;
+  crossing.bolt = id;
+  const std::vector<Index> members = members_of(key);
+  crossing.embedment = embedment(bolt, members, key.batch);
+  crossing.axial_capacity = axial_left(bolt, members, key.batch, crossing.embedment);
+  crossing.force =
+      bolt_force(type_of(bolt), bolt.direction, crossing.axial_capacity, key.movement.direction);
+  crossing.capacity = norm(crossing.force.force);
+  return crossing;
+}
+
+void SupportJudge::mobilise(BlockSupport& support) const {
+  Real load = 0, capacity = 0;
+  for (std::size_t i = 0; i < support.crossings.size(); ++i) {
+    BoltCrossing& c = support.crossings[i];
+    if (!(c.capacity > 0)) continue;
+    c.force_mobilisation = support.held.mobilised[i];
+    c.load = c.force_mobilisation * c.capacity;
+    c.displacement_mobilisation =
+        support.held.moved[i] / type_of(report_.bolts[c.bolt]).displacement_capacity;
+    load += c.load, capacity += c.capacity;
+    support.displacement_mobilisation =
+        std::max(support.displacement_mobilisation, c.displacement_mobilisation);
+  }
+  if (capacity > 0) support.force_mobilisation = load / capacity;
+}
+
+std::vector<Index> SupportJudge::bolts_through(const std::vector<Index>& members) const {
+  std::vector<Index> bolts;
+  for (const Index block : members)
+    if (const auto found = bolts_of_.find(block); found != bolts_of_.end())
+      bolts.insert(bolts.end(), found->second.begin(), found->second.end());
+  std::sort(bolts.begin(), bolts.end());
+  bolts.erase(std::unique(bolts.begin(), bolts.end()), bolts.end());
+  return bolts;
+}
+
+BlockSupport SupportJudge::judge(const Keyblock& key) const {
+  BlockSupport support;
+  support.block = key.block;
+  std::vector<SupportElement> elements;
+  for (const Index bolt : bolts_through(members_of(key))) {
+    const BoltCrossing& c = support.crossings.emplace_back(crossing(bolt, key));
+    const BoltType& type = type_of(report_.bolts[bolt]);
+    elements.push_back({c.force.force, type.action == BoltAction::active, type.stiffness});
+  }
+  if (!rock_.shotcrete.empty()) {
+    support.shotcrete = rock_.shotcrete[key.block];
+    if (norm(support.shotcrete.force) > 0) elements.push_back({support.shotcrete.force, false, 0});
+  }
+  support.held = hold(key.contact, key.movement, elements, rock_.target);
+  mobilise(support);
+  return support;
+}
+
+void drill_pattern(const BlockArrays& blocks, const Model& model, const BoltPattern& pattern,
+                   BoltingReport& report) {
+  const Wall wall(blocks, model, pattern.on, pattern.place);
+  auto bolts = pattern_collars(wall, blocks, pattern);
+  if (bolts.empty())
+    refuse(pattern.place, pattern.place.key,
+           "lays no bolt on \"" + pattern.on.name +
+               "\": inclination or direction leave out all of its faces, or its spacing and offset "
+               "miss them");
+  for (Bolt& bolt : bolts) bolt.group = static_cast<Index>(report.groups.size());
+  report.groups.push_back({pattern.name, pattern.type, true, pattern.on.name,
+                           static_cast<Index>(bolts.size()), wall.area()});
+  report.bolts.insert(report.bolts.end(), bolts.begin(), bolts.end());
+}
+
+void require_rock(const Model& model, const BoltingReport& report) {
+  for (const Bolt& bolt : report.bolts) {
+    if (!bolt.rock.empty() || report.groups[bolt.group].is_pattern) continue;
+    const auto& spot = model.bolts[bolt.group];
+    refuse(spot.place, spot.place.key + ".collar",
+           "the bolt meets no rock from here over its length");
+  }
+}
+
+}  // namespace
+
+void leave_out_excavated(const BlockArrays& blocks, std::vector<Bolt>& bolts) {
+  if (blocks.stage.empty()) return;
+  for (Bolt& bolt : bolts)
+    std::erase_if(bolt.rock,
+                  [&](const RockSegment& segment) { return blocks.stage[segment.block] > 0; });
+}
+
+bool wants_bolting(const Model& model) {
+  return !model.bolts.empty() || !model.bolt_patterns.empty() || model.shotcrete.has_value();
+}
+
+std::vector<ShotcreteHold> shotcrete_on(const BlockArrays& blocks, const KeyblockReport& keyblocks,
+                                        const Model& model) {
+  if (!model.shotcrete) return {};
+  for (const WallFaces& wall : model.shotcrete->on)
+    Wall(blocks, model, wall, model.shotcrete->place);  // refuses walls that are not there
+  const ShotcreteCover cover(blocks, *model.shotcrete);
+  std::vector<ShotcreteHold> holds(static_cast<std::size_t>(blocks.block_count()));
+  for (const auto* list : {&keyblocks.keyblocks, &keyblocks.stable})
+    for (const Keyblock& key : *list) holds[key.block] = cover.hold(key.block);
+  return holds;
+}
+
+void judge_support(const SupportedRock& rock, BoltingReport& report) {
+  const SupportJudge judge(rock, report);
+  const auto judge_all = [&](const std::vector<Keyblock>& keys, std::vector<BlockSupport>& out) {
+    out.assign(keys.size(), {});
+    parallel_for(static_cast<std::int64_t>(keys.size()), 16, [&](std::int64_t i) {
+      out[static_cast<std::size_t>(i)] = judge.judge(keys[static_cast<std::size_t>(i)]);
+    });
+  };
+  judge_all(rock.keyblocks.keyblocks, report.keyblocks);
+  judge_all(rock.keyblocks.stable, report.stable);
+  report.adequate = report.first_batch = report.first_batch_adequate = 0;
+  for (std::size_t i = 0; i < report.keyblocks.size(); ++i) {
+    const bool adequate = report.keyblocks[i].held.adequate;
+    const bool first = rock.keyblocks.keyblocks[i].batch == 1;
+    report.adequate += adequate;
+    report.first_batch += first;
+    report.first_batch_adequate += first && adequate;
+  }
+}
+
+BoltingReport support_blocks(const BlockArrays& blocks, const KeyblockReport& keyblocks,
+                             const Model& model) {
+  BoltingReport report;
+  for (const SpotBolt& bolt : model.bolts) {
+    report.bolts.push_back({static_cast<Index>(report.groups.size()),
+                            1,
+                            bolt.collar,
+                            bolt.direction,
+                            bolt.length,
+                            {},
+                            {}});
+    report.groups.push_back({bolt.name, bolt.type, false, "", 1, 0});
+  }
+  for (const BoltPattern& pattern : model.bolt_patterns)
+    drill_pattern(blocks, model, pattern, report);
+  drill(RockLines(blocks), report.bolts);
+  leave_out_excavated(blocks, report.bolts);
+  require_rock(model, report);
+  for (const Bolt& bolt : report.bolts) report.length += bolt.length;
+  judge_support({blocks, keyblocks, model.support.value_or(SupportSpec{}).target_factor_of_safety,
+                 shotcrete_on(blocks, keyblocks, model)},
+                report);
+  return report;
+}
+
+}  // namespace rockfold

@@ -1,0 +1,99 @@
+#include "host/bolting/drill.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "host/parallel.hpp"
+#include "host/refuse.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+namespace {
+
+constexpr Real most_bolts = 1e6;
+constexpr Real grazing = 0.05;  // sine of the least angle between a given direction and the face
+
+/// The nodes of one row or of the rows: first + i·spacing, in [low, high].
+struct Nodes {
+  Real first = 0, spacing = 1;
+  Index count = 0;
+  Real operator[](Index i) const { return first + static_cast<Real>(i) * spacing; }
+};
+
+Nodes nodes(const std::array<Real, 2>& range, Real anchor, Real spacing) {
+  const Real low = std::ceil((range[0] - anchor) / spacing - 1e-9);
+  const Real high = std::floor((range[1] - anchor) / spacing + 1e-9);
+  return {anchor + low * spacing, spacing,
+          high < low ? 0 : static_cast<Index>(std::min(high - low + 1, 2 * most_bolts))};
+}
+
+/// A grid centred on the range: a node in its middle, or two beside it.
+Real centred(const std::array<Real, 2>& range, Real spacing) {
+  const Real middle = 0.5 * (range[0] + range[1]);
+  const Real count = std::max(Real{1}, std::floor((range[1] - range[0]) / spacing));
+  return std::fmod(count, 2) == 1 ? middle : middle + spacing / 2;
+}
+
+bool wanted(const BoltPattern& pattern, const Vec3& into_rock) {
+  const Real rise = std::asin(std::clamp(into_rock[2], -1.0, 1.0)) * 180 / std::numbers::pi;
+  constexpr Real rounding = 1e-6;  // deg
+  return rise >= pattern.inclination[0] - rounding && rise <= pattern.inclination[1] + rounding;
+}
+
+void check_count(const WallPanel& panel, const BoltPattern& pattern) {
+  const Real count = (panel.u[1] - panel.u[0]) / pattern.spacing[0] *
+                     ((panel.v[1] - panel.v[0]) / pattern.spacing[1]);
+  if (count > most_bolts)
+    refuse(pattern.place, pattern.place.key + ".spacing",
+           fmt::format("would lay {:.2g} bolts on {}: at most a million are drilled; a larger "
+                       "spacing would be right",
+                       count, panel.name));
+}
+
+}  // namespace
+
+std::vector<Bolt> pattern_collars(const Wall& wall, const BlockArrays& blocks,
+                                  const BoltPattern& pattern) {
+  std::vector<Bolt> bolts;
+  for (const WallPanel& panel : wall.panels()) {
+    check_count(panel, pattern);
+    const Real u0 = (panel.around ? 0 : centred(panel.u, pattern.spacing[0])) + pattern.offset[0];
+    const Real v0 = (panel.around ? panel.v[0] + pattern.spacing[1] / 2
+                                  : centred(panel.v, pattern.spacing[1])) +
+                    pattern.offset[1];
+    const Nodes rows = nodes(panel.v, v0, pattern.spacing[1]);
+    for (Index j = 0; j < rows.count; ++j) {
+      const bool moved = pattern.staggered && j % 2 == 1;
+      // Round an axis both ends of the sheet are one line.
+      const std::array<Real, 2> u{panel.u[0], panel.u[1] - (panel.around ? 1e-6 * panel.u[1] : 0)};
+      const Nodes row = nodes(u, u0 + (moved ? pattern.spacing[0] / 2 : 0), pattern.spacing[0]);
+      for (Index i = 0; i < row.count; ++i) {
+        const auto hit = wall.at(panel, row[i], rows[j]);
+        if (!hit) continue;
+        const Vec3 into_rock = -blocks.face_normal[hit->face];
+        const Vec3 direction = pattern.direction.value_or(into_rock);
+        if (!wanted(pattern, into_rock) || dot(direction, into_rock) < grazing) continue;
+        bolts.push_back({none,
+                         static_cast<Index>(bolts.size()) + 1,
+                         hit->point,
+                         direction,
+                         pattern.length,
+                         {row[i], rows[j]},
+                         {}});
+      }
+    }
+  }
+  return bolts;
+}
+
+void drill(const RockLines& lines, std::vector<Bolt>& bolts) {
+  parallel_for(static_cast<std::int64_t>(bolts.size()), 64, [&](std::int64_t i) {
+    Bolt& bolt = bolts[static_cast<std::size_t>(i)];
+    bolt.rock = lines.along(bolt.collar, bolt.direction, bolt.length);
+  });
+}
+
+}  // namespace rockfold

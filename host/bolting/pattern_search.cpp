@@ -1,0 +1,150 @@
+#include "host/bolting/pattern_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+
+namespace rockfold {
+namespace {
+
+/// The key blocks that have to be held; everything else of the report stays, for what is gone when.
+KeyblockReport wanted_blocks(const KeyblockReport& all, const PatternSearch& search) {
+  KeyblockReport wanted = all;
+  wanted.stable.clear();
+  std::erase_if(wanted.keyblocks, [&](const Keyblock& key) {
+    return (search.hold == HoldTarget::first_batch && key.batch != 1) ||
+           key.volume < search.smallest_block;
+  });
+  return wanted;
+}
+
+/// The bolts of one spacing, drilled when they are first needed.
+struct Grid {
+  std::vector<Bolt> bolts;
+  bool drilled = false;
+};
+
+/// What is left of a drilled bolt that is shorter.
+Bolt shortened(const Bolt& bolt, Real length) {
+  Bolt shorter = bolt;
+  shorter.length = length;
+  std::erase_if(shorter.rock, [&](const RockSegment& s) { return s.from >= length; });
+  for (RockSegment& segment : shorter.rock)
+    if (segment.to > length) segment.to = length, segment.exit_face = none;
+  return shorter;
+}
+
+class Search {
+ public:
+  Search(const BlockArrays& blocks, const KeyblockReport& keyblocks, const Model& model)
+      : blocks_(blocks),
+        model_(model),
+        search_(*model.pattern_search),
+        wall_(blocks, model, search_.pattern.on, search_.place),
+        lines_(blocks),
+        wanted_(wanted_blocks(keyblocks, search_)),
+        shotcrete_(shotcrete_on(blocks, keyblocks, model)) {}
+
+  PatternSearchReport run();
+
+ private:
+  std::vector<PatternTrial> candidates();
+  void drill_grid(Grid& grid) const;
+  void judge(PatternTrial& trial);
+  Real weight(const PatternTrial& trial) const;
+
+  const BlockArrays& blocks_;
+  const Model& model_;
+  const PatternSearch& search_;
+  Wall wall_;
+  RockLines lines_;
+  KeyblockReport wanted_;
+  std::vector<ShotcreteHold> shotcrete_;
+  std::vector<Grid> grids_;  ///< [spacings]
+};
+
+Real Search::weight(const PatternTrial& trial) const {
+  const BoltType& type = model_.bolt_types[trial.type];
+  return trial.bolts * trial.length * type.mass_per_metre.value_or(type.force_capacity);
+}
+
+/// All patterns, the lightest first; of equal ones the one with fewer bolts, then the first in the catalogue.
+std::vector<PatternTrial> Search::candidates() {
+  std::vector<PatternTrial> trials;
+  for (const Real spacing : search_.spacings) {
+    BoltPattern pattern = search_.pattern;
+    pattern.spacing = {spacing, spacing};
+    pattern.length = search_.lengths.back();
+    grids_.push_back({pattern_collars(wall_, blocks_, pattern), false});
+    for (const Index type : search_.types)
+      for (const Real length : search_.lengths) {
+        PatternTrial trial{type, spacing, length, static_cast<Index>(grids_.back().bolts.size())};
+        trial.weight = weight(trial);
+        trials.push_back(trial);
+      }
+  }
+  std::stable_sort(trials.begin(), trials.end(), [](const PatternTrial& a, const PatternTrial& b) {
+    return std::tie(a.weight, a.bolts, a.type) < std::tie(b.weight, b.bolts, b.type);
+  });
+  return trials;
+}
+
+void Search::drill_grid(Grid& grid) const {
+  if (grid.drilled) return;
+  drill(lines_, grid.bolts);
+  leave_out_excavated(blocks_, grid.bolts);
+  grid.drilled = true;
+}
+
+void Search::judge(PatternTrial& trial) {
+  const auto at = std::find(search_.spacings.begin(), search_.spacings.end(), trial.spacing);
+  Grid& grid = grids_[static_cast<std::size_t>(at - search_.spacings.begin())];
+  drill_grid(grid);
+  BoltingReport report;
+  report.groups.emplace_back();
+  report.groups.back().type = model_.bolt_types[trial.type];
+  report.bolts.reserve(grid.bolts.size());
+  for (const Bolt& bolt : grid.bolts) {
+    report.bolts.push_back(shortened(bolt, trial.length));
+    report.bolts.back().group = 0;
+  }
+  const Real target = model_.support.value_or(SupportSpec{}).target_factor_of_safety;
+  judge_support({blocks_, wanted_, target, shotcrete_}, report);
+  trial.held = report.adequate;
+  trial.least_factor_of_safety = std::numeric_limits<Real>::quiet_NaN();
+  for (const BlockSupport& support : report.keyblocks) {
+    const Real safety =
+        std::isnan(support.held.factor_of_safety) ? 0 : support.held.factor_of_safety;
+    if (!(trial.least_factor_of_safety <= safety)) trial.least_factor_of_safety = safety;
+  }
+}
+
+PatternSearchReport Search::run() {
+  PatternSearchReport report;
+  report.wanted = static_cast<Index>(wanted_.keyblocks.size());
+  report.by_mass = std::all_of(search_.types.begin(), search_.types.end(), [&](Index t) {
+    return model_.bolt_types[t].mass_per_metre.has_value();
+  });
+  auto trials = candidates();
+  report.patterns = static_cast<Index>(trials.size());
+  for (PatternTrial& trial : trials) {
+    judge(trial);
+    report.trials.push_back(trial);
+    if (trial.held == report.wanted) {
+      report.best = static_cast<Index>(report.trials.size()) - 1;
+      break;
+    }
+  }
+  return report;
+}
+
+}  // namespace
+
+PatternSearchReport search_pattern(const BlockArrays& blocks, const KeyblockReport& keyblocks,
+                                   const Model& model) {
+  return Search(blocks, keyblocks, model).run();
+}
+
+}  // namespace rockfold

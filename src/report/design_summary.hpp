@@ -1,0 +1,15 @@
+// Support design as text for people.
+#pragma once
+
+#include <string>
+
+#include "src/model/model.hpp"
+#include "src/support_design.hpp"
+
+namespace rockfold {
+
+/// Bolts, the pattern that was searched for, Q and RMR: what the model asks for, each after an empty line.
+std::string design_summary(const Model& model, const KeyblockReport& keyblocks,
+                           const SupportDesign& design);
+
+}  // namespace rockfold

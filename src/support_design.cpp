@@ -1,0 +1,30 @@
+#include "src/support_design.hpp"
+
+#include <fmt/format.h>
+
+namespace rockfold {
+
+SupportDesign design_support(const BlockArrays& blocks, const KeyblockReport& keyblocks,
+                             const RockMeasures* measures, const Model& model) {
+  SupportDesign design;
+  if (wants_bolting(model)) design.bolting = support_blocks(blocks, keyblocks, model);
+  if (model.pattern_search) design.search = search_pattern(blocks, keyblocks, model);
+  if (model.classification) design.classification = classify(blocks, keyblocks, *measures, model);
+  return design;
+}
+
+void warn_of_support_design(const SupportDesign& design, Terminal& terminal) {
+  if (design.bolting)
+    for (const BoltGroup& group : design.bolting->groups)
+      if (!group.type.bond_strength)
+        terminal.warn(fmt::format(
+            "{}: no bond_strength is given: any length beyond a block anchors the whole capacity",
+            group.name));
+  if (design.search && design.search->best == none)
+    terminal.warn(fmt::format(
+        "pattern_search: none of the {} patterns holds all {} key blocks; look at the blocks that "
+        "no bolt crosses, or let smallest_block leave small ones to mesh or shotcrete",
+        design.search->patterns, design.search->wanted));
+}
+
+}  // namespace rockfold

@@ -1,0 +1,82 @@
+"""Support design from the command line: the JSON, the drawings and the tables of the bolted tunnel."""
+import csv
+import re
+import unittest
+import xml.etree.ElementTree as xml
+
+from program import ProgramTest
+
+SVG = "{http://www.w3.org/2000/svg}"
+FILES = ["stereonet.svg", "pyramids.svg", "layout.svg", "keyblocks.csv", "crossings.csv"]
+
+
+class BoltedTunnel(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.copy_case("bolted_tunnel")
+
+    def path(self, name):
+        return self.folder / f"bolted_tunnel_{name}"
+
+    def test_tells_what_holds_each_key_block(self):
+        document = self.json_of("support", "bolted_tunnel.toml")
+        bolts = {bolt["name"]: bolt for bolt in document["bolts"]}
+        self.assertEqual(len(bolts), document["bolting"]["bolts"])
+        self.assertEqual(document["bolting"]["adequate"], sum(key["adequate"] for key in document["keyblocks"]))
+        crossed = 0
+        for key in document["keyblocks"]:
+            loads = sum(crossing["load"] for crossing in key["bolts"])
+            capacity = sum(crossing["capacity"] for crossing in key["bolts"])
+            if capacity > 0:
+                self.assertAlmostEqual(key["mobilisation"]["force"], loads / capacity)
+                self.assertAlmostEqual(key["utilisation"], 100 * key["mobilisation"]["force"])
+            self.assertEqual(key["missing_force"] > 0, not key["adequate"])
+            for crossing in key["bolts"]:
+                rock = bolts[crossing["bolt"]]["rock"]
+                crossed += 1
+                self.assertIn(key["block"], [part["block"] for part in rock])
+                within = sum(part["to"] - part["from"] for part in rock if part["block"] == key["block"])
+                self.assertAlmostEqual(crossing["length_within"], within)
+                self.assertLessEqual(crossing["axial_capacity"], 150e3)
+        self.assertGreater(crossed, 10)
+        self.assertEqual(document["classification"]["q"]["proposed"], ["rqd", "jn"])
+        best = document["pattern_search"]["best"]
+        self.assertEqual(best["held"], document["pattern_search"]["key_blocks"])
+        self.assertEqual(document["pattern_search"]["tried"][-1], best)
+
+    def test_draws_and_tabulates_beside_the_result(self):
+        self.run_program("support", "bolted_tunnel.toml")
+        for name in FILES[:3]:
+            root = xml.parse(self.path(name)).getroot()
+            self.assertEqual(root.tag, SVG + "svg")
+            self.assertGreater(len(list(root)), 20)
+        # Of 2³ joint pyramids 3² − 3 are removable from a tunnel (Goodman & Shi); all are named, on the net or beside it.
+        texts = list(xml.parse(self.path("pyramids.svg")).getroot().iter(SVG + "text"))
+        codes = [text for text in texts if set(text.text) <= {"0", "1"} and len(text.text) == 3]
+        beside = "".join(text.text for text in texts if text.text.startswith("off this paper:"))
+        found = [code.text for code in codes] + re.findall("[01]{3}", beside)
+        self.assertEqual(sorted(found), sorted(f"{n:03b}" for n in range(8)))
+        removable = sum(code.get("font-weight") == "bold" for code in codes) + beside.count("removable")
+        self.assertEqual(removable, 6)
+        self.assertIn("J1  62/065", [text.text for text in texts])
+
+        document = self.json_of("support", "bolted_tunnel.toml")
+        with open(self.path("keyblocks.csv"), encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([int(row["block"]) for row in rows],
+                         [key["block"] for key in document["keyblocks"] + document["stable"]])
+        with open(self.path("crossings.csv"), encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), sum(len(key["bolts"]) for key in document["keyblocks"] + document["stable"]))
+
+    def test_is_the_same_on_any_number_of_threads(self):
+        found = []
+        for threads in ("1", "3"):
+            document = self.json_of("support", "bolted_tunnel.toml", "--threads", threads)
+            document.pop("seconds")
+            found.append((document, [self.path(name).read_bytes() for name in FILES]))
+        self.assertEqual(found[0], found[1])
+
+
+if __name__ == "__main__":
+    unittest.main()
