@@ -53,6 +53,9 @@ void read_analysis(Draft& draft);
 void read_solver(Draft& draft);
 void read_output(Draft& draft);
 void read_support(Draft& draft);
+void read_waters(Draft& draft);  // needs joints of all kinds
+void read_initial_stress(Draft& draft);
+void read_block_theory(Draft& draft);  // needs materials
 
 /// "dip" and "dip_direction" of a table.
 bool read_dip(TableReader& in, DipOrientation& target, Need need = Need::required);

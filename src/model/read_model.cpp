@@ -55,10 +55,11 @@ void read_top_level(Draft& draft, const Value& root) {
   read_title_and_gravity(in, draft.model);
   for (const char* key : {"material", "joint_material", "solid", "joint_set", "joint", "joint_mesh",
                           "joint_table", "merge", "excavation", "cut", "scanline", "cover", "fixed",
-                          "point_load", "analysis", "solver", "output", "monitor", "support"})
+                          "point_load", "analysis", "solver", "output", "monitor", "support", "water",
+                          "initial_stress", "block_theory"})
     in.has(key);
   for (const char* key :
-       {"traction", "initial_velocity", "initial_stress", "contact", "bolt", "bolt_pattern"})
+       {"traction", "initial_velocity", "contact", "bolt", "bolt_pattern"})
     in.not_yet(key);
 }
 
@@ -82,6 +83,9 @@ void read_sections(Draft& draft) {
   read_solver(draft);
   read_output(draft);
   read_support(draft);
+  read_waters(draft);
+  read_initial_stress(draft);
+  read_block_theory(draft);
 }
 
 void add_missing(Draft& draft, Purpose purpose) {

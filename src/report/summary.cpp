@@ -49,6 +49,8 @@ const char* mode_words(SlidingMode mode) {
       return "slides";
     case SlidingMode::two_planes:
       return "slides on two";
+    case SlidingMode::rotation:
+      return "turns";
   }
   return "";
 }

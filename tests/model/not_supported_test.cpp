@@ -23,7 +23,6 @@ TEST(NotSupportedYet, IsSaidOfEachKeyAndValue) {
   const NotYet cases[] = {
       {"[[traction]]\nwhere = {face = 'rock.zmax'}\nvalue = [0, 0, -1]", 6, 3, "traction"},
       {"[[initial_velocity]]\nwhere = {all = true}", 6, 3, "initial_velocity"},
-      {"[initial_stress]\nvalue = [[-1, 0, 0], [0, -1, 0], [0, 0, -2]]", 6, 2, "initial_stress"},
       {"[contact]\npenalty = 0", 6, 2, "contact"},
       {"[[bolt]]\nname = 'b'", 6, 3, "bolt"},
       {"[[bolt_pattern]]\nname = 'b'", 6, 3, "bolt_pattern"},
