@@ -24,6 +24,7 @@ constexpr Real largest_support_gap = 1e-3;
 
 Purpose purpose_of(Command command) {
   if (command == Command::support) return Purpose::support;
+  if (command == Command::theory) return Purpose::theory;
   return command == Command::run || command == Command::demo ? Purpose::run : Purpose::cut;
 }
 
@@ -44,6 +45,10 @@ void reseed(Model& model, std::uint64_t seed) {
       set.random->seed = seed + s;
       random = true;
     }
+  if (model.theory && model.theory->monte_carlo) {
+    model.theory->monte_carlo->seed = seed;
+    random = true;
+  }
   if (!random) return;
   if (!model.text.empty() && model.text.back() != '\n') model.text += '\n';
   model.text +=
@@ -74,7 +79,8 @@ Model load_model(const Options& options, Terminal& terminal) {
   load_files(model);
   if (options.command == Command::support && !model.support) model.support = SupportSpec{};
   if (wants_support(options, model)) check_for(model, Purpose::support);
-  if (std::filesystem::path(result_path(options)).extension() != ".vtkhdf")
+  if (options.command != Command::theory &&
+      std::filesystem::path(result_path(options)).extension() != ".vtkhdf")
     terminal.warn("ParaView knows result files by their name: let it end in .vtkhdf");
   return model;
 }

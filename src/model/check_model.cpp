@@ -136,6 +136,12 @@ void add_support_needs(Needs& needs) {
   needs.joint_stiffness();
 }
 
+void add_theory_needs(Needs& needs) {
+  needs.theory();
+  needs.joint_materials();
+  needs.driving_force();
+}
+
 void add_run_needs(Needs& needs) {
   needs.elastic_constants();
   needs.cover();
@@ -153,9 +159,12 @@ std::vector<Diagnostic> missing_for(const Model& model, Purpose purpose) {
       purpose == Purpose::support || (purpose != Purpose::cut && model.support.has_value());
   Needs needs(model);
   if (purpose == Purpose::theory) {
-    needs.theory();
-    add_support_needs(needs);
+    add_theory_needs(needs);
     return std::move(needs).found();
+  }
+  if (purpose == Purpose::check && model.theory) {
+    add_theory_needs(needs);
+    if (model.solids.empty()) return std::move(needs).found();
   }
   needs.solid();
   if (support || run) add_rock_needs(needs);

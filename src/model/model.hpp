@@ -415,7 +415,10 @@ struct TheoryScan {
 struct MonteCarloSpec {
   Index realisations = 1000;
   std::uint64_t seed = 1;
-  Real length = 10;             ///< m of tunnel looked at in each
+  Real length = 10;  ///< m of tunnel looked at in each
+  /// m to the sides, up and down from the section's origin within which apexes are looked for;
+  /// default five times the section's extent.
+  std::optional<Real> reach;
   Real friction_deviation = 0;  ///< deg, standard deviation of each set's friction angle
   Real cohesion_variation = 0;  ///< coefficient of variation of each set's cohesion
   Real confidence = 0.95;       ///< of the bounds, (0, 1)

@@ -95,6 +95,7 @@ void read_monte_carlo(TableReader& in, TheorySpec& theory) {
   if (entry.read("seed", seed, IntegerRange{.low = 0}, Need::optional))
     spec.seed = static_cast<std::uint64_t>(seed);
   entry.read("length", spec.length, length(), Need::optional);
+  entry.read("reach", spec.reach, length());
   entry.read("friction_angle_deviation", spec.friction_deviation, between(0, 45, "deg"),
              Need::optional);
   entry.read("cohesion_variation", spec.cohesion_variation,
