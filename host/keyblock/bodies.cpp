@@ -107,11 +107,15 @@ Body Bodies::body(std::vector<Index> members, const std::vector<Index>& batch) c
   return body;
 }
 
-std::vector<Bodies::FacePlane> Bodies::faces(Index block) const {
-  std::vector<FacePlane> faces;
-  for (Index id = blocks_.face_begin[at(block)]; id < blocks_.face_begin[at(block) + 1]; ++id)
-    faces.push_back({id, blocks_.face_normal[at(id)]});
-  return faces;
+bool Bodies::is_encased(Index block, const std::vector<Index>& batch) const {
+  for (Index id = blocks_.face_begin[at(block)]; id < blocks_.face_begin[at(block) + 1]; ++id) {
+    const auto contacts = contacts_.of_face(id);
+    if (std::none_of(contacts.begin(), contacts.end(), [&](const FaceContacts::Contact& c) {
+          return batch[at(c.block)] == 0 && c.area > 0;
+        }))
+      return false;
+  }
+  return true;
 }
 
 void Bodies::add_point_loads(Body& body) const {
@@ -234,7 +238,10 @@ BlockVerdict Bodies::judge(const Body& body, const std::vector<Index>& batch) co
   verdict = judge_block(body.faces, body.load, 0);
   const bool removable =
       verdict.block_class == BlockClass::key || verdict.block_class == BlockClass::stable;
-  if (!removable || !spec_.rotation || !has_polygons_ || body.members.size() != 1) return verdict;
+  const bool falls = verdict.movement && verdict.movement->mode == SlidingMode::lifting &&
+                     verdict.movement->resisting == 0;  // nothing is less safe
+  if (!removable || falls || !spec_.rotation || !has_polygons_ || body.members.size() != 1)
+    return verdict;
   add_rotation(verdict, find_rotation(patches(body, batch),
                                       {.centroid = body.centroid,
                                        .inertia = inertia_tensor(blocks_, body.members[0]),

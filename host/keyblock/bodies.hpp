@@ -36,11 +36,9 @@ class Bodies {
   /// Its class and motion; rotation for a single block.
   BlockVerdict judge(const Body& body, const std::vector<Index>& batch) const;
 
-  struct FacePlane {
-    Index face;
-    Vec3 normal;  ///< outward
-  };
-  std::vector<FacePlane> faces(Index block) const;
+  const BlockArrays& blocks() const { return blocks_; }
+  /// Whether every face of a block leans on a block that is still there.
+  bool is_encased(Index block, const std::vector<Index>& batch) const;
   const FaceContacts& contacts() const { return contacts_; }
   const FaceOrigin& origin(Index face) const {
     return blocks_

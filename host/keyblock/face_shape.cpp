@@ -27,10 +27,13 @@ void for_each_triangle(const BlockArrays& blocks, Index face, Function f) {
   const Index begin = blocks.loop_begin[at(face)], end = blocks.loop_begin[at(face) + 1];
   if (begin == end) return;
   const Vec3 apex = blocks.vertex[at(blocks.corner_vertex[at(blocks.corner_begin[at(begin)])])];
+  const auto corner = [&](Index c) -> const Vec3& {
+    return blocks.vertex[at(blocks.corner_vertex[at(c)])];
+  };
   for (Index loop = begin; loop < end; ++loop) {
-    const auto corners = loop_corners(blocks, loop);
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      f(apex, corners[i], corners[(i + 1) % corners.size()]);
+    const Index first = blocks.corner_begin[at(loop)], last = blocks.corner_begin[at(loop) + 1] - 1;
+    for (Index c = first; c < last; ++c) f(apex, corner(c), corner(c + 1));
+    f(apex, corner(last), corner(first));
   }
 }
 

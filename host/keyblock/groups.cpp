@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "host/keyblock/pyramid.hpp"
 #include "host/parallel.hpp"
@@ -63,19 +64,28 @@ class GroupSearch {
   /// that stays, or if they are too many.
   std::vector<Index> closure(const Body& seed, const Vec3& u) const {
     std::vector<Index> members = seed.members;
-    for (std::size_t next = 0; next < members.size(); ++next)
-      for (const auto& [face, normal] : bodies_.faces(members[next])) {
+    const BlockArrays& blocks = bodies_.blocks();
+    for (std::size_t next = 0; next < members.size(); ++next) {
+      const auto b = static_cast<std::size_t>(members[next]);
+      for (Index face = blocks.face_begin[b]; face < blocks.face_begin[b + 1]; ++face) {
+        const Vec3& normal = blocks.face_normal[static_cast<std::size_t>(face)];
         if (dot(normal, u) <= direction_tolerance) continue;
-        for (const auto& contact : bodies_.contacts().of_face(face)) {
-          if (batch_[static_cast<std::size_t>(contact.block)] != 0) continue;
-          if (std::find(members.begin(), members.end(), contact.block) != members.end()) continue;
-          if (static_cast<Index>(members.size()) == largest_ || !may_move_(contact.block))
-            return {};
-          members.push_back(contact.block);
-        }
+        if (!push(face, members)) return {};
       }
+    }
     std::sort(members.begin(), members.end());
     return members;
+  }
+
+  /// Adds what a face pushes on; false if that stays or is too much.
+  bool push(Index face, std::vector<Index>& members) const {
+    for (const auto& contact : bodies_.contacts().of_face(face)) {
+      if (batch_[static_cast<std::size_t>(contact.block)] != 0) continue;
+      if (std::find(members.begin(), members.end(), contact.block) != members.end()) continue;
+      if (static_cast<Index>(members.size()) == largest_ || !may_move_(contact.block)) return false;
+      members.push_back(contact.block);
+    }
+    return true;
   }
 
   const Bodies& bodies_;
@@ -83,6 +93,29 @@ class GroupSearch {
   Index largest_;
   const std::function<bool(Index)>& may_move_;
 };
+
+/// The blocks of `blocks` that a chain of fewer than `largest` contacts joins to one with a free face:
+/// a group has a free face.
+std::vector<Index> near_free_faces(const Bodies& bodies, const std::vector<Index>& blocks,
+                                   const std::vector<Index>& batch, Index largest) {
+  std::vector<Index> front, near;
+  std::vector<std::uint8_t> seen(batch.size(), 1);
+  for (const Index b : blocks) seen[static_cast<std::size_t>(b)] = 0;
+  for (const Index b : blocks)
+    if (!bodies.is_encased(b, batch)) {
+      seen[static_cast<std::size_t>(b)] = 1;
+      front.push_back(b);
+    }
+  for (Index step = 1; step <= largest && !front.empty(); ++step) {
+    near.insert(near.end(), front.begin(), front.end());
+    if (step == largest) break;
+    std::erase_if(front = bodies.contacts().neighbours(front, batch), [&](Index b) {
+      return std::exchange(seen[static_cast<std::size_t>(b)], std::uint8_t{1}) != 0;
+    });
+  }
+  std::sort(near.begin(), near.end());
+  return near;
+}
 
 bool moves_before(const Group& a, const Group& b) {
   const auto size = [](const Group& g) { return g.body.members.size(); };
@@ -110,16 +143,20 @@ std::vector<Group> disjoint(std::vector<Group> groups) {
 
 }  // namespace
 
-std::vector<Group> find_groups(const Bodies& bodies, const std::vector<Index>& seeds,
+std::vector<Group> find_groups(const Bodies& bodies, const std::vector<Index>& blocks,
                                const std::vector<Index>& batch, Index largest,
                                const std::function<bool(Index)>& may_move) {
   if (largest < 2) return {};
+  std::vector<Index> seeds;
+  for (const Index b : blocks)
+    if (may_move(b)) seeds.push_back(b);
+  seeds = near_free_faces(bodies, seeds, batch, largest);
   const GroupSearch search(bodies, batch, largest, may_move);
   std::vector<std::vector<std::vector<Index>>> of_seed(seeds.size());
   constexpr std::int64_t chunk = 64;
   parallel_for(static_cast<std::int64_t>(seeds.size()), chunk, [&](std::int64_t i) {
     const auto k = static_cast<std::size_t>(i);
-    if (may_move(seeds[k])) of_seed[k] = search.pushed_with(seeds[k]);
+    of_seed[k] = search.pushed_with(seeds[k]);
   });
   std::set<std::vector<Index>> sets;
   for (auto& found : of_seed)

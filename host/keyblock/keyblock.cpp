@@ -108,7 +108,12 @@ std::vector<KeyblockSearch::Judged> KeyblockSearch::judge(
   std::vector<Judged> judged(candidates.size());
   const auto judge_one = [&](std::int64_t i) {
     Judged& one = judged[static_cast<std::size_t>(i)];
-    Body body = bodies_.body({candidates[static_cast<std::size_t>(i)]}, report_.batch);
+    const Index block = candidates[static_cast<std::size_t>(i)];
+    // A closed block without a free face has no removable direction: most are such.
+    if (blocks_.finite[static_cast<std::size_t>(block)] != 0 &&
+        bodies_.is_encased(block, report_.batch))
+      return;
+    Body body = bodies_.body({block}, report_.batch);
     one.verdict = bodies_.judge(body, report_.batch);
     const bool removable = one.verdict.movement || one.verdict.rotation;
     if (removable) one.body = std::move(body);  // what is not described needs no faces

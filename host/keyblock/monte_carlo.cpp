@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -124,8 +125,8 @@ class ApexSearch {
   /// The largest finite block.
   std::optional<TheoryShape> largest(const TunnelPyramid& pyramid) const {
     std::optional<TheoryShape> best;
-    for (const Real first : sets_[0]->planes)
-      for (const Real second : sets_[1]->planes) {
+    for (const Real first : planes_near(0, pyramid))
+      for (const Real second : planes_near(1, pyramid)) {
         const auto apex = farthest(pyramid, first * basis_[0] + second * basis_[1]);
         if (!apex) continue;
         auto shape = pyramid.block_at(*apex);
@@ -136,6 +137,22 @@ class ApexSearch {
 
  private:
   const Vec3& normal(std::size_t i) const { return sets_[i]->set.upward; }
+
+  /// The planes of a set that come between the maximum block's apex and the section.
+  std::span<const Real> planes_near(std::size_t i, const TunnelPyramid& pyramid) const {
+    const Vec3& n = normal(i);
+    const Real axial = dot(n, frame_.axis) * window_.length;
+    const auto at = [&](const Point2& q) { return dot(n, frame_.lifted(q)); };
+    Real low = at(pyramid.apex()), high = low;
+    for (const Point2& q : frame_.section) {
+      low = std::min(low, at(q));
+      high = std::max(high, at(q));
+    }
+    const auto& planes = sets_[i]->planes;
+    const auto begin = std::lower_bound(planes.begin(), planes.end(), low + std::min(0.0, axial));
+    const auto end = std::upper_bound(begin, planes.end(), high + std::max(0.0, axial));
+    return {begin, end};
+  }
 
   /// On the line through `base`, the apex of the largest block: in the window, and not beyond the
   /// maximum block's.
