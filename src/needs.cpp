@@ -132,6 +132,31 @@ void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& mode
                               statistics.elongated_blocks, *model.cut.max_aspect_ratio));
 }
 
+void require_candidates(const Options& options, const Model& model, const BlockArrays& blocks,
+                        Terminal& terminal) {
+  bool finite = blocks.block_count() == 0, free = finite;
+  for (Index b = 0; b < blocks.block_count() && !free; ++b) {
+    if (blocks.finite[b] == 0) continue;
+    finite = true;
+    for (Index f = blocks.face_begin[b]; f < blocks.face_begin[b + 1]; ++f)
+      free |= blocks.origins[blocks.face_origin[f]].kind != FaceOrigin::Kind::joint;
+  }
+  if (free) return;
+  const std::string message =
+      finite
+          ? "no finite block has a free face: every one is enclosed by other blocks, so that none "
+            "can move. Leave a face of a solid out of continues, or add an [[excavation]]"
+          : "no block is finite: each touches a face beyond which the rock continues, so that none "
+            "can move. Fewer faces in continues, or more joints, would make finite blocks";
+  if (options.command != Command::support) {
+    terminal.warn(message);
+    return;
+  }
+  const Place& place = model.solids.front().place;
+  throw Error(ErrorKind::model, message,
+              {place.file, place.line, place.column, place.key + ".continues"});
+}
+
 void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal) {
   if (blocks.block_count() < 2 || model.cover->joints == JointTreatment::welded) return;
   terminal.warn(fmt::format(

@@ -98,6 +98,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   if (measures) warn_of_flagged_blocks(measures->blocks, model, terminal);
 
   std::optional<KeyblockReport> keyblocks;
+  if (wants_support(options, model)) require_candidates(options, model, blocks, terminal);
   if (wants_support(options, model))
     keyblocks = clock.measure("keyblock", "finding key blocks",
                               [&] { return find_keyblocks(blocks, model); });
