@@ -30,7 +30,7 @@ Model cube(bool jointed, Real spacing) {
   if (jointed) add(60, 90, 0.91), add(70, 200, 1.2), add(20, 320, 1.33);
   model.materials.resize(1);
   model.cover = CoverSpec{};
-  model.cover->spacing = spacing;
+  model.cover->spacing = {spacing, spacing, spacing};
   return model;
 }
 
@@ -39,7 +39,8 @@ double bytes_of(const CoverArrays& a) {
                                    a.regular_cover.size() + 2 * a.regular_block.size() +
                                    3 * a.element_cell.size() + a.element_cover.size() +
                                    3 * a.piece_block.size() + a.triangle_vertex.size()) +
-         8.0 * static_cast<double>(a.vertex_xyz.size()) + static_cast<double>(a.element_tet.size());
+         8.0 * static_cast<double>(a.vertex_xyz.size()) +
+         static_cast<double>(a.element_part.size());
 }
 
 void covers(benchmark::State& state) {
@@ -50,7 +51,7 @@ void covers(benchmark::State& state) {
   Covering covering;
   for (auto _ : state) covering = build_covers(cutting, model, silent);
   const CoverArrays& a = covering.arrays;
-  const Real cell = std::pow(model.cover->spacing, 3);
+  const Real cell = std::pow(model.cover->spacing[0], 3);
   Real volume = cell * a.regular_count();
   for (const Real v : piece_moments(a).volume) volume += v;
   if (std::abs(volume / 1000 - 1) > 1e-12) state.SkipWithError("the elements do not fill the rock");

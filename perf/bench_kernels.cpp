@@ -31,8 +31,10 @@ struct Bench {
       : covers(box_rock(cells, cut_layers)), moments(piece_moments(covers)) {
     for (Index p = 0; p < (cells + 1) * (cells + 1); ++p) {
       fixed.points.element.push_back(0);
-      fixed.points.cover.push_back({p, p, p, p});
-      fixed.points.weight.push_back({1, 0, 0, 0});
+      fixed.points.local.push_back({});
+      fixed.points.unknown.push_back(p);
+      fixed.points.weight.push_back(1);
+      fixed.points.begin.push_back(static_cast<Index>(fixed.points.unknown.size()));
       fixed.component.push_back({1, 1, 1});
       fixed.value.push_back({});
       fixed.stiffness.push_back(1e9 * side);

@@ -13,7 +13,7 @@ void add_regular(CoverArrays& a, Index cell, const Index (&node)[8]) {
 void add_whole_tetrahedra(CoverArrays& a, Index cell, const Index (&node)[8], Real side) {
   for (int t = 0; t < 6; ++t) {
     a.element_cell.push_back(cell);
-    a.element_tet.push_back(static_cast<std::uint8_t>(t));
+    a.element_part.push_back(static_cast<std::uint8_t>(t));
     a.element_material.push_back(0);
     const Index first = static_cast<Index>(a.vertex_xyz.size() / 3);
     for (int c : tet6_corner[t]) {

@@ -165,7 +165,8 @@ void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Term
       blocks.block_count()));
 }
 
-void warn_of_large_rotation(const RunResult& run, Terminal& terminal) {
+void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal) {
+  if (model.analysis->large()) return;
   Real largest = 0;
   std::size_t at = 0;
   for (std::size_t b = 0; b < run.blocks.size(); ++b)

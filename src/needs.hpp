@@ -39,7 +39,7 @@ void require_candidates(const Options& options, const Model& model, const BlockA
                         Terminal& terminal);
 void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal);
 /// Strains are linear in the displacement yet, which is right for small rotations only.
-void warn_of_large_rotation(const RunResult& run, Terminal& terminal);
+void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal);
 /// An augmented Lagrangian that could not bring the fixed points to their places.
 void warn_of_support_gap(const RunResult& run, Terminal& terminal);
 

@@ -32,8 +32,24 @@ namespace {
 struct CoveredRock {
   Covering covering;
   FixedPoints fixed;
-  MaterialPoints monitors, loads, block_vertices;
+  MaterialPoints monitors, block_vertices;
+  LoadPoints loads;
+  QuietPoints quiet;
 };
+
+LoadPoints point_loads(const Model& model, const Covering& covering) {
+  LoadPoints loads;
+  loads.points = locate_points(covering, load_points(model));
+  for (const PointLoad& load : model.point_loads) {
+    loads.force.push_back(load.force);
+    loads.table.push_back(load.table.empty() ? none : static_cast<Index>(loads.tables.size()));
+    if (!load.table.empty()) loads.tables.push_back(load.table);
+    loads.scale.push_back(1);
+    loads.area.push_back({});
+    loads.pressure.push_back(0);
+  }
+  return loads;
+}
 
 CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockArrays& blocks,
                        Progress& progress) {
@@ -41,9 +57,9 @@ CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockAr
   rock.covering = build_covers(cutting, model, progress);
   rock.fixed = fixed_points(cutting, rock.covering, model);
   rock.monitors = locate_points(rock.covering, monitor_points(model));
-  rock.loads = locate_points(rock.covering, load_points(model));
+  rock.loads = point_loads(model, rock.covering);
   rock.block_vertices = locate_block_vertices(rock.covering, blocks);
-  require_in_rock(model, rock.monitors, rock.loads);
+  require_in_rock(model, rock.monitors, rock.loads.points);
   return rock;
 }
 
@@ -51,7 +67,7 @@ CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockAr
 RunResult analyse(const CoveredRock& rock, const Model& model, const BlockArrays& blocks,
                   ResultWriter& writer, int threads, Terminal& terminal) {
   const RunInput input{model,      rock.covering.arrays, blocks, rock.fixed, rock.monitors,
-                       rock.loads, rock.block_vertices};
+                       rock.loads, rock.quiet,          rock.block_vertices};
   const auto store = [&](const StoredState& state) {
     add_stored_state(writer, rock.block_vertices, state);
   };
@@ -130,7 +146,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
                   [&] { writer.write_elements(rock->covering.arrays); });
     run = analyse(*rock, model, blocks, writer, options.threads, terminal);
     add_run_seconds(clock, *run);
-    warn_of_large_rotation(*run, terminal);
+    warn_of_large_rotation(model, *run, terminal);
     warn_of_support_gap(*run, terminal);
   }
   clock.measure("output", [&] { writer.finish(); });

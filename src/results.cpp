@@ -2,17 +2,16 @@
 
 #include <limits>
 
-#include "src/base/vector.hpp"
+#include "src/arrays/shape_functions.hpp"
 
 namespace rockfold {
 
 namespace {
 
-/// Σ_a weight_a · field[cover_a] at each point.
+/// The field at each point.
 std::vector<Vec3> interpolated(const MaterialPoints& points, const std::vector<Vec3>& field) {
-  std::vector<Vec3> value(points.size(), Vec3{});
-  for (std::size_t n = 0; n < points.size(); ++n)
-    for (int a = 0; a < 4; ++a) value[n] += points.weight[n][a] * field[points.cover[n][a]];
+  std::vector<Vec3> value(points.size());
+  for (std::size_t n = 0; n < points.size(); ++n) value[n] = interpolate(points, n, field);
   return value;
 }
 

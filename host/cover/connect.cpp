@@ -2,38 +2,38 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
+#include <limits>
 
+#include <fmt/format.h>
+
+#include "host/cover/occupied_cells.hpp"
 #include "host/cut/union_find.hpp"
+#include "src/base/error.hpp"
 
 namespace rockfold {
 
 namespace {
 
-using Facet = std::array<Index, 3>;  // lattice nodes, ascending
-
-// Where a part of the rock stands in a lattice: a regular lattice cell or a piece.
-struct Part {
-  Index regular = none;
-  Index piece = none;
-};
-
 class Connector {
  public:
-  Connector(const Complex& complex, const Model& model, const Pieces& pieces, bool welded,
-            CoverArrays& covers, PieceIndex& index)
+  Connector(const Complex& complex, const Model& model, const Pieces& pieces, CoverArrays& covers,
+            PieceIndex& index)
       : complex_(complex),
         model_(model),
         pieces_(pieces),
-        welded_(welded),
+        is_block_(covers.lattice.kind == LatticeKind::block),
         covers_(covers),
         index_(index),
+        cells_(covers.lattice, pieces),
         piece_parts_(static_cast<Index>(pieces.pieces.size())),
         walker_(index.lattice, index.planes) {}
 
   void run() {
     write_regular();
-    find_virtual_links();
+    if (is_block_)
+      join_blocks();
+    else
+      find_virtual_links();
     number_elements();
     write_elements();
     join_stars();
@@ -41,28 +41,17 @@ class Connector {
   }
 
  private:
-  // Two pieces that glue joins across the interior of a tetrahedron, or across one of its facets.
+  // Two parts of the rock that glue joins across a facet, or inside a part where they differ in material.
   struct Link {
-    Part one, two;
-    Facet facet;  // lattice nodes whose stars hold the link
-    bool inside;  // of one tetrahedron: all four nodes
+    Holding one, two;
+    const PartFacet* facet;  // of the first; null = inside
   };
 
   Index material(Index rock) const { return model_.solids[complex_.zone(rock).solid].material; }
-
-  Index node(Index lattice_cell, int corner) const {
-    const auto c = covers_.lattice.cell_ijk(lattice_cell);
-    return covers_.lattice.node_index(c[0] + (corner & 1), c[1] + (corner >> 1 & 1),
-                                      c[2] + (corner >> 2 & 1));
+  const SplitTable::Form& form(Index lattice_cell) const {
+    return index_.lattice.form(covers_.lattice.cell_ijk(lattice_cell));
   }
-
-  Facet facet_nodes(Index lattice_cell, int tet, int a) const {
-    Facet f;
-    for (int i = 0, k = 0; i < 4; ++i)
-      if (i != a) f[k++] = node(lattice_cell, tet6_corner[tet][i]);
-    std::sort(f.begin(), f.end());
-    return f;
-  }
+  const PieceRecord& record(Index piece) const { return pieces_.pieces[piece]; }
 
   void write_regular() {
     for (const auto& r : pieces_.regular) {
@@ -73,217 +62,237 @@ class Connector {
     }
   }
 
-  Part find_part(Index lattice_cell, int tet, Index rock) const {
-    const auto& list = pieces_.pieces;
-    const auto it =
-        std::lower_bound(list.begin(), list.end(), std::tuple{lattice_cell, tet, rock},
-                         [](const PieceRecord& p, const std::tuple<Index, int, Index>& key) {
-                           return std::tuple{p.lattice_cell, p.tet, p.rock} < key;
-                         });
-    if (it != list.end() && it->lattice_cell == lattice_cell && it->tet == tet && it->rock == rock)
-      return {none, static_cast<Index>(it - list.begin())};
-    const Index r = PieceIndex::find_regular(covers_, lattice_cell);
-    if (r != none && index_.regular_rock[r] == rock) return {r, none};
-    return {};
+  // Kind `block`: what a block has of one material is an element.
+  void join_blocks() {
+    for (const CellContent& c : cells_.all())
+      for (Index i = c.piece_begin; i < c.piece_end; ++i)
+        for (Index j = c.piece_begin; j < i; ++j)
+          if (material(record(i).rock) == material(record(j).rock)) {
+            piece_parts_.join(i, j);
+            break;
+          }
   }
 
-  // Glue between cells of the complex. Inside a tetrahedron it joins pieces of one material to one element.
+  // Glue between cells of the complex. Inside a part it joins pieces of one material to one element.
   void find_virtual_links() {
+    const bool welded = model_.cover->joints == JointTreatment::welded;
     for (const Fragment& f : complex_.fragments) {
-      if (f.joint != none && !welded_) continue;
+      if (f.joint != none && !welded) continue;
       if (complex_.zone(f.cell[0]).stage != 0 || complex_.zone(f.cell[1]).stage != 0) continue;
       const Polygon polygon = complex_.polygon_of(f);
-      struct OnFacet {
-        Facet nodes;
-        Part part;
-      };
-      std::vector<OnFacet> below, above;
-      for (const int s : {0, 1}) {
-        const HalfSpaceId side = half_space(polygon.plane, s == 1);
-        walker_.walk(polygon, side, [&](const std::array<Index, 3>& ijk, int tet, const Polygon&) {
-          const Index lattice_cell = covers_.lattice.cell_index(ijk[0], ijk[1], ijk[2]);
-          int on = none;  // the facet that the polygon lies on
-          for (int a = 0; a < 4; ++a)
-            if (plane_of(index_.lattice.facet(ijk, tet, a)) == polygon.plane) on = a;
-          const Part part = find_part(lattice_cell, tet, f.cell[s]);
-          if (on != none) {
-            (s == 0 ? below : above).push_back({facet_nodes(lattice_cell, tet, on), part});
-          } else if (s == 0) {
-            const Part other = find_part(lattice_cell, tet, f.cell[1]);
-            if (part.piece != none && other.piece != none) join_inside(part.piece, other.piece);
-          }
-        });
-      }
-      const auto by_nodes = [](const OnFacet& a, const OnFacet& b) { return a.nodes < b.nodes; };
-      std::sort(above.begin(), above.end(), by_nodes);
-      for (const OnFacet& b : below) {
-        const auto [first, last] = std::equal_range(above.begin(), above.end(), b, by_nodes);
-        for (auto a = first; a != last; ++a) links_.push_back({b.part, a->part, b.nodes, false});
-      }
+      walker_.walk(polygon, half_space(polygon.plane, false),
+                   [&](const std::array<Index, 3>& ijk, int part, const Polygon&) {
+                     add_link(f, polygon.plane, ijk, part);
+                   });
     }
   }
 
-  void join_inside(Index one, Index two) {
-    if (material(pieces_.pieces[one].rock) == material(pieces_.pieces[two].rock))
-      piece_parts_.join(one, two);
-    else
-      links_.push_back({{none, one}, {none, two}, {}, true});
+  Index cell_across(std::array<Index, 3> ijk, const PartFacet& facet) const {
+    if (facet.axis >= 0) {
+      Index& i = ijk[facet.axis];
+      i += facet.step;
+      if (i < 0 || i >= covers_.lattice.cells[facet.axis]) return none;
+    }
+    return covers_.lattice.cell_index(ijk[0], ijk[1], ijk[2]);
   }
 
-  // Elements in the order of their first piece, so by lattice cell and tetrahedron; pieces regrouped to follow it.
+  // The part lies below the fragment's plane where that is the plane of one of its facets.
+  void add_link(const Fragment& f, Index plane, const std::array<Index, 3>& ijk, int part) {
+    const Index lattice_cell = covers_.lattice.cell_index(ijk[0], ijk[1], ijk[2]);
+    const auto one = cells_.find(lattice_cell, part, f.cell[0]);
+    if (!one.any()) return;
+    for (const PartFacet& facet : index_.lattice.form(ijk).facet[part]) {
+      if (plane_of(index_.lattice.inside(ijk, facet)) != plane) continue;
+      const Index across = cell_across(ijk, facet);
+      const auto two = across == none ? Holding{} : cells_.find(across, facet.other, f.cell[1]);
+      if (two.any()) links_.push_back({one, two, &facet});
+      return;
+    }
+    const auto two = cells_.find(lattice_cell, part, f.cell[1]);
+    if (one.piece == none || two.piece == none) return;
+    if (material(f.cell[0]) == material(f.cell[1]))
+      piece_parts_.join(one.piece, two.piece);
+    else
+      links_.push_back({one, two, nullptr});
+  }
+
+  // Elements in the order of their first piece, so by lattice cell and part; pieces regrouped to follow it.
   void number_elements() {
-    const std::vector<Index> component = piece_parts_.components();
-    piece_order_.resize(component.size());
-    for (Index i = 0; i < static_cast<Index>(component.size()); ++i) piece_order_[i] = i;
+    element_of_piece_ = piece_parts_.components();
+    piece_order_.resize(element_of_piece_.size());
+    for (Index i = 0; i < static_cast<Index>(piece_order_.size()); ++i) piece_order_[i] = i;
     std::stable_sort(piece_order_.begin(), piece_order_.end(),
-                     [&](Index a, Index b) { return component[a] < component[b]; });
-    index_.piece_element.assign(component.size(), none);
-    element_of_piece_ = component;
+                     [&](Index a, Index b) { return element_of_piece_[a] < element_of_piece_[b]; });
+    Index cut = 0;
+    for (const Index e : element_of_piece_) cut = std::max(cut, e + 1);
+    refuse_too_many(cut);
+  }
+
+  void refuse_too_many(std::int64_t cut) const {
+    const std::int64_t regular = covers_.regular_count();
+    const std::int64_t elements = covers_.parts_per_cell() * regular + cut,
+                       nodes = covers_.nodes_per_cell() * regular + covers_.nodes_per_part() * cut;
+    refuse_elements(*model_.cover, static_cast<Real>(elements), false);
+    if (nodes > std::numeric_limits<Index>::max())
+      throw Error(
+          ErrorKind::model,
+          fmt::format("found {:.3g} nodes of elements, must be 2.1e9 or fewer: use a larger "
+                      "spacing",
+                      static_cast<Real>(nodes)),
+          Place{model_.cover->place.file, model_.cover->place.line, model_.cover->place.column,
+                "cover.spacing"});
   }
 
   void write_elements() {
     covers_.piece_begin = {0};
     covers_.triangle_begin = {0};
     covers_.vertex_begin = {0};
-    std::vector<Index> rock;
-    covers_.element_vertices = covers_.element_faces =
-        24 * static_cast<std::int64_t>(covers_.regular_count());
+    index_.piece_element.assign(piece_order_.size(), none);
+    const CellPart& any_part = cell_split(covers_.lattice.kind).part.front();
+    covers_.element_vertices =
+        std::int64_t{covers_.parts_per_cell()} * any_part.nodes * covers_.regular_count();
+    covers_.element_faces = std::int64_t{covers_.parts_per_cell()} * (any_part.nodes == 8 ? 6 : 4) *
+                            covers_.regular_count();
     for (std::size_t i = 0; i < piece_order_.size(); ++i) {
-      const PieceRecord& p = pieces_.pieces[piece_order_[i]];
+      const PieceRecord& p = record(piece_order_[i]);
       const Index e = element_of_piece_[piece_order_[i]];
       if (e == covers_.cut_count()) {
         covers_.element_cell.push_back(p.lattice_cell);
-        covers_.element_tet.push_back(static_cast<std::uint8_t>(p.tet));
+        covers_.element_part.push_back(static_cast<std::uint8_t>(p.part));
         covers_.element_material.push_back(material(p.rock));
         covers_.piece_begin.push_back(covers_.piece_begin.back());
       }
       ++covers_.piece_begin.back();
       covers_.piece_block.push_back(complex_.cell_block[p.rock]);
       index_.piece_element[i] = e;
-      rock.push_back(p.rock);
-      const auto first = static_cast<Index>(covers_.vertex_xyz.size() / 3);
-      for (const Vec3& x : p.vertices)
-        covers_.vertex_xyz.insert(covers_.vertex_xyz.end(), x.begin(), x.end());
-      for (const auto& t : p.triangles)
-        for (const Index v : t) covers_.triangle_vertex.push_back(first + v);
-      covers_.vertex_begin.push_back(static_cast<Index>(covers_.vertex_xyz.size() / 3));
-      covers_.triangle_begin.push_back(static_cast<Index>(covers_.triangle_vertex.size() / 3));
-      covers_.element_vertices += p.vertex_count;
-      covers_.element_faces += p.face_count;
+      index_.piece_rock.push_back(p.rock);
+      write_shape(p);
     }
-    index_.piece_rock = std::move(rock);
   }
 
-  // An instance is one node of a regular lattice cell (8 each) or of a cut element (4 each).
-  Index instance(const Part& part, Index lattice_node) const {
-    if (part.regular != none) {
-      for (int c = 0; c < 8; ++c)
-        if (node(covers_.regular_cell[part.regular], c) == lattice_node)
-          return 8 * part.regular + c;
-      return none;
-    }
-    const Index e = element_of_piece_[part.piece];
-    for (int a = 0; a < 4; ++a)
-      if (node(covers_.element_cell[e], tet6_corner[covers_.element_tet[e]][a]) == lattice_node)
-        return 8 * covers_.regular_count() + 4 * e + a;
-    return none;
+  void write_shape(const PieceRecord& p) {
+    const auto first = static_cast<Index>(covers_.vertex_xyz.size() / 3);
+    for (const Vec3& x : p.vertices)
+      covers_.vertex_xyz.insert(covers_.vertex_xyz.end(), x.begin(), x.end());
+    for (const auto& t : p.triangles)
+      for (const Index v : t) covers_.triangle_vertex.push_back(first + v);
+    covers_.vertex_begin.push_back(static_cast<Index>(covers_.vertex_xyz.size() / 3));
+    covers_.triangle_begin.push_back(static_cast<Index>(covers_.triangle_vertex.size() / 3));
+    covers_.element_vertices += p.vertex_count;
+    covers_.element_faces += p.face_count;
   }
 
-  void join_over(UnionFind& stars, const Part& one, const Part& two, const Facet& facet) const {
-    if ((one.regular == none && one.piece == none) || (two.regular == none && two.piece == none))
-      return;
-    for (const Index n : facet) stars.join(instance(one, n), instance(two, n));
+  // An instance is one node of a regular lattice cell or of a cut element; `node` is one of the part's.
+  Index instance(const Holding& at, int part, int node) const {
+    if (at.regular != none)
+      return covers_.nodes_per_cell() * at.regular +
+             form(covers_.regular_cell[at.regular]).split->part[part].node[node];
+    return piece_instance(at.piece) + node;
+  }
+  Index piece_instance(Index piece) const {
+    return covers_.nodes_per_cell() * covers_.regular_count() +
+           covers_.nodes_per_part() * element_of_piece_[piece];
+  }
+
+  void join_across(UnionFind& stars, const Holding& one, int part, const Holding& two,
+                   const PartFacet& facet) const {
+    for (int k = 0; k < facet.nodes; ++k)
+      stars.join(instance(one, part, facet.node[k]), instance(two, facet.other, facet.across[k]));
   }
 
   void join_stars() {
-    UnionFind stars(8 * covers_.regular_count() + 4 * covers_.cut_count());
-    join_regular(stars);
-    join_pieces(stars);
-    for (const Link& l : links_) {
-      if (!l.inside) {
-        join_over(stars, l.one, l.two, l.facet);
-        continue;
-      }
-      const Index e1 = element_of_piece_[l.one.piece], e2 = element_of_piece_[l.two.piece];
-      for (int a = 0; a < 4; ++a)
-        stars.join(8 * covers_.regular_count() + 4 * e1 + a,
-                   8 * covers_.regular_count() + 4 * e2 + a);
+    const auto nodes = static_cast<std::size_t>(covers_.nodes_per_cell()) *
+                           static_cast<std::size_t>(covers_.regular_count()) +
+                       static_cast<std::size_t>(covers_.nodes_per_part()) *
+                           static_cast<std::size_t>(covers_.cut_count());
+    UnionFind stars(static_cast<Index>(nodes));
+    for (const CellContent& c : cells_.all())
+      if (c.regular == none) join_inside(stars, c);
+    for (int axis = 0; axis < 3 && !is_block_; ++axis)
+      cells_.visit_neighbours(axis, [&](const CellContent& low, const CellContent& high) {
+        if (low.regular != none && high.regular != none)
+          join_regular(stars, low.regular, high.regular, axis);
+        else
+          join_face(stars, low, high, axis);
+      });
+    for (const Link& l : links_) join_link(stars, l);
+    star_of_.resize(nodes);
+    for (Index i = 0; i < static_cast<Index>(nodes); ++i) star_of_[i] = stars.find(i);
+  }
+
+  void join_link(UnionFind& stars, const Link& l) const {
+    if (l.facet == nullptr) {
+      for (int a = 0; a < covers_.nodes_per_part(); ++a)
+        stars.join(piece_instance(l.one.piece) + a, piece_instance(l.two.piece) + a);
+    } else {
+      join_across(stars, l.one, l.one.part, l.two, *l.facet);
     }
-    star_of_.resize(8 * static_cast<std::size_t>(covers_.regular_count()) +
-                    4 * static_cast<std::size_t>(covers_.cut_count()));
-    for (Index i = 0; i < static_cast<Index>(star_of_.size()); ++i) star_of_[i] = stars.find(i);
+  }
+
+  // What a node's star has of a lattice cell is convex in every split (of two overlaid ones, the smaller star lies in the
+  // larger), and so is what it has of a cell of the complex there: all of its pieces there are one. So is a block.
+  void join_inside(UnionFind& stars, const CellContent& cell) {
+    first_at_.clear();
+    const CellSplit& split = *form(cell.lattice_cell).split;
+    for (Index i = cell.piece_begin; i < cell.piece_end; ++i) {
+      const PieceRecord& p = record(i);
+      const Index body = is_block_ ? p.lattice_cell : p.rock;
+      auto seen = std::find_if(first_at_.begin(), first_at_.end(),
+                               [&](const FirstAt& f) { return f.body == body; });
+      if (seen == first_at_.end()) {
+        first_at_.push_back({body, {}});
+        seen = first_at_.end() - 1;
+        seen->instance.fill(none);
+      }
+      const CellPart& part = split.part[p.part];
+      for (int a = 0; a < part.nodes; ++a) {
+        Index& first = seen->instance[part.node[a]];
+        if (first == none)
+          first = piece_instance(i) + a;
+        else
+          stars.join(first, piece_instance(i) + a);
+      }
+    }
   }
 
   // Neighbouring regular lattice cells of one cell of the complex share a whole face.
-  void join_regular(UnionFind& stars) const {
-    for (Index r = 0; r < covers_.regular_count(); ++r) {
-      const auto c = covers_.lattice.cell_ijk(covers_.regular_cell[r]);
-      for (int d = 0; d < 3; ++d) {
-        auto next = c;
-        if (++next[d] == covers_.lattice.cells[d]) continue;
-        const Index o = d == 0 && r + 1 < covers_.regular_count() &&
-                                covers_.regular_cell[r + 1] == covers_.regular_cell[r] + 1
-                            ? r + 1
-                            : PieceIndex::find_regular(
-                                  covers_, covers_.lattice.cell_index(next[0], next[1], next[2]));
-        if (o == none || index_.regular_rock[o] != index_.regular_rock[r]) continue;
-        for (int corner = 0; corner < 8; ++corner)
-          if ((corner >> d & 1) != 0) stars.join(8 * r + corner, 8 * o + (corner & ~(1 << d)));
-      }
+  void join_regular(UnionFind& stars, Index low, Index high, int axis) const {
+    if (index_.regular_rock[low] != index_.regular_rock[high]) return;
+    const auto& nodes = cell_split(covers_.lattice.kind).node;
+    const Index n = covers_.nodes_per_cell();
+    for (Index a = 0; a < n; ++a) {
+      if (nodes[a][axis] != 2) continue;
+      HalfSteps opposite = nodes[a];
+      opposite[axis] = 0;
+      const auto b = std::find(nodes.begin(), nodes.end(), opposite) - nodes.begin();
+      stars.join(n * low + a, n * high + static_cast<Index>(b));
     }
   }
 
-  // Pieces of one cell of the complex on the two sides of a facet share what the cell has of it.
-  void join_pieces(UnionFind& stars) const {
-    struct Side {
-      Facet facet;
-      Index rock;
-      Index piece;
-    };
-    std::vector<Side> sides;
-    for (Index i = 0; i < static_cast<Index>(pieces_.pieces.size()); ++i) {
-      const PieceRecord& p = pieces_.pieces[i];
-      for (int a = 0; a < 4; ++a) {
-        if ((p.open_facets >> a & 1) == 0) continue;
-        const Facet facet = facet_nodes(p.lattice_cell, p.tet, a);
-        const Index across = regular_across(p, facet);
-        if (across != none)
-          join_over(stars, {none, i}, {across, none}, facet);
-        else
-          sides.push_back({facet, p.rock, i});
+  // Pieces of one cell of the complex on the two sides of a lattice cell's face share what the cell has of it.
+  void join_face(UnionFind& stars, const CellContent& low, const CellContent& high,
+                 int axis) const {
+    const auto& facets = form(low.lattice_cell).facet;
+    for (std::size_t part = 0; part < facets.size(); ++part)
+      for (std::size_t a = 0; a < facets[part].size(); ++a) {
+        const PartFacet& facet = facets[part][a];
+        if (facet.axis != axis || facet.step < 0) continue;
+        cells_.visit_open(low, static_cast<int>(part), static_cast<int>(a),
+                          [&](Index rock, const Holding& one) {
+                            const Holding two = cells_.find_in(high, facet.other, rock);
+                            if (two.any())
+                              join_across(stars, one, static_cast<int>(part), two, facet);
+                          });
       }
-    }
-    const auto key = [](const Side& s) { return std::tie(s.facet, s.rock); };
-    std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
-      return std::tie(a.facet, a.rock, a.piece) < std::tie(b.facet, b.rock, b.piece);
-    });
-    for (std::size_t i = 0; i + 1 < sides.size(); ++i)
-      if (key(sides[i]) == key(sides[i + 1]))
-        join_over(stars, {none, sides[i].piece}, {none, sides[i + 1].piece}, sides[i].facet);
-  }
-
-  // The regular lattice cell of the same cell of the complex across a facet on the lattice cell's boundary, or none.
-  Index regular_across(const PieceRecord& p, const Facet& facet) const {
-    const auto c = covers_.lattice.cell_ijk(p.lattice_cell);
-    std::array<Index, 3> ijk[3];
-    for (int i = 0; i < 3; ++i) ijk[i] = covers_.lattice.node_ijk(facet[i]);
-    for (int d = 0; d < 3; ++d) {
-      if (ijk[0][d] != ijk[1][d] || ijk[0][d] != ijk[2][d]) continue;
-      auto next = c;
-      next[d] += ijk[0][d] == c[d] ? -1 : 1;
-      if (next[d] < 0 || next[d] >= covers_.lattice.cells[d]) return none;
-      const Index r =
-          PieceIndex::find_regular(covers_, covers_.lattice.cell_index(next[0], next[1], next[2]));
-      return r != none && index_.regular_rock[r] == p.rock ? r : none;
-    }
-    return none;
   }
 
   Index node_of_instance(Index i) const {
-    const Index regular = 8 * covers_.regular_count();
-    if (i < regular) return node(covers_.regular_cell[i / 8], i % 8);
-    const Index e = (i - regular) / 4;
-    return node(covers_.element_cell[e], tet6_corner[covers_.element_tet[e]][(i - regular) % 4]);
+    const Index n = covers_.nodes_per_cell(), m = covers_.nodes_per_part(),
+                regular = n * covers_.regular_count();
+    if (i < regular) return covers_.lattice.cell_node(covers_.regular_cell[i / n], i % n);
+    const Index e = (i - regular) / m, cell = covers_.element_cell[e];
+    return covers_.lattice.cell_node(
+        cell, covers_.lattice.split(cell).part[covers_.element_part[e]].node[(i - regular) % m]);
   }
 
   void number_covers() {
@@ -296,31 +305,49 @@ class Connector {
       covers_.cover_node.push_back(roots[p].first);
       cover_of[roots[p].second] = static_cast<Index>(p);
     }
-    const auto regular = 8 * static_cast<std::size_t>(covers_.regular_count());
+    const std::size_t regular = static_cast<std::size_t>(covers_.nodes_per_cell()) *
+                                static_cast<std::size_t>(covers_.regular_count());
     for (std::size_t i = 0; i < star_of_.size(); ++i)
       (i < regular ? covers_.regular_cover : covers_.element_cover)
           .push_back(cover_of[star_of_[i]]);
   }
 
+  struct FirstAt {
+    Index body;                      // a cell of the complex, or a block
+    std::array<Index, 15> instance;  // [nodes of the cell]
+  };
+
   const Complex& complex_;
   const Model& model_;
   const Pieces& pieces_;
-  const bool welded_;
+  const bool is_block_;
   CoverArrays& covers_;
   PieceIndex& index_;
+  const OccupiedCells cells_;
   UnionFind piece_parts_;
   LatticeWalker walker_;
   std::vector<Link> links_;
   std::vector<Index> element_of_piece_;
   std::vector<Index> piece_order_;
   std::vector<Index> star_of_;
+  std::vector<FirstAt> first_at_;
 };
 
 }  // namespace
 
-void connect(const Complex& complex, const Model& model, const Pieces& pieces, bool welded,
-             CoverArrays& covers, PieceIndex& index) {
-  Connector(complex, model, pieces, welded, covers, index).run();
+void refuse_elements(const CoverSpec& cover, Real elements, bool at_least) {
+  if (elements <= cover.max_elements) return;
+  throw Error(
+      ErrorKind::model,
+      fmt::format("makes {}{:.0f} elements, must make cover.max_elements = {} or fewer: use a "
+                  "larger spacing or raise the limit",
+                  at_least ? "at least " : "", elements, cover.max_elements),
+      Place{cover.place.file, cover.place.line, cover.place.column, "cover.spacing"});
+}
+
+void connect(const Complex& complex, const Model& model, const Pieces& pieces, CoverArrays& covers,
+             PieceIndex& index) {
+  Connector(complex, model, pieces, covers, index).run();
 }
 
 }  // namespace rockfold

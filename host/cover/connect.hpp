@@ -1,5 +1,5 @@
-// Manifold elements and physical covers as connected components: pieces joined inside a tetrahedron are an element,
-// elements joined inside the star of a lattice node are one physical cover of it (thesis 2.3).
+// Manifold elements and physical covers as connected components: pieces joined inside a part of a lattice cell are an
+// element, elements joined inside the star of a lattice node are one physical cover of it (thesis 2.3).
 #pragma once
 
 #include "host/cover/piece_index.hpp"
@@ -10,9 +10,13 @@
 
 namespace rockfold {
 
-/// Fills everything of `covers` but the lattice, and of `index` but its planes. `welded` joins across joints too.
-/// O(n log n) in the number of cut pieces, O(n α) in regular lattice cells.
-void connect(const Complex& complex, const Model& model, const Pieces& pieces, bool welded,
-             CoverArrays& covers, PieceIndex& index);
+/// Fills everything of `covers` but the lattice and the order, and of `index` but its planes. Welded joints join too.
+/// O(n log n) in the number of cut pieces, O(n α) in regular lattice cells. Throws Error(model) if there are more than
+/// cover.max_elements elements.
+void connect(const Complex& complex, const Model& model, const Pieces& pieces, CoverArrays& covers,
+             PieceIndex& index);
+
+/// Throws Error(model) if that many elements are more than cover.max_elements.
+void refuse_elements(const CoverSpec& cover, Real elements, bool at_least);
 
 }  // namespace rockfold

@@ -1,10 +1,14 @@
 #include "host/cover/cover.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "host/cover/connect.hpp"
 #include "host/cover/piece_index.hpp"
 #include "host/cover/pieces.hpp"
 #include "host/cut/complex.hpp"
 #include "src/base/error.hpp"
+#include "src/base/vector.hpp"
 
 namespace rockfold {
 
@@ -25,19 +29,66 @@ std::vector<Vec3> rock_corners(const Complex& complex) {
   return corners;
 }
 
+// Volume of the rock that stays, m³.
+Real rock_volume(const Complex& complex) {
+  Real volume = 0;
+  for (Index c = 0; c < complex.cells.size(); ++c)
+    if (complex.zone(c).stage == 0) volume += complex.moments[c].volume;
+  return volume;
+}
+
+// A cell about each block's centroid; the edges only scale the cover functions.
+Lattice block_lattice(const Complex& complex, const CoverSpec& cover) {
+  std::vector<Real> volume(complex.block_count, 0);
+  std::vector<Vec3> first(complex.block_count, Vec3{});
+  for (Index c = 0; c < complex.cells.size(); ++c) {
+    volume[complex.cell_block[c]] += complex.moments[c].volume;
+    first[complex.cell_block[c]] += complex.moments[c].first;
+  }
+  Lattice lattice;
+  lattice.kind = LatticeKind::block;
+  lattice.cells = {complex.block_count, 1, 1};
+  for (Index b = 0; b < complex.block_count; ++b)
+    lattice.block_origin.push_back((1 / volume[b]) * first[b] + complex.planes.centre());
+  const Real size = std::cbrt(rock_volume(complex) / complex.block_count);
+  for (int d = 0; d < 3; ++d)
+    lattice.edge[d][d] = cover.spacing[2 - d] > 0 ? cover.spacing[2 - d] : size;
+  return lattice;
+}
+
+// The fewest elements that a volume can make: each is at most as large as the largest part.
+void refuse_by_estimate(const Complex& complex, const CoverSpec& cover) {
+  if (cover.lattice == LatticeKind::block) return;
+  const CellSplit& split = cell_split(cover.lattice);
+  Real largest = 0;  // of a lattice cell
+  for (const CellPart& part : split.part) largest = std::max(largest, part_share(split, part));
+  refuse_elements(cover,
+                  std::floor((1 - 1e-9) * rock_volume(complex) /
+                             (largest * split.share * lattice_cell_volume(cover))),
+                  true);
+}
+
+LatticePlanes lay_lattice(const Complex& complex, const CoverSpec& cover, PlaneTable& planes) {
+  if (cover.lattice == LatticeKind::block) return LatticePlanes(block_lattice(complex, cover));
+  return {cover, rock_corners(complex), planes};
+}
+
 }  // namespace
 
 Covering build_covers(const Cutting& cutting, const Model& model, Progress& progress) {
   const Complex& complex = *cutting.complex;
+  const CoverSpec& cover = *model.cover;
+  refuse_by_estimate(complex, cover);
   PlaneTable planes = complex.planes;
-  LatticePlanes lattice(*model.cover, rock_corners(complex), planes);
-  const Pieces pieces = cut_pieces(complex, lattice, planes, progress);
-
+  LatticePlanes lattice = lay_lattice(complex, cover, planes);
+  const Pieces pieces = cover.lattice == LatticeKind::block
+                            ? block_pieces(complex, lattice.lattice())
+                            : cut_pieces(complex, lattice, planes, progress);
   Covering covering;
   covering.arrays.lattice = lattice.lattice();
+  covering.arrays.order = cover.order;
   auto index = std::make_shared<PieceIndex>(std::move(planes), std::move(lattice));
-  connect(complex, model, pieces, model.cover->joints == JointTreatment::welded, covering.arrays,
-          *index);
+  connect(complex, model, pieces, covering.arrays, *index);
   covering.pieces = std::move(index);
   return covering;
 }

@@ -6,9 +6,7 @@
 #include <fmt/format.h>
 
 #include "host/cover/cover.hpp"
-#include "host/cover/lattice_walk.hpp"
-#include "host/cover/locate.hpp"
-#include "host/cut/complex.hpp"
+#include "host/cover/surface_split.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 
@@ -27,7 +25,9 @@ class Fixer {
         covering_(covering),
         model_(model),
         locator_(covering),
-        spacing_(model.cover->spacing) {}
+        spacing_(std::cbrt(
+            dot(covering.arrays.lattice.edge[0],
+                cross(covering.arrays.lattice.edge[1], covering.arrays.lattice.edge[2])))) {}
 
   FixedPoints run() {
     for (const Fixed& f : model_.fixed) {
@@ -65,52 +65,29 @@ class Fixer {
   }
 
   void add(const FaceRegion& region) {
-    LatticeWalker walker(covering_.pieces->lattice, covering_.pieces->planes);
+    SurfaceSplitter surface(complex_, covering_);
     for (const FreePart& part : complex_.free_parts) {
       const FaceOrigin& origin = complex_.origins[part.origin];
-      if (origin.solid != region.solid || std::find(region.faces.begin(), region.faces.end(),
-                                                    origin.solid_face) == region.faces.end())
-        continue;
-      const HalfSpaceId side = complex_.cells[part.cell].faces[part.face].inside;
-      walker.walk(complex_.polygon_of(part), side,
-                  [&](const std::array<Index, 3>& ijk, int tet, const Polygon& polygon) {
-                    add_polygon(polygon,
-                                covering_.arrays.lattice.cell_index(ijk[0], ijk[1], ijk[2]), tet,
-                                part.cell);
-                  });
+      if (origin.solid == region.solid && std::find(region.faces.begin(), region.faces.end(),
+                                                    origin.solid_face) != region.faces.end())
+        surface.split(part, [this](const Holder& holder, const Polygon& polygon) {
+          add_polygon(holder, polygon);
+        });
     }
   }
 
   // Corners share the area so that the sum over them integrates linear functions exactly (a fan of triangles, a third each).
-  void add_polygon(const Polygon& polygon, Index lattice_cell, int tet, Index rock) {
-    const Holder holder = holder_of(lattice_cell, tet, rock);
-    if (!holder.found()) return;
+  void add_polygon(const Holder& holder, const Polygon& polygon) {
     const std::size_t n = polygon.corner.size();
     std::vector<Real> share(n, 0);
     for (std::size_t k = 1; k + 1 < n; ++k) {
       const Vec3& o = polygon.corner[0].x;
-      const Real third = norm(cross(polygon.corner[k].x - o, polygon.corner[k + 1].x - o)) / 6;
+      const Real third = cell_split(covering_.arrays.lattice.kind).share *
+                         norm(cross(polygon.corner[k].x - o, polygon.corner[k + 1].x - o)) / 6;
       share[0] += third, share[k] += third, share[k + 1] += third;
     }
     for (std::size_t k = 0; k < n; ++k)
       if (share[k] > 0) add_point(polygon.corner[k].x + complex_.planes.centre(), holder, share[k]);
-  }
-
-  Holder holder_of(Index lattice_cell, int tet, Index rock) const {
-    const CoverArrays& covers = covering_.arrays;
-    Holder h;
-    h.rock = rock;
-    h.block = complex_.cell_block[rock];
-    h.lattice_cell = lattice_cell;
-    h.tet = tet;
-    const Index piece = covering_.pieces->find_piece(covers, lattice_cell, tet, rock);
-    if (piece != none) {
-      h.element = 6 * covers.regular_count() + covering_.pieces->piece_element[piece];
-      return h;
-    }
-    const Index r = PieceIndex::find_regular(covers, lattice_cell);
-    if (r != none && covering_.pieces->regular_rock[r] == rock) h.element = 6 * r + tet;
-    return h;
   }
 
   void add(const PointRegion& region) {
@@ -143,21 +120,24 @@ class Fixer {
     const CoverArrays& covers = covering_.arrays;
     const Real area = spacing_ * spacing_ / 8;
     for (Index r = 0; r < covers.regular_count(); ++r) {
-      const auto ijk = covers.lattice.cell_ijk(covers.regular_cell[r]);
-      for (int c = 0; c < 8; ++c) {
-        const Vec3 x = covers.lattice.node_position(
-            {ijk[0] + (c & 1), ijk[1] + (c >> 1 & 1), ijk[2] + (c >> 2 & 1)});
+      const Index cell = covers.regular_cell[r];
+      const auto& parts = covers.lattice.split(cell).part;
+      for (int c = 0; c < covers.nodes_per_cell(); ++c) {
+        const Vec3 x = covers.lattice.node_position(covers.lattice.cell_node(cell, c));
         if (!wanted(x, covers.regular_block[r])) continue;
-        int tet = 0;
-        while (std::find(tet6_corner[tet], tet6_corner[tet] + 4, c) == tet6_corner[tet] + 4) ++tet;
-        add_point(x, holder_of(covers.regular_cell[r], tet, covering_.pieces->regular_rock[r]),
+        const auto part = std::find_if(parts.begin(), parts.end(), [&](const CellPart& p) {
+          return std::find(p.node.begin(), p.node.begin() + p.nodes, c) != p.node.begin() + p.nodes;
+        });
+        add_point(x,
+                  holder_of(complex_, covering_, cell, static_cast<int>(part - parts.begin()),
+                            covering_.pieces->regular_rock[r]),
                   area);
       }
     }
     for (Index e = 0; e < covers.cut_count(); ++e)
       for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q) {
-        const Holder h = holder_of(covers.element_cell[e], covers.element_tet[e],
-                                   covering_.pieces->piece_rock[q]);
+        const Holder h = holder_of(complex_, covering_, covers.element_cell[e],
+                                   covers.element_part[e], covering_.pieces->piece_rock[q]);
         const Vec3 centre = covers.lattice.cell_centre(covers.element_cell[e]);
         for (Index v = covers.vertex_begin[q]; v < covers.vertex_begin[q + 1]; ++v) {
           const Vec3 x = centre + Vec3{covers.vertex_xyz[3 * v], covers.vertex_xyz[3 * v + 1],

@@ -45,11 +45,20 @@ bool LatticeWalker::is_whole(const CellView& cell, const LatticeBox& box) const 
   });
 }
 
+LatticeWalker::Level& LatticeWalker::level(std::size_t depth) {
+  if (levels_.size() <= depth) levels_.push_back(std::make_unique<Level>());
+  return *levels_[depth];
+}
+
 void LatticeWalker::descend(std::size_t depth, const CellView& cell, LatticeBox box,
                             const CellVisitor& visitor) {
   while (true) {
     if (is_whole(cell, box)) return visitor.whole(box);
-    if (box.single()) return split_tetrahedra(cell, box.low, visitor);
+    if (box.single()) {
+      for (const PartTree& tree : lattice_.form(box.low).tree)
+        split_parts(depth, cell, box.low, tree, tree.root, visitor);
+      return;
+    }
     const Cut cut = middle(box);
     const HalfSpaceId upper = lattice_.upper(cut.axis, cut.at);
     const auto [low, high] = halves(box, cut);
@@ -58,64 +67,65 @@ void LatticeWalker::descend(std::size_t depth, const CellView& cell, LatticeBox 
       box = (side == CellSide::above) == is_above(upper) ? high : low;
       continue;
     }
-    if (levels_.size() <= depth) levels_.push_back(std::make_unique<Level>());
-    Level& level = *levels_[depth];
-    splitter_.split(cell, plane_of(upper), &level.below, &level.above);
-    descend(depth + 1, is_above(upper) ? level.below : level.above, low, visitor);
-    descend(depth + 1, is_above(upper) ? level.above : level.below, high, visitor);
+    Level& part = level(depth);
+    splitter_.split(cell, plane_of(upper), &part.below, &part.above);
+    descend(depth + 1, is_above(upper) ? part.below : part.above, low, visitor);
+    descend(depth + 1, is_above(upper) ? part.above : part.below, high, visitor);
     return;
   }
 }
 
-void LatticeWalker::split_tetrahedra(const CellView& cell, const std::array<Index, 3>& lattice_cell,
-                                     const CellVisitor& visitor) {
-  for (int t = 0; t < 6; ++t) {
-    piece_.vertices.assign(cell.vertices.begin(), cell.vertices.end());
-    piece_.faces.assign(cell.faces.begin(), cell.faces.end());
-    piece_.corners.assign(cell.corners.begin(), cell.corners.end());
-    bool empty = false;
-    for (int a = 0; a < 4 && !empty; ++a) {
-      const HalfSpaceId h = lattice_.facet(lattice_cell, t, a);
-      const CellSide side = splitter_.classify(piece_, plane_of(h));
-      if (side == CellSide::split) {
-        splitter_.split(piece_, plane_of(h), is_above(h) ? nullptr : &part_,
-                        is_above(h) ? &part_ : nullptr);
-        std::swap(piece_, part_);
-      } else {
-        empty = (side == CellSide::above) != is_above(h);
-      }
+// `cell` lies in one lattice cell. Levels from `depth` on are free.
+void LatticeWalker::split_parts(std::size_t depth, const CellView& cell, const CellIjk& at,
+                                const PartTree& tree, int child, const CellVisitor& visitor) {
+  while (child >= 0) {
+    const PartTree::Branch& branch = tree.branch[child];
+    const HalfSpaceId upper = lattice_.upper(at, branch.plane);
+    const CellSide side = splitter_.classify(cell, plane_of(upper));
+    if (side == CellSide::split) {
+      Level& part = level(depth);
+      splitter_.split(cell, plane_of(upper), &part.below, &part.above);
+      split_parts(depth + 1, is_above(upper) ? part.below : part.above, at, tree, branch.below,
+                  visitor);
+      split_parts(depth + 1, is_above(upper) ? part.above : part.below, at, tree, branch.above,
+                  visitor);
+      return;
     }
-    if (!empty) visitor.piece(lattice_cell, t, piece_);
+    child = (side == CellSide::above) == is_above(upper) ? branch.above : branch.below;
   }
+  visitor.piece(at, ~child, cell);
 }
 
-void LatticeWalker::descend(const Polygon& polygon, HalfSpaceId side, LatticeBox box,
+void LatticeWalker::descend(const Polygon& polygon, HalfSpaceId side, const LatticeBox& box,
                             const PolygonVisitor& visitor) {
-  if (!box.single()) {
-    const Cut cut = middle(box);
-    const HalfSpaceId upper = lattice_.upper(cut.axis, cut.at);
-    const auto [low, high] = halves(box, cut);
-    if (plane_of(upper) == polygon.plane)
-      return descend(polygon, side, upper == side ? high : low, visitor);
-    Polygon inside, outside;
-    clipper_.split(polygon, upper, inside, &outside);
-    if (!outside.empty()) descend(outside, side, low, visitor);
-    if (!inside.empty()) descend(inside, side, high, visitor);
+  if (box.single()) {
+    for (const PartTree& tree : lattice_.form(box.low).tree)
+      split_parts(polygon, side, box.low, tree, tree.root, visitor);
     return;
   }
-  for (int t = 0; t < 6; ++t) {
-    Polygon part = polygon, next;
-    for (int a = 0; a < 4 && !part.empty(); ++a) {
-      const HalfSpaceId h = lattice_.facet(box.low, t, a);
-      if (plane_of(h) == polygon.plane) {
-        if (h != side) part.corner.clear();
-        continue;
-      }
-      clipper_.split(part, h, next, nullptr);
-      std::swap(part, next);
-    }
-    if (!part.empty()) visitor(box.low, t, part);
-  }
+  const Cut cut = middle(box);
+  const HalfSpaceId upper = lattice_.upper(cut.axis, cut.at);
+  const auto [low, high] = halves(box, cut);
+  if (plane_of(upper) == polygon.plane)
+    return descend(polygon, side, upper == side ? high : low, visitor);
+  Polygon inside, outside;
+  clipper_.split(polygon, upper, inside, &outside);
+  if (!outside.empty()) descend(outside, side, low, visitor);
+  if (!inside.empty()) descend(inside, side, high, visitor);
+}
+
+void LatticeWalker::split_parts(const Polygon& polygon, HalfSpaceId side, const CellIjk& at,
+                                const PartTree& tree, int child, const PolygonVisitor& visitor) {
+  if (child < 0) return visitor(at, ~child, polygon);
+  const PartTree::Branch& branch = tree.branch[child];
+  const HalfSpaceId upper = lattice_.upper(at, branch.plane);
+  if (plane_of(upper) == polygon.plane)
+    return split_parts(polygon, side, at, tree, upper == side ? branch.above : branch.below,
+                       visitor);
+  Polygon inside, outside;
+  clipper_.split(polygon, upper, inside, &outside);
+  if (!outside.empty()) split_parts(outside, side, at, tree, branch.below, visitor);
+  if (!inside.empty()) split_parts(inside, side, at, tree, branch.above, visitor);
 }
 
 }  // namespace rockfold

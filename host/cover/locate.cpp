@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include "host/cut/complex.hpp"
+#include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -31,38 +31,65 @@ Real Locator::piece_violation(const Vec3& x, Index piece) const {
   return worst;
 }
 
-void Locator::try_regular(const Vec3& x, Index regular, std::vector<Holder>& found) const {
-  Holder best;
-  best.violation = std::numeric_limits<Real>::infinity();
-  const Index lattice_cell = covers_.regular_cell[regular];
-  const Real spacing = norm(covers_.lattice.edge[0]);
-  for (int t = 0; t < 6; ++t) {
-    const auto w = tetrahedron_weights(covers_.lattice, lattice_cell, t, x);
-    const Real outside = -*std::min_element(w.begin(), w.end()) * spacing;
-    if (outside < best.violation)
-      best = {6 * regular + t,
-              covers_.regular_block[regular],
-              index_.regular_rock[regular],
-              lattice_cell,
-              t,
-              outside};
+Locator::Locator(const Covering& covering) : covers_(covering.arrays), index_(*covering.pieces) {
+  if (covers_.lattice.kind != LatticeKind::block) return;
+  for (Index e = 0; e < covers_.cut_count(); ++e) {
+    Box& box = element_box_.emplace_back();
+    const Vec3 centre = covers_.lattice.cell_centre(covers_.element_cell[e]);
+    for (Index v = covers_.vertex_begin[covers_.piece_begin[e]];
+         v < covers_.vertex_begin[covers_.piece_begin[e + 1]]; ++v)
+      box.add(centre + Vec3{covers_.vertex_xyz[3 * v], covers_.vertex_xyz[3 * v + 1],
+                            covers_.vertex_xyz[3 * v + 2]});
   }
-  found.push_back(best);
 }
 
-void Locator::try_element(const Vec3& x, Index e, std::vector<Holder>& found) const {
+void Locator::try_regular(const Vec3& x, Index regular, Found& found) const {
+  const Lattice& lattice = covers_.lattice;
+  Holder h;
+  h.lattice_cell = covers_.regular_cell[regular];
+  h.block = covers_.regular_block[regular];
+  h.rock = index_.regular_rock[regular];
+  const Vec3 eta = lattice.to_local(x - lattice.cell_centre(h.lattice_cell));
+  const Mat3 gradient = lattice.reciprocal();
+  h.violation = -std::numeric_limits<Real>::infinity();
+  for (int d = 0; d < 3; ++d)
+    h.violation = std::max(h.violation, (std::abs(eta[d]) - 0.5) / norm(gradient[d]));
+  const auto& trees = index_.lattice.form(lattice.cell_ijk(h.lattice_cell)).tree;
+  h.part = index_.lattice.part_at(trees[0], eta);
+  h.element = covers_.parts_per_cell() * regular + h.part;
+  if (trees.size() > 1)
+    h.other = covers_.parts_per_cell() * regular + index_.lattice.part_at(trees[1], eta);
+  found.push_back(h);
+}
+
+void Locator::try_element(const Vec3& x, Index e, Found& found) const {
   const Vec3 r = x - covers_.lattice.cell_centre(covers_.element_cell[e]);
-  for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q)
-    found.push_back({6 * covers_.regular_count() + e, covers_.piece_block[q], index_.piece_rock[q],
-                     covers_.element_cell[e], covers_.element_tet[e], piece_violation(r, q)});
+  for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q) {
+    Holder h;
+    h.element = covers_.parts_per_cell() * covers_.regular_count() + e;
+    h.block = covers_.piece_block[q];
+    h.rock = index_.piece_rock[q];
+    h.lattice_cell = covers_.element_cell[e];
+    h.part = covers_.element_part[e];
+    h.violation = piece_violation(r, q);
+    found.push_back(h);
+  }
 }
 
-Holder Locator::find(const Vec3& x, Index block) const {
-  const Real slack = relative_slack * index_.planes.model_size();
+// All that may hold x.
+Locator::Found Locator::near(const Vec3& x) const {
+  Found found;
+  if (covers_.lattice.kind == LatticeKind::block) {
+    Box point;
+    point.add(x);
+    for (Index e = 0; e < covers_.cut_count(); ++e)
+      if (element_box_[e].meets(point, relative_slack * index_.planes.model_size()))
+        try_element(x, e, found);
+    return found;
+  }
   Vertex v;
   v.x = x - index_.planes.centre();
   const LatticeBox box = index_.lattice.range(std::span(&v, 1));
-  std::vector<Holder> found;
   for (Index k = box.low[2]; k < box.high[2]; ++k)
     for (Index j = box.low[1]; j < box.high[1]; ++j)
       for (Index i = box.low[0]; i < box.high[0]; ++i) {
@@ -74,30 +101,38 @@ Holder Locator::find(const Vec3& x, Index block) const {
         for (auto e = first; e != last; ++e)
           try_element(x, static_cast<Index>(e - covers_.element_cell.begin()), found);
       }
+  return found;
+}
+
+Holder Locator::find(const Vec3& x, Index block) const {
+  const Real slack = relative_slack * index_.planes.model_size();
+  const int first_split = covers_.first_split_parts();
   Holder best;
-  for (const Holder& h : found) {
-    if (h.violation > slack || (block != none && h.block != block)) continue;
+  for (const Holder& h : near(x)) {
+    if (h.violation > slack || (block != none && h.block != block) || h.part >= first_split)
+      continue;
     if (!best.found() || std::tie(h.block, h.element) < std::tie(best.block, best.element))
       best = h;
   }
+  if (best.found() && best.other == none) best.other = find_other(x, best);
   return best;
 }
 
-void Locator::add(const Vec3& x, const Holder& h, MaterialPoints& points) const {
-  points.element.push_back(h.element);
-  if (!h.found()) {
-    points.cover.push_back({none, none, none, none});
-    points.weight.push_back({});
-    return;
+Index Locator::find_other(const Vec3& x, const Holder& holder) const {
+  const int first_split = covers_.first_split_parts();
+  if (first_split == covers_.parts_per_cell()) return none;
+  Holder best;
+  for (const Holder& h : near(x)) {
+    if (h.rock != holder.rock || h.lattice_cell != holder.lattice_cell) continue;
+    if (h.other != none) return h.other;
+    if (h.part < first_split) continue;
+    if (!best.found() || h.violation < best.violation) best = h;
   }
-  std::array<Index, 4> cover;
-  const Index regular = 6 * covers_.regular_count();
-  for (int a = 0; a < 4; ++a)
-    cover[a] = h.element < regular
-                   ? covers_.regular_cover[8 * (h.element / 6) + tet6_corner[h.tet][a]]
-                   : covers_.element_cover[4 * (h.element - regular) + a];
-  points.cover.push_back(cover);
-  points.weight.push_back(tetrahedron_weights(covers_.lattice, h.lattice_cell, h.tet, x));
+  return best.element;
+}
+
+void Locator::add(const Vec3& x, const Holder& h, MaterialPoints& points) const {
+  add_material_point(covers_, x, h.element, points, h.other);
 }
 
 MaterialPoints locate_points(const Covering& covering, const std::vector<Vec3>& points) {

@@ -3,16 +3,18 @@
 
 #include "host/cover/cover.hpp"
 #include "host/cover/piece_index.hpp"
+#include "host/cut/patch.hpp"
 
 namespace rockfold {
 
-/// A part of the rock that holds a point: a tetrahedron of a regular lattice cell, or a piece.
+/// A part of the rock that holds a point: a part of a regular lattice cell, or a piece.
 struct Holder {
   Index element = none;  ///< numbered as in CoverArrays
+  Index other = none;    ///< of the second of two overlaid splits
   Index block = none;
   Index rock = none;  ///< cell of the complex
   Index lattice_cell = none;
-  int tet = 0;
+  int part = 0;        ///< of `element`
   Real violation = 0;  ///< m, how far outside the point is; ≤ 0 inside
 
   bool found() const { return element != none; }
@@ -20,22 +22,28 @@ struct Holder {
 
 class Locator {
  public:
-  explicit Locator(const Covering& covering) : covers_(covering.arrays), index_(*covering.pieces) {}
+  explicit Locator(const Covering& covering);
 
   /// The part of the rock, or of one block, that holds x; of several (to 1e-9 of the model's size) that of the
   /// lowest block, then element. Not found if x is outside all by more than that.
   Holder find(const Vec3& x, Index block = none) const;
 
+  /// The element of the second of two overlaid splits that holds x where `holder` does; none if there is one split.
+  Index find_other(const Vec3& x, const Holder& holder) const;
+
   /// Adds the point to `points` with its element's weights.
   void add(const Vec3& x, const Holder& holder, MaterialPoints& points) const;
 
  private:
-  void try_regular(const Vec3& x, Index regular, std::vector<Holder>& found) const;
-  void try_element(const Vec3& x, Index element, std::vector<Holder>& found) const;
+  using Found = std::vector<Holder>;
+  Found near(const Vec3& x) const;
+  void try_regular(const Vec3& x, Index regular, Found& found) const;
+  void try_element(const Vec3& x, Index element, Found& found) const;
   Real piece_violation(const Vec3& from_centre, Index piece) const;
 
   const CoverArrays& covers_;
   const PieceIndex& index_;
+  std::vector<Box> element_box_;  // [E] m; lattice `block` only
 };
 
 }  // namespace rockfold

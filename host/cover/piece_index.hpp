@@ -22,12 +22,8 @@ struct PieceIndex {
 
   /// The regular lattice cell with this linear index, or none. O(log R)
   static Index find_regular(const CoverArrays& covers, Index lattice_cell);
-  /// The piece of a cell of the complex in a tetrahedron, or none. O(log E)
-  Index find_piece(const CoverArrays& covers, Index lattice_cell, int tet, Index rock) const;
+  /// The piece of a cell of the complex in a part of a lattice cell, or none. O(log E)
+  Index find_piece(const CoverArrays& covers, Index lattice_cell, int part, Index rock) const;
 };
-
-/// Weights of a tetrahedron's four covers at x: linear, 1 at their own node, sum 1.
-std::array<Real, 4> tetrahedron_weights(const Lattice& lattice, Index lattice_cell, int tet,
-                                        const Vec3& x);
 
 }  // namespace rockfold

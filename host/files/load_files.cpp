@@ -10,6 +10,7 @@
 #include "host/files/faults.hpp"
 #include "host/files/read_joint_table.hpp"
 #include "host/files/read_mesh.hpp"
+#include "host/files/read_record.hpp"
 #include "host/files/read_terrain.hpp"
 
 namespace rockfold {
@@ -36,6 +37,9 @@ class Loader {
           table.rows = read_joint_table(read_data_file(place), table.material,
                                         model_.joint_materials, place);
         });
+    if (auto& base = model_.base_acceleration; base && !base->file.empty() && base->table.empty())
+      attempt(base->file, base->place,
+              [&](const Place& place) { base->table = read_record(read_data_file(place), place); });
     if (!found_.empty())
       throw Error(any_in_content_ ? ErrorKind::model : ErrorKind::io, std::move(found_));
   }
@@ -110,6 +114,8 @@ std::vector<std::string> files_named_by(const Model& model) {
   for (const auto& excavation : model.excavations) add_shape(excavation.shape);
   for (const auto& mesh : model.joint_meshes) files.push_back(mesh.file);
   for (const auto& table : model.joint_tables) files.push_back(table.file);
+  if (model.base_acceleration && !model.base_acceleration->file.empty())
+    files.push_back(model.base_acceleration->file);
   return files;
 }
 

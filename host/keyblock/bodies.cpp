@@ -1,6 +1,7 @@
 #include "host/keyblock/bodies.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -20,7 +21,7 @@ std::size_t at(Index i) {
 /// Whether a `fixed` condition stands on this face of a solid.
 bool holds(const Fixed& fixed, const FaceOrigin& origin) {
   const auto* region = std::get_if<FaceRegion>(&fixed.where);
-  return region && region->solid == origin.solid &&
+  return region && !region->of_excavation && region->solid == origin.solid &&
          std::find(region->faces.begin(), region->faces.end(), origin.solid_face) !=
              region->faces.end();
 }
@@ -36,15 +37,13 @@ const Water* water_of(const std::vector<Water>& waters, const std::string& joint
   return for_all;
 }
 
-Vec3 product(const Mat3& m, const Vec3& v) {
-  return {dot(m[0], v), dot(m[1], v), dot(m[2], v)};
-}
-
 /// In-situ normal stress on a plane, compression positive; no tension.
-Real normal_stress(const InitialStress& stress, const Vec3& x, const Vec3& normal) {
-  const Real depth = stress.reference_z - x[2];
-  return std::max(0.0, -dot(normal, product(stress.value, normal)) -
-                           depth * dot(normal, product(stress.gradient, normal)));
+Real normal_stress(const InitialStress& stress, const Vec3& x, const Vec3& n) {
+  std::array<Real, 6> s{};  // xx yy zz xy yz zx
+  for (std::size_t k = 0; k < 6; ++k)
+    s[k] = stress.at[k] + (stress.reference_z - x[2]) * stress.gradient[k];
+  return std::max(0.0, -(s[0] * n[0] * n[0] + s[1] * n[1] * n[1] + s[2] * n[2] * n[2] +
+                         2 * (s[3] * n[0] * n[1] + s[4] * n[1] * n[2] + s[5] * n[2] * n[0])));
 }
 
 }  // namespace
@@ -156,12 +155,12 @@ void Bodies::add_block(Body& body, Index block, const std::vector<Index>& batch)
 /// Water and in-situ stress on the part in contact.
 void Bodies::press(BlockFace& face, Index id, Body& body) const {
   const FaceNature& nature = nature_[at(blocks_.face_origin[at(id)])];
-  if (!nature.water && spec_.water_pressure == 0 && !stress_) return;
+  if (!nature.water && spec_.water_pressure == 0 && !stress_.any) return;
   const Real share = std::min(1.0, face.contact_area / blocks_.face_area[at(id)]);
   press_by_water(face, id, nature, share, body);
-  if (stress_ && has_polygons_) {
+  if (stress_.any && has_polygons_) {
     face.clamping =
-        face.contact_area * normal_stress(*stress_, face_centre(blocks_, id), face.normal);
+        face.contact_area * normal_stress(stress_, face_centre(blocks_, id), face.normal);
     face.normal_stiffness = nature.normal_stiffness;
     face.shear_stiffness = nature.shear_stiffness;
   }

@@ -74,7 +74,7 @@ class Bodies {
   const BlockArrays& blocks_;
   Vec3 gravity_;
   SupportSpec spec_;
-  std::optional<InitialStress> stress_;
+  InitialStress stress_;
   FaceContacts contacts_;
   std::vector<FaceNature> nature_;  ///< [origins]
   std::vector<PointForce> forces_;  ///< ordered by block

@@ -1,5 +1,6 @@
 #include "kernels/integrate/moments.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -13,9 +14,10 @@ namespace {
 using device::Array;
 using integrate::BodyIntegral;
 
+/// Vertices in units of the cell's edges from its centre.
 struct Boundary {
   Array<Index> triangle_begin, triangle_vertex;
-  Array<Real> xyz;
+  Array<Real> eta;
 };
 
 Real cell_volume(const Lattice& lattice) {
@@ -23,83 +25,124 @@ Real cell_volume(const Lattice& lattice) {
 }
 
 /// A piece that rounding has flattened: a point of the least volume at the mean of its boundary's corners.
-KOKKOS_INLINE_FUNCTION void point_moments(const Boundary& piece, Index begin, Index end,
-                                          Real volume, Real* moments) {
+KOKKOS_INLINE_FUNCTION void point_moments(const Boundary& piece, Index begin, Index end, int degree,
+                                          Real* moments) {
   Real mean[3] = {0, 0, 0};
   for (Index c = 3 * begin; c < 3 * end; ++c)
     for (int d = 0; d < 3; ++d)
-      mean[d] += piece.xyz(3 * piece.triangle_vertex(c) + d) / (3 * (end - begin));
-  moments[integrate::index_of(0, 0, 0)] = volume;
-  moments[integrate::index_of(1, 0, 0)] = volume * mean[0];
-  moments[integrate::index_of(0, 1, 0)] = volume * mean[1];
-  moments[integrate::index_of(0, 0, 1)] = volume * mean[2];
-  moments[integrate::index_of(2, 0, 0)] = volume * mean[0] * mean[0];
-  moments[integrate::index_of(0, 2, 0)] = volume * mean[1] * mean[1];
-  moments[integrate::index_of(0, 0, 2)] = volume * mean[2] * mean[2];
-  moments[integrate::index_of(1, 1, 0)] = volume * mean[0] * mean[1];
-  moments[integrate::index_of(0, 1, 1)] = volume * mean[1] * mean[2];
-  moments[integrate::index_of(1, 0, 1)] = volume * mean[0] * mean[2];
+      mean[d] += piece.eta(3 * piece.triangle_vertex(c) + d) / (3 * (end - begin));
+  integrate::fill_monomials(mean, degree, moments);
+  for (int m = 0; m < integrate::count_to(degree); ++m) moments[m] *= integrate::volume_floor;
 }
 
-/// [Q][10] moments up to degree 2; returns the first piece that is inside out, or `pieces` if none is.
-Index integrate_pieces(const Boundary& piece, Index pieces, Real cell, const Array<Real>& moments) {
+/// [Q][count_to(Degree)] in units of the cell; returns the first piece that is inside out, or `pieces` if none is.
+template <int Degree>
+Index integrate_pieces(const Boundary& piece, Index pieces, const Array<Real>& moments) {
+  constexpr int terms = integrate::count_to(Degree);
   Index first_bad = pieces;
-  const Real rounding = integrate::volume_rounding * cell, floor = integrate::volume_floor * cell;
   Kokkos::parallel_reduce(
       "rockfold::integrate::piece_moments", device::Range(0, pieces),
       KOKKOS_LAMBDA(const Index q, Index& bad) {
         const Index begin = piece.triangle_begin(q), end = piece.triangle_begin(q + 1);
         Real about[3];
-        BodyIntegral<2> body =
-            integrate::integrate_body<2>(begin, end, piece.triangle_vertex, piece.xyz, about);
+        BodyIntegral<Degree> body =
+            integrate::integrate_body<Degree>(begin, end, piece.triangle_vertex, piece.eta, about);
         // `!(… > …)` also catches NaN. The kept index is the smallest, whatever the order of threads.
-        if (!(body.sum[0] > -rounding) && q < bad) bad = q;
-        if (body.sum[0] > floor)
+        if (!(body.sum[0] > -integrate::volume_rounding) && q < bad) bad = q;
+        if (body.sum[0] > integrate::volume_floor)
           body.shift(about);
         else
-          point_moments(piece, begin, end, floor, body.sum);
-        for (int m = 0; m < 10; ++m) moments(10 * q + m) = body.sum[m];
+          point_moments(piece, begin, end, Degree, body.sum);
+        for (int m = 0; m < terms; ++m)
+          moments(static_cast<std::size_t>(terms) * q + m) = body.sum[m];
       },
       Kokkos::Min<Index>(first_bad));
   return first_bad < pieces ? first_bad : pieces;
 }
 
+Index integrate_pieces(const Boundary& piece, Index pieces, int degree,
+                       const Array<Real>& moments) {
+  switch (degree) {
+    case 2:
+      return integrate_pieces<2>(piece, pieces, moments);
+    case 4:
+      return integrate_pieces<4>(piece, pieces, moments);
+    case 6:
+      return integrate_pieces<6>(piece, pieces, moments);
+    case 8:
+      return integrate_pieces<8>(piece, pieces, moments);
+    case 10:
+      return integrate_pieces<10>(piece, pieces, moments);
+    default:
+      throw Error(ErrorKind::analysis, "moments of degree " + std::to_string(degree) +
+                                           " were asked for, expected 2, 4, 6, 8 or 10");
+  }
+}
+
+/// η of vertices given in metres.
+Array<Real> local_vertices(const CoverArrays& covers) {
+  const auto xyz = device::to_device("integrate::vertex_xyz", covers.vertex_xyz);
+  const Mat3 rows = covers.lattice.reciprocal();
+  Kokkos::Array<Real, 9> reciprocal;
+  for (int d = 0; d < 3; ++d)
+    for (int e = 0; e < 3; ++e) reciprocal[3 * d + e] = rows[d][e];
+  const auto eta = device::allocate<Real>("integrate::vertex_eta", covers.vertex_xyz.size());
+  device::for_each(
+      "rockfold::integrate::local_vertices", static_cast<Index>(covers.vertex_xyz.size() / 3),
+      KOKKOS_LAMBDA(const Index v) {
+        for (int d = 0; d < 3; ++d)
+          eta(3 * v + d) = reciprocal[3 * d] * xyz(3 * v) + reciprocal[3 * d + 1] * xyz(3 * v + 1) +
+                           reciprocal[3 * d + 2] * xyz(3 * v + 2);
+      });
+  return eta;
+}
+
 void report_bad_piece(const CoverArrays& covers, Index q, Real volume) {
   Index e = 0;
   while (e < covers.cut_count() && covers.piece_begin[e + 1] <= q) ++e;
-  throw Error(ErrorKind::analysis, "piece " + std::to_string(q) + " of manifold element " +
-                                       std::to_string(6 * covers.regular_count() + e) +
-                                       " is inside out: its volume is " + std::to_string(volume) +
-                                       " m3, expected > 0");
+  throw Error(ErrorKind::analysis,
+              "piece " + std::to_string(q) + " of manifold element " +
+                  std::to_string(covers.parts_per_cell() * covers.regular_count() + e) +
+                  " is inside out: its volume is " + std::to_string(volume) + " m3, expected > 0");
 }
 
 }  // namespace
 
+int moment_degree(const CoverArrays& covers) {
+  const int weights = covers.lattice.kind == LatticeKind::block  ? 0
+                      : covers.lattice.kind == LatticeKind::hex8 ? 3
+                                                                 : 1;
+  return std::max(2 * (weights + covers.order), 2);
+}
+
 PieceMoments piece_moments(const CoverArrays& covers) {
+  return piece_moments(covers, moment_degree(covers));
+}
+
+PieceMoments piece_moments(const CoverArrays& covers, int degree) {
   const Index pieces = covers.piece_count();
+  const std::size_t terms = integrate::count_to(degree);
   const Boundary boundary{
       device::to_device("integrate::triangle_begin", covers.triangle_begin),
       device::to_device("integrate::triangle_vertex", covers.triangle_vertex),
-      device::to_device("integrate::vertex_xyz", covers.vertex_xyz),
+      local_vertices(covers),
   };
-  const auto moments =
-      device::allocate<Real>("integrate::moments", 10 * static_cast<std::size_t>(pieces));
-  const Index bad = integrate_pieces(boundary, pieces, cell_volume(covers.lattice), moments);
-  const std::vector<Real> host = device::to_host(moments);
-  if (bad < pieces) report_bad_piece(covers, bad, host[10 * static_cast<std::size_t>(bad)]);
+  const auto moments = device::allocate<Real>("integrate::moments", terms * pieces);
+  const Index bad = integrate_pieces(boundary, pieces, degree, moments);
 
   PieceMoments result;
+  result.degree = degree;
+  result.local = device::to_host(moments);
+  const Real cell = cell_volume(covers.lattice);
+  for (Real& m : result.local) m *= cell;
   result.volume.resize(pieces);
   result.first.resize(pieces);
-  result.second.resize(pieces);
   for (std::size_t q = 0; q < result.volume.size(); ++q) {
-    const Real* m = &host[10 * q];
-    auto at = [&](int a, int b, int c) { return m[monomial_index(a, b, c)]; };
-    result.volume[q] = at(0, 0, 0);
-    result.first[q] = {at(1, 0, 0), at(0, 1, 0), at(0, 0, 1)};
-    result.second[q] = {at(2, 0, 0), at(0, 2, 0), at(0, 0, 2),
-                        at(1, 1, 0), at(0, 1, 1), at(1, 0, 1)};
+    const Real* m = &result.local[terms * q];
+    result.volume[q] = m[0];
+    for (int d = 0; d < 3; ++d) result.first[q] += m[1 + d] * covers.lattice.edge[d];
   }
+  if (bad < pieces) report_bad_piece(covers, bad, result.volume[bad]);
   return result;
 }
 

@@ -8,11 +8,15 @@
 
 namespace rockfold {
 
-/// Volume, first and second moments of each piece about the centre of its lattice cell.
+/// Up to which degree moments are needed for stiffness and mass of the covers' order: twice that of weight times cover function.
+int moment_degree(const CoverArrays& covers);
+
+/// Moments of each piece about the centre of its lattice cell, up to `degree` (even, at least 2, at most 10).
 ///
 /// Throws Error(analysis) naming the first piece whose triangles run inside out or hold a NaN. A piece so thin that its
 /// volume drowns in the rounding of its vertices is no error: it gets the volume at which rounding ends (see
 /// moments_kernel.hpp), at its vertices' centroid, so that the covers which only it holds still move with the rock.
+PieceMoments piece_moments(const CoverArrays& covers, int degree);
 PieceMoments piece_moments(const CoverArrays& covers);
 
 /// Closed surfaces, one after the other. Example: one tetrahedron is triangle_begin = {0, 4}.

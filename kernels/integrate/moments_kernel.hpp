@@ -25,6 +25,20 @@ KOKKOS_INLINE_FUNCTION constexpr int index_of(int a, int b, int c) {
   return (a + b + c) * (a + b + c + 1) * (a + b + c + 2) / 6 + (b + c) * (b + c + 1) / 2 + c;
 }
 
+/// η^m up to a degree into m[count_to(degree)].
+KOKKOS_INLINE_FUNCTION void fill_monomials(const Real* eta, int degree, Real* m) {
+  m[0] = 1;
+  for (int n = 1, at = 1, below = 0; n <= degree; ++n) {
+    // Those of degree n: η_0 times all of degree n − 1, then η_1 times the last n of these, then η_2 times the very last.
+    const int before = at - below;
+    for (int i = 0; i < before; ++i) m[at + i] = eta[0] * m[below + i];
+    for (int i = 0; i < n; ++i) m[at + before + i] = eta[1] * m[below + before - n + i];
+    m[at + before + n] = eta[2] * m[below + before - 1];
+    below = at;
+    at += before + n + 1;
+  }
+}
+
 /// h becomes h / (1 − (v·(s,t,u))): ascending degrees, in place.
 template <int Degree>
 KOKKOS_INLINE_FUNCTION void divide_by_vertex(Real* h, const Real* v) {
@@ -45,7 +59,7 @@ KOKKOS_INLINE_FUNCTION Real triple_product(const Real* a, const Real* b, const R
          a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-KOKKOS_INLINE_FUNCTION Real factorial(int n) {
+KOKKOS_INLINE_FUNCTION constexpr Real factorial(int n) {
   Real product = 1;
   for (int k = 2; k <= n; ++k) product *= k;
   return product;

@@ -8,100 +8,152 @@
 namespace rockfold::solve {
 namespace {
 
-/// αK + βM of one pair of opposite offsets.
+/// αK + βM of one coupling.
 KOKKOS_INLINE_FUNCTION void combine(const Combination& c, const Real* entry, Real* block) {
   for (int k = 0; k < 9; ++k) block[k] = c.stiffness * entry[k];
   for (int d = 0; d < 3; ++d) block[4 * d] += c.mass * entry[9];
 }
 
+/// Where function `l` of cover p stands, and those after it.
+KOKKOS_INLINE_FUNCTION Components components(const Field& x, Index unknown) {
+  return {{&x(unknown, 0), &x(unknown, 1), &x(unknown, 2)}};
+}
+
 #ifndef ROCKFOLD_ON_GPU
-/// A run on a core: pass after pass over rows that stay in the first-level cache.
-void apply_run(const DeviceStencil& stencil, Index run, const Combination& c, const Field& x,
-               const Field& y) {
+/// A run of covers with one function on a core: pass after pass over rows that stay in the first-level cache, opposite
+/// neighbours together (their couplings are equal: K_ab − K_ba is a boundary term, and none is near).
+void apply_run_of_one(const DeviceStencil& stencil, Index run, const Combination& c, const Field& x,
+                      const Field& y) {
   const Index first = stencil.first(run), length = stencil.length(run);
-  const Real* table = &stencil.table(stencil.material(run) * DeviceStencil::table_size);
-  auto at = [&](Index p) { return Components{{&x(p, 0), &x(p, 1), &x(p, 2)}}; };
-  const Components own = at(first);
+  const Index offsets = stencil.run_offsets(run);
+  const Real* table = stencil.of_run(run);
+  const Components own = components(x, first);
   Real* const out[3] = {&y(first, 0), &y(first, 1), &y(first, 2)};
-  stencil_start(length, c.mass * table[10 * half_neighbours], own, out);
-  for (int o = 0; o < half_neighbours; ++o) {
+  stencil_start(length, c.mass * table[stencil.row_mass(offsets, 0)], own, out);
+  const Index* q = &stencil.neighbour(stencil.neighbour_begin(run));
+  for (Index o = 1; o < offsets; o += 2, q += 2) {
     Real block[9];
-    combine(c, table + 10 * o, block);
-    const Index* q = &stencil.neighbour(2 * (half_neighbours * run + o));
-    stencil_add(length, block, own, at(q[0]), at(q[1]), out);
+    combine(c, table + entry_size * o, block);
+    stencil_add(length, block, own, components(x, q[0]), components(x, q[1]), out);
+  }
+}
+
+/// A run of covers on a core, function by function.
+void apply_run(const DeviceStencil& stencil, Index run, const Combination& c, Index covers,
+               const Field& x, const Field& y) {
+  const int n = stencil.functions;
+  if (n == 1 && stencil.stride == 1) return apply_run_of_one(stencil, run, c, x, y);
+  constexpr int most_offsets = 27, most = most_offsets * 10;
+  Real block[9 * most];
+  Components at[most];
+  const Index first = stencil.first(run), offsets = stencil.run_offsets(run);
+  const Real* table = stencil.of_run(run);
+  const Index* q = &stencil.neighbour(stencil.neighbour_begin(run));
+  for (int k = 0; k < n; ++k) {
+    Index term = 0;
+    for (int l = 0; l < n; ++l)
+      for (Index o = l == 0 ? 1 : 0; o < offsets; ++o, ++term) {
+        combine(c, table + stencil.entry(offsets, k, o, l), block + 9 * term);
+        at[term] = components(x, l * covers + (o == 0 ? first : q[o - 1]));
+      }
+    const Index row = k * covers + first;
+    Real* const out[3] = {&y(row, 0), &y(row, 1), &y(row, 2)};
+    stencil_gather(stencil.length(run), stencil.stride, offsets - 1, term, block, at,
+                   components(x, first), c.mass * table[stencil.row_mass(offsets, k)], out);
   }
 }
 
 /// A slice of block rows on a core.
-void apply_slice(const DeviceBlocks& block, Index slice, const Combination& c, const Field& x,
-                 const Field& y) {
-  const Index slot = slice * slice_lanes, begin = block.slice_begin(slice);
-  Real own[3][slice_lanes], sum[3][slice_lanes];
+void apply_slice(const DeviceBlocks& block, Index slice, const Combination& c, Index covers,
+                 const Field& x, const Field& y) {
+  constexpr Real nothing[3][slice_lanes] = {};
+  const int n = block.functions;
+  const Index begin = block.slice_begin(slice), columns = block.slice_begin(slice + 1) - begin;
+  Index id[slice_lanes];
+  Real own[3][slice_lanes];
   for (int l = 0; l < slice_lanes; ++l) {
-    const Index p = block.row(slot + l);
-    const Real mass = c.mass * block.diagonal(7 * static_cast<std::size_t>(slot + l) + 6);
-    for (int i = 0; i < 3; ++i) {
-      own[i][l] = p == none ? 0 : x(p, i);
-      sum[i][l] = mass * own[i][l];
-    }
+    const Index p = block.row(slice * slice_lanes + l);
+    id[l] = p == none ? 0 : p;
+    for (int i = 0; i < 3; ++i) own[i][l] = p == none ? 0 : x(p, i);
   }
-  slice_add(block.slice_begin(slice + 1) - begin, block.column.data() + begin * slice_lanes,
-            block.value.data() + static_cast<std::size_t>(begin) * 10 * slice_lanes, c.stiffness,
-            c.mass, {{&x(0, 0), &x(0, 1), &x(0, 2)}}, own, sum);
-  for (int l = 0; l < slice_lanes; ++l) {
-    const Index p = block.row(slot + l);
-    if (p == none) continue;
-    for (int i = 0; i < 3; ++i) y(p, i) = sum[i][l];
+  const Index* column = block.column.data() + static_cast<std::size_t>(begin) * slice_lanes;
+  for (int k = 0; k < n; ++k) {
+    Real sum[3][slice_lanes];
+    const Real* mass = block.diagonals(slice, k, 0) + 9 * slice_lanes;
+    for (int i = 0; i < 3; ++i)
+      for (int l = 0; l < slice_lanes; ++l) sum[i][l] = c.mass * mass[l] * own[i][l];
+    for (int f = 0; f < n; ++f) {
+      const Components at = components(x, f * covers);
+      const auto* from = f == 0 ? own : nothing;
+      if (columns > 0)
+        slice_add(columns, column, block.values(slice, k, f), c.stiffness, c.mass, at, from, sum);
+      if (f > 0)
+        slice_add(1, id, block.diagonals(slice, k, f), c.stiffness, c.mass, at, nothing, sum);
+    }
+    for (int l = 0; l < slice_lanes; ++l)
+      if (block.row(slice * slice_lanes + l) != none)
+        for (int i = 0; i < 3; ++i) y(k * covers + id[l], i) = sum[i][l];
   }
 }
 
 #else
+/// sum += a coupling times x − own (stiffness) and x (mass); values of one lane stand `lanes` apart.
+KOKKOS_INLINE_FUNCTION void add_coupling(const Real* v, int lanes, const Combination& c,
+                                         const Field& x, Index q, const Real* own, Real* sum) {
+  Real t[3];
+  for (int j = 0; j < 3; ++j) t[j] = c.stiffness * (x(q, j) - own[j]);
+  const Real m = c.mass * v[9 * lanes];
+  for (int i = 0; i < 3; ++i)
+    sum[i] += v[3 * i * lanes] * t[0] + v[(3 * i + 1) * lanes] * t[1] +
+              v[(3 * i + 2) * lanes] * t[2] + m * x(q, i);
+}
+
 /// One row of a slice on a GPU.
-KOKKOS_INLINE_FUNCTION void apply_block_row(const DeviceBlocks& block, Index slot,
-                                            const Combination& c, const Field& x, const Field& y) {
-  const Index p = block.row(slot), slice = slot / slice_lanes;
+KOKKOS_INLINE_FUNCTION void apply_block_row(const DeviceBlocks& block, Index slot, int k,
+                                            const Combination& c, Index covers, const Field& x,
+                                            const Field& y) {
+  const Index p = block.row(slot), slice = slot / slice_lanes, lane = slot % slice_lanes;
   if (p == none) return;
-  const Real mass = c.mass * block.diagonal(7 * static_cast<std::size_t>(slot) + 6);
+  const Real nothing[3] = {0, 0, 0};
+  const Index begin = block.slice_begin(slice), columns = block.slice_begin(slice + 1) - begin;
+  const Real mass = c.mass * block.diagonals(slice, k, 0)[9 * slice_lanes + lane];
   Real own[3], sum[3];
   for (int i = 0; i < 3; ++i) {
     own[i] = x(p, i);
     sum[i] = mass * own[i];
   }
-  for (Index k = block.slice_begin(slice); k < block.slice_begin(slice + 1); ++k) {
-    const Index q = block.column(k * slice_lanes + slot % slice_lanes);
-    const Real* v =
-        &block.value(static_cast<std::size_t>(k) * 10 * slice_lanes + slot % slice_lanes);
-    const Real m = c.mass * v[9 * slice_lanes];
-    Real t[3];
-    for (int j = 0; j < 3; ++j) t[j] = c.stiffness * (x(q, j) - own[j]);
-    for (int i = 0; i < 3; ++i)
-      sum[i] += v[3 * i * slice_lanes] * t[0] + v[(3 * i + 1) * slice_lanes] * t[1] +
-                v[(3 * i + 2) * slice_lanes] * t[2] + m * x(q, i);
+  for (int f = 0; f < block.functions; ++f) {
+    const Real* v = block.values(slice, k, f) + lane;
+    for (Index j = 0; j < columns; ++j, v += entry_size * slice_lanes)
+      add_coupling(v, slice_lanes, c, x,
+                   f * covers + block.column((begin + j) * slice_lanes + lane),
+                   f == 0 ? own : nothing, sum);
+    if (f > 0)
+      add_coupling(block.diagonals(slice, k, f) + lane, slice_lanes, c, x, f * covers + p, nothing,
+                   sum);
   }
-  for (int i = 0; i < 3; ++i) y(p, i) = sum[i];
+  for (int i = 0; i < 3; ++i) y(k * covers + p, i) = sum[i];
 }
 
 /// One row of a run on a GPU.
-KOKKOS_INLINE_FUNCTION void apply_stencil_row(const DeviceStencil& stencil, Index run, Index k,
-                                              const Combination& c, const Field& x,
-                                              const Field& y) {
-  const Index p = stencil.first(run) + k;
-  const Real* table = &stencil.table(stencil.material(run) * DeviceStencil::table_size);
+KOKKOS_INLINE_FUNCTION void apply_stencil_row(const DeviceStencil& stencil, Index run, Index at,
+                                              int k, const Combination& c, Index covers,
+                                              const Field& x, const Field& y) {
+  const Real nothing[3] = {0, 0, 0};
+  const Index along = stencil.stride * at, p = stencil.first(run) + along;
+  const Index offsets = stencil.run_offsets(run);
+  const Real* table = stencil.of_run(run);
+  const Index* q = &stencil.neighbour(stencil.neighbour_begin(run));
   Real own[3], sum[3];
   for (int i = 0; i < 3; ++i) {
     own[i] = x(p, i);
-    sum[i] = c.mass * table[10 * half_neighbours] * own[i];
+    sum[i] = c.mass * table[stencil.entry(offsets, k, 0, 0) + 9] * own[i];
   }
-  for (int o = 0; o < half_neighbours; ++o) {
-    const Index plus = stencil.neighbour(2 * (half_neighbours * run + o)) + k;
-    const Index minus = stencil.neighbour(2 * (half_neighbours * run + o) + 1) + k;
-    Real block[9], t[3];
-    combine(c, table + 10 * o, block);
-    for (int j = 0; j < 3; ++j) t[j] = (x(plus, j) - own[j]) + (x(minus, j) - own[j]);
-    for (int i = 0; i < 3; ++i)
-      sum[i] += block[3 * i] * t[0] + block[3 * i + 1] * t[1] + block[3 * i + 2] * t[2];
-  }
-  for (int i = 0; i < 3; ++i) y(p, i) = sum[i];
+  for (int f = 0; f < stencil.functions; ++f)
+    for (Index o = f == 0 ? 1 : 0; o < offsets; ++o)
+      add_coupling(table + stencil.entry(offsets, k, o, f), 1, c, x,
+                   f * covers + (o == 0 ? p : q[o - 1] + along), f == 0 ? own : nothing, sum);
+  for (int i = 0; i < 3; ++i) y(k * covers + p, i) = sum[i];
 }
 #endif
 
@@ -116,9 +168,6 @@ KOKKOS_INLINE_FUNCTION void invert_unit_block(Real xy, Real yz, Real zx, Real* i
     inverse[k] = regular ? cofactor[k] / determinant : (k < 3 ? 1.0 : 0.0);
 }
 
-Index run_count(const Operator& op) {
-  return static_cast<Index>(op.stencil.first.extent(0));
-}
 Index slice_count(const Operator& op) {
   return static_cast<Index>(op.block.slice_begin.extent(0)) - 1;
 }
@@ -130,14 +179,18 @@ Index slice_count(const Operator& op) {
 void apply(const Operator& op, const Combination& c, const Field& x, const Field& y) {
   const DeviceStencil stencil = op.stencil;
   const DeviceBlocks block = op.block;
+  const Index slots = block.slots(), covers = op.covers, n = op.functions;
   device::for_each(
-      "rockfold::solve::apply_blocks", slice_count(op) * slice_lanes,
-      KOKKOS_LAMBDA(const Index i) { apply_block_row(block, i, c, x, y); });
+      "rockfold::solve::apply_blocks", slots * n, KOKKOS_LAMBDA(const Index i) {
+        apply_block_row(block, i % slots, i / slots, c, covers, x, y);
+      });
   device::for_each(
-      "rockfold::solve::apply_stencil", run_count(op) * slice_lanes, KOKKOS_LAMBDA(const Index i) {
-        const Index run = i / slice_lanes;
-        for (Index k = i % slice_lanes; k < stencil.length(run); k += slice_lanes)
-          apply_stencil_row(stencil, run, k, c, x, y);
+      "rockfold::solve::apply_stencil", stencil.runs() * slice_lanes * n,
+      KOKKOS_LAMBDA(const Index i) {
+        const Index run = i / slice_lanes / n;
+        const int k = i / slice_lanes % n;
+        for (Index at = i % slice_lanes; at < stencil.length(run); at += slice_lanes)
+          apply_stencil_row(stencil, run, at, k, c, covers, x, y);
       });
 }
 
@@ -149,18 +202,19 @@ void apply(const Operator& op, const Combination& c, const Field& x, const Field
                                        Kokkos::IndexType<Index>>;
   const DeviceStencil stencil = op.stencil;
   const DeviceBlocks block = op.block;
-  const Index slices = slice_count(op), portions = slices + run_count(op);
+  const Index slices = slice_count(op), portions = slices + stencil.runs(), covers = op.covers;
   const auto apply_portion = KOKKOS_LAMBDA(const Index i) {
     if (i < slices)
-      apply_slice(block, i, c, x, y);
+      apply_slice(block, i, c, covers, x, y);
     else
-      apply_run(stencil, i - slices, c, x, y);
+      apply_run(stencil, i - slices, c, covers, x, y);
   };
-  if (op.covers <= device::serial_limit)
+  const int at_a_time = op.functions == 1 ? 16 : 1;
+  if (op.unknowns <= device::serial_limit)
     for (Index i = 0; i < portions; ++i) apply_portion(i);
   else
-    Kokkos::parallel_for("rockfold::solve::apply", Portions(0, portions, Kokkos::ChunkSize(16)),
-                         apply_portion);
+    Kokkos::parallel_for("rockfold::solve::apply",
+                         Portions(0, portions, Kokkos::ChunkSize(at_a_time)), apply_portion);
 }
 
 #endif
@@ -168,26 +222,31 @@ void apply(const Operator& op, const Combination& c, const Field& x, const Field
 void diagonal_blocks(const Operator& op, const Combination& c, const Blocks& d) {
   const DeviceStencil stencil = op.stencil;
   const DeviceBlocks block = op.block;
+  const Index covers = op.covers;
+  const int n = op.functions;
   device::for_each(
-      "rockfold::solve::stencil_diagonal", static_cast<Index>(stencil.first.extent(0)),
-      KOKKOS_LAMBDA(const Index run) {
-        const Real* diagonal = &stencil.table(stencil.material(run) * DeviceStencil::table_size +
-                                              10 * half_neighbours + 1);
-        Real combined[9];
-        combine(c, diagonal, combined);
-        for (Index p = stencil.first(run); p < stencil.first(run) + stencil.length(run); ++p) {
-          const int at[6] = {0, 4, 8, 1, 5, 2};
-          for (int k = 0; k < 6; ++k) d(p, k) = combined[at[k]];
+      "rockfold::solve::stencil_diagonal", stencil.runs(), KOKKOS_LAMBDA(const Index run) {
+        const int at[6] = {0, 4, 8, 1, 5, 2};
+        const Index offsets = stencil.run_offsets(run);
+        for (int k = 0; k < n; ++k) {
+          Real combined[9];
+          combine(c, stencil.of_run(run) + stencil.entry(offsets, k, 0, k), combined);
+          for (Index i = 0; i < stencil.length(run); ++i)
+            for (int m = 0; m < 6; ++m)
+              d(k * covers + stencil.first(run) + stencil.stride * i, m) = combined[at[m]];
         }
       });
   device::for_each(
-      "rockfold::solve::block_diagonal", static_cast<Index>(block.row.extent(0)),
-      KOKKOS_LAMBDA(const Index slot) {
+      "rockfold::solve::block_diagonal", block.slots(), KOKKOS_LAMBDA(const Index slot) {
+        const int at[6] = {0, 4, 8, 1, 5, 2};
         const Index p = block.row(slot);
         if (p == none) return;
-        const Real* diagonal = &block.diagonal(7 * static_cast<std::size_t>(slot));
-        for (int k = 0; k < 6; ++k)
-          d(p, k) = c.stiffness * diagonal[k] + (k < 3 ? c.mass * diagonal[6] : 0);
+        for (int k = 0; k < n; ++k) {
+          const Real* v = block.diagonals(slot / slice_lanes, k, k) + slot % slice_lanes;
+          for (int m = 0; m < 6; ++m)
+            d(k * covers + p, m) =
+                c.stiffness * v[at[m] * slice_lanes] + (m < 3 ? c.mass * v[9 * slice_lanes] : 0);
+        }
       });
 }
 

@@ -1,180 +1,207 @@
-// Values of the operator: the constants of the lattice for stencil rows, and the blocks of all other rows, each
-// integrated by the one thread that owns the row.
-#include "kernels/solve/operator_kernel.hpp"
+// Values of the operator: the constants of the lattice for stencil rows and whole cells, integrals for cut elements.
+#include "kernels/solve/assemble_kernel.hpp"
 
 namespace rockfold::solve {
 namespace {
 
-/// A regular lattice cell of one material: for each pair of corners a block of 9 and a mass.
-constexpr int cell_table_size = 8 * 8 * 10;
+/// The matrices of a whole regular cell of one form and one material, [cell node][k][cell node][l] entries.
+struct CellTable {
+  int nodes = 0, functions = 0;
+  std::vector<Real> entry;
 
-void fill_cell_table(const TetTable& tets, const Elastic& material, Real* table) {
-  for (int t = 0; t < 6; ++t)
-    for (int a = 0; a < 4; ++a)
-      for (int b = 0; b < 4; ++b) {
-        Real* entry = table + 10 * (8 * tets.corner[t][a] + tets.corner[t][b]);
-        add_stiffness(material, tets.volume, tets.gradient[t][a], tets.gradient[t][b], entry);
-        // ∫ N_a N_b over a whole tetrahedron: V/20, twice that on the diagonal.
-        entry[9] += material.density * tets.volume / 20 * (a == b ? 2 : 1);
-      }
-}
-
-/// The rows of a cover in the midst of such cells: the sum over the eight cells around it.
-void fill_stencil_table(const Real* cell, Real* table) {
-  const auto offsets = stencil_offsets();
-  Real* row_mass = table + 10 * half_neighbours;
-  Real* diagonal = row_mass + 1;
-  for (int a = 0; a < 8; ++a) {
-    for (int k = 0; k < 10; ++k) diagonal[k] += cell[10 * (8 * a + a) + k];
-    for (int b = 0; b < 8; ++b) {
-      const Offset step{(b & 1) - (a & 1), (b >> 1 & 1) - (a >> 1 & 1), (b >> 2) - (a >> 2)};
-      for (int o = 0; o < half_neighbours; ++o)
-        if (offsets[o] == step)
-          for (int k = 0; k < 10; ++k) table[10 * o + k] += cell[10 * (8 * a + b) + k];
-    }
+  std::size_t size() const { return entry.size(); }
+  Real* at(int a, int k, int b, int l) {
+    return &entry[entry_size *
+                  (((static_cast<std::size_t>(a) * functions + k) * nodes + b) * functions + l)];
   }
-  *row_mass = diagonal[9];
-  for (int o = 0; o < half_neighbours; ++o) *row_mass += 2 * table[10 * o + 9];
-}
-
-struct Assembly {
-  DeviceBlocks block;
-  Array<TetTable> tets;
-  Array<Elastic> elastic;
-  Array<Real> cell_table;  ///< [materials][cell_table_size]
-  Array<Real> moments;     ///< [E][10]
-  Array<Index> regular_cover, regular_material, element_cover, element_material;
-  Array<std::uint8_t> element_tet;
 };
 
-/// The place of column q among the sorted columns of a row; padding repeats the row's own id at the end.
-KOKKOS_INLINE_FUNCTION Index find_column(const DeviceBlocks& block, Index begin, Index end,
-                                         int lane, Index q) {
-  while (begin < end && block.column(begin * slice_lanes + lane) != q) ++begin;
-  return begin;
-}
-
-/// Adds a block of 9 and a mass where row and column say.
-KOKKOS_INLINE_FUNCTION void add_entry(const DeviceBlocks& block, Index slot, Index q,
-                                      const Real* entry) {
-  const int lane = slot % slice_lanes;
-  const Index slice = slot / slice_lanes;
-  if (q == block.row(slot)) {
-    Real* d = &block.diagonal(7 * static_cast<std::size_t>(slot));
-    const int at[6] = {0, 4, 8, 1, 5, 2};
-    for (int k = 0; k < 6; ++k) d[k] += entry[at[k]];
-    d[6] += entry[9];
-    return;
-  }
-  const Index k =
-      find_column(block, block.slice_begin(slice), block.slice_begin(slice + 1), lane, q);
-  Real* v = &block.value(static_cast<std::size_t>(k) * 10 * slice_lanes + lane);
-  for (int m = 0; m < 10; ++m) v[m * slice_lanes] += entry[m];
-}
-
-KOKKOS_INLINE_FUNCTION void add_cell(const Assembly& as, Index slot, Index cell, int corner) {
-  const Real* table = &as.cell_table(as.regular_material(cell) * cell_table_size);
-  for (int b = 0; b < 8; ++b) {
-    const Real* entry = table + 10 * (8 * corner + b);
-    if (entry[9] > 0) add_entry(as.block, slot, as.regular_cover(8 * cell + b), entry);
-  }
-}
-
-KOKKOS_INLINE_FUNCTION void add_element(const Assembly& as, Index slot, Index e, int a) {
-  const TetTable& tets = as.tets(0);
-  const int t = as.element_tet(e);
-  const Elastic m = as.elastic(as.element_material(e));
-  const Real* moments = &as.moments(10 * static_cast<std::size_t>(e));
-  for (int b = 0; b < 4; ++b) {
-    Real entry[10] = {};
-    add_stiffness(m, moments[0], tets.gradient[t][a], tets.gradient[t][b], entry);
-    entry[9] = mass_entry(m.density, moments, tets.constant[t][a], tets.gradient[t][a],
-                          tets.constant[t][b], tets.gradient[t][b]);
-    add_entry(as.block, slot, as.element_cover(4 * e + b), entry);
-  }
-}
-
-void assemble_blocks(const Assembly& as, Index slots) {
+/// The matrices of all whole parts of all materials, [materials][forms·parts][width][width] entries.
+std::vector<Real> whole_parts(const ElementTable& table) {
+  const PartTable parts = table.parts;
+  const Index count = parts.forms * parts.parts, materials = table.elastic.extent(0);
+  const std::size_t width = parts.width;
+  const auto result =
+      device::allocate<Real>("solve::whole_parts", entry_size * width * width * count * materials);
+  const auto elastic = table.elastic;
   device::for_each(
-      "rockfold::solve::assemble", slots, KOKKOS_LAMBDA(const Index slot) {
-        for (Index s = as.block.source_begin(slot); s < as.block.source_begin(slot + 1); ++s) {
-          const Source source = as.block.source(s);
-          if (source >= 0)
-            add_cell(as, slot, static_cast<Index>(source / 8), static_cast<int>(source % 8));
-          else
-            add_element(as, slot, static_cast<Index>((-1 - source) / 4),
-                        static_cast<int>((-1 - source) % 4));
-        }
+      "rockfold::solve::whole_parts", materials * count * parts.width,
+      KOKKOS_LAMBDA(const Index i) {
+        const int f = i % parts.width, part = i / parts.width % count;
+        const ElementRow row(parts, part, f, parts.whole(part));
+        for (int g = 0; g < parts.width; ++g)
+          row.couple(parts, part, g, elastic(i / parts.width / count),
+                     &result((i * width + g) * entry_size));
       });
+  return device::to_host(result);
 }
 
-DeviceBlocks upload(const BlockRows& rows) {
+/// `matrix`: of the form's first part.
+CellTable make_cell_table(const LatticeFunctions& all, int form, const Real* matrix) {
+  CellTable table{all.cell_nodes, all.functions, {}};
+  table.entry.assign(static_cast<std::size_t>(entry_size) * all.cell_nodes * all.functions *
+                         all.cell_nodes * all.functions,
+                     0.0);
+  const int n = all.functions, width = all.nodes * n;
+  for (int t = form * all.parts; t < (form + 1) * all.parts; ++t)
+    for (int f = 0; f < width; ++f)
+      for (int g = 0; g < width; ++g, matrix += entry_size) {
+        Real* to = table.at(all.part[t].node[f / n], f % n, all.part[t].node[g / n], g % n);
+        for (int m = 0; m < entry_size; ++m) to[m] += matrix[m];
+      }
+  return table;
+}
+
+/// The rows of a cover of one class in the midst of such cells, as DeviceStencil wants them.
+std::vector<Real> stencil_table(const NodeClass& nodes, LatticeKind kind,
+                                std::vector<CellTable>& form) {
+  const int n = form.front().functions;
+  const std::size_t offsets = 1 + 2 * nodes.positive.size();
+  const CellSplit& split = cell_split(kind);
+  std::vector<Real> table(entry_size * n * n * offsets + n, 0.0);
+  for (std::size_t o = 0; o < offsets; ++o)
+    for (const auto& corner : nodes.cell)
+      for (int b = 0; b < split.node_count(); ++b) {
+        Offset step;
+        for (int d = 0; d < 3; ++d) step[d] = split.node[b][d] - split.node[corner.node][d];
+        Offset wanted{0, 0, 0};
+        if (o > 0)
+          for (int d = 0; d < 3; ++d)
+            wanted[d] = (o % 2 == 1 ? 1 : -1) * nodes.positive[(o - 1) / 2][d];
+        if (step != wanted) continue;
+        for (int k = 0; k < n; ++k)
+          for (int l = 0; l < n; ++l) {
+            Real* to = &table[entry_size * ((k * offsets + o) * n + l)];
+            const Real* from = form[corner.form].at(corner.node, k, b, l);
+            for (int m = 0; m < entry_size; ++m) to[m] += from[m];
+          }
+      }
+  for (int k = 0; k < n; ++k)
+    for (std::size_t o = 0; o < offsets; ++o)
+      table[table.size() - n + k] += table[entry_size * (k * offsets + o) * n + 9];
+  return table;
+}
+
+/// All the constants of a lattice and its materials.
+struct Constants {
+  std::vector<Real> cell;  ///< [materials][forms] cell tables
+  std::vector<Real> stencil;
+  std::vector<Index> table_begin;  ///< [materials][classes]
+  std::vector<Index> pairs;        ///< [classes]
+};
+
+Constants make_constants(const CoverArrays& covers, const ElementTable& table) {
+  Constants made;
+  const LatticeKind kind = covers.lattice.kind;
+  const auto classes = node_classes(kind);
+  for (const NodeClass& c : classes) made.pairs.push_back(c.pairs());
+  if (covers.regular_count() == 0) return made;
+  const LatticeFunctions functions = lattice_functions(covers);
+  const std::vector<Real> whole = whole_parts(table);
+  const std::size_t materials = table.elastic.extent(0), forms = functions.forms;
+  const std::size_t size = whole.size() / (materials * forms);
+  for (std::size_t material = 0; material < materials; ++material) {
+    std::vector<CellTable> form;
+    for (std::size_t i = 0; i < forms; ++i) {
+      form.push_back(
+          make_cell_table(functions, static_cast<int>(i), &whole[size * (material * forms + i)]));
+      made.cell.insert(made.cell.end(), form.back().entry.begin(), form.back().entry.end());
+    }
+    for (const NodeClass& c : classes) {
+      made.table_begin.push_back(static_cast<Index>(made.stencil.size()));
+      const std::vector<Real> entries = stencil_table(c, kind, form);
+      made.stencil.insert(made.stencil.end(), entries.begin(), entries.end());
+    }
+  }
+  return made;
+}
+
+/// Whole cells by their tables, cut elements by their moments.
+void assemble(const DeviceBlocks& block, const ElementTable& table, const Constants& constants) {
+  const PartTable parts = table.parts;
+  const auto cells = device::to_device("solve::cell", constants.cell);
+  const int n = parts.functions;
+  const auto add_cell = KOKKOS_LAMBDA(const RowSink& sink, Index cell, int a) {
+    const std::size_t width = static_cast<std::size_t>(parts.cell_nodes) * n;
+    const std::size_t which = table.regular_material(cell) * parts.forms + table.regular_form(cell);
+    const Real* first = &cells(entry_size * width * (which * width + a * n));
+    const Real* row = first + entry_size * width * sink.k;
+    for (int b = 0; b < parts.cell_nodes; ++b) {
+      const Real* entry = row + entry_size * n * b;
+      // No part holds both nodes: ∫ N_a N_b > 0 where one does.
+      if (!(first[entry_size * n * b + 9] > 0)) continue;
+      const Index at = sink.find(table.regular_cover(cell * parts.cell_nodes + b));
+      for (int l = 0; l < n; ++l) sink.add(at, l, entry + entry_size * l);
+    }
+  };
+  const auto add_cut = KOKKOS_LAMBDA(const RowSink& sink, Index c, int a) {
+    const Index e = parts.parts * table.regular + c;
+    const int part = table.part(e);
+    const Elastic m = table.elastic(table.material(e));
+    const ElementRow row(parts, part, a * n + sink.k, table.moments(e));
+    for (int b = 0; b < parts.nodes; ++b) {
+      const Index at = sink.find(table.cover(e, b));
+      for (int l = 0; l < n; ++l) {
+        Real entry[entry_size];
+        row.couple(parts, part, b * n + l, m, entry);
+        sink.add(at, l, entry);
+      }
+    }
+  };
+  fill_rows(block, parts.cell_nodes, parts.nodes, add_cell, add_cut);
+}
+
+DeviceBlocks upload(const BlockRows& rows, int functions) {
   using device::to_device;
   DeviceBlocks block;
+  block.functions = functions;
   block.row = to_device("solve::row", rows.row);
   block.slice_begin = to_device("solve::slice_begin", rows.slice_begin);
   block.column = to_device("solve::column", rows.column);
   block.source_begin = to_device("solve::source_begin", rows.source_begin);
   block.source = to_device("solve::source", rows.source);
   // These two are zero to start with.
-  block.value = Array<Real>("rockfold::solve::value", 10 * rows.column.size());
-  block.diagonal = Array<Real>("rockfold::solve::diagonal", 7 * rows.row.size());
+  const std::size_t each = static_cast<std::size_t>(entry_size) * functions * functions;
+  block.value = Array<Real>("rockfold::solve::value", each * rows.column.size());
+  block.diagonal = Array<Real>("rockfold::solve::diagonal", each * rows.row.size());
   return block;
 }
 
-DeviceStencil upload(const StencilRuns& runs, const std::vector<Real>& table) {
+DeviceStencil upload(const StencilRuns& runs, const Constants& constants, int functions) {
   using device::to_device;
-  return {to_device("solve::run_first", runs.first), to_device("solve::run_length", runs.length),
-          to_device("solve::run_material", runs.material),
-          to_device("solve::run_neighbour", runs.neighbour), to_device("solve::stencil", table)};
+  DeviceStencil stencil;
+  stencil.functions = functions;
+  stencil.classes = static_cast<int>(constants.pairs.size());
+  stencil.stride = runs.stride;
+  stencil.first = to_device("solve::run_first", runs.first);
+  stencil.length = to_device("solve::run_length", runs.length);
+  stencil.material = to_device("solve::run_material", runs.material);
+  stencil.node_class = to_device("solve::run_class", runs.node_class);
+  stencil.neighbour_begin = to_device("solve::run_neighbour_begin", runs.neighbour_begin);
+  stencil.neighbour = to_device("solve::run_neighbour", runs.neighbour);
+  stencil.pairs = to_device("solve::class_pairs", constants.pairs);
+  stencil.table_begin = to_device("solve::stencil_begin", constants.table_begin);
+  stencil.table = to_device("solve::stencil", constants.stencil);
+  return stencil;
 }
 
 }  // namespace
 
-Array<Real> element_moments(const CoverArrays& covers, const PieceMoments& moments) {
-  std::vector<Real> sums(10 * covers.element_cell.size(), 0.0);
-  for (Index e = 0; e < covers.cut_count(); ++e) {
-    Real* sum = &sums[10 * static_cast<std::size_t>(e)];
-    for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q) {
-      sum[0] += moments.volume[q];
-      for (int d = 0; d < 3; ++d) sum[1 + d] += moments.first[q][d];
-      for (int d = 0; d < 6; ++d) sum[4 + d] += moments.second[q][d];
-    }
-  }
-  return device::to_device("solve::element_moments", sums);
-}
-
 Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
-                        const std::vector<ElasticMaterial>& materials) {
-  const TetTable tets = make_tet_table(covers.lattice);
-  const std::vector<Elastic> elastic = make_elastic(materials);
-  std::vector<Real> cell_table(cell_table_size * materials.size(), 0.0);
-  std::vector<Real> stencil_table(DeviceStencil::table_size * materials.size(), 0.0);
-  for (std::size_t m = 0; m < materials.size(); ++m) {
-    fill_cell_table(tets, elastic[m], &cell_table[cell_table_size * m]);
-    fill_stencil_table(&cell_table[cell_table_size * m],
-                       &stencil_table[DeviceStencil::table_size * m]);
-  }
-
-  const Rows rows = sort_rows(covers, slice_lanes);
+                        const std::vector<ElasticMaterial>& materials, bool stencils) {
+  const ElementTable table = make_element_table(covers, moments, materials);
+  const Constants constants = make_constants(covers, table);
+  const Rows rows = sort_rows(covers, slice_lanes, stencils);
   Operator op;
   op.covers = covers.cover_count();
-  op.stencil_rows = rows.stencil_rows;
-  op.block_rows = rows.block_rows;
-  op.block_entries = rows.block_entries;
-  op.stencil = upload(rows.stencil, stencil_table);
-  op.block = upload(rows.block);
-
-  using device::to_device;
-  assemble_blocks(
-      {op.block, to_device("solve::tets", std::vector<TetTable>{tets}),
-       to_device("solve::elastic", elastic), to_device("solve::cell", cell_table),
-       element_moments(covers, moments), to_device("solve::regular_cover", covers.regular_cover),
-       to_device("solve::regular_material", covers.regular_material),
-       to_device("solve::element_cover", covers.element_cover),
-       to_device("solve::element_material", covers.element_material),
-       to_device("solve::element_tet", covers.element_tet)},
-      static_cast<Index>(rows.block.row.size()));
+  op.unknowns = covers.unknown_count();
+  op.functions = covers.functions();
+  op.stencil_covers = rows.stencil_covers;
+  op.block_covers = rows.block_covers;
+  op.neighbours = rows.neighbours;
+  op.stencil = upload(rows.stencil, constants, op.functions);
+  op.block = upload(rows.block, op.functions);
+  assemble(op.block, table, constants);
   Kokkos::fence();
   return op;
 }

@@ -39,9 +39,13 @@ Index CoverSystem::covers() const {
   return data_->held.op.covers;
 }
 
+Index CoverSystem::unknowns() const {
+  return data_->held.op.unknowns;
+}
+
 OperatorSize CoverSystem::size() const {
   const auto& op = data_->held.op;
-  return {op.stencil_rows, op.block_rows, op.block_entries};
+  return {op.stencil_covers, op.block_covers, op.neighbours, op.functions};
 }
 
 void CoverSystem::apply(const SystemCoefficients& c, const CoverVector& x, CoverVector& y) const {
@@ -53,7 +57,7 @@ void CoverSystem::apply(const SystemCoefficients& c, const CoverVector& x, Cover
 
 std::vector<Vec3> CoverSystem::apply(const SystemCoefficients& c,
                                      const std::vector<Vec3>& x) const {
-  CoverVector in(x), out(covers());
+  CoverVector in(x), out(unknowns());
   apply(c, in, out);
   return out.get();
 }

@@ -15,13 +15,21 @@ namespace rockfold {
 
 /// How the operator's rows are stored, for reports and benchmarks.
 struct OperatorSize {
-  Index stencil_rows = 0;          ///< covers whose couplings are constants of the lattice
-  Index block_rows = 0;            ///< covers whose couplings are stored
-  std::int64_t block_entries = 0;  ///< stored 3×3 blocks, the diagonal ones not counted
-  /// What one application must move, counted as STREAM counts (no write-allocate): 24 bytes of x and 24 of y a row, 80 of values
-  /// and 4 of column an entry.
+  Index stencil_rows = 0;       ///< covers whose couplings are constants of the lattice
+  Index block_rows = 0;         ///< covers whose couplings are stored
+  std::int64_t neighbours = 0;  ///< of the latter, summed
+  int functions = 1;            ///< of a cover
+
+  /// Stored 3×3 blocks that an application reads: all pairs of functions of neighbours, and of a cover with itself if it has
+  /// more than one (of one function only the mass is read).
+  double block_entries() const {
+    return double(functions) * functions * (double(neighbours) + (functions > 1 ? block_rows : 0));
+  }
+  /// What one application must move, counted as STREAM counts (no write-allocate): 24 bytes of x and 24 of y a row, 80 of
+  /// values an entry, 4 of column a neighbour.
   double bytes() const {
-    return 48.0 * (double(stencil_rows) + block_rows) + 84.0 * double(block_entries);
+    return 48.0 * functions * (double(stencil_rows) + block_rows) + 80.0 * block_entries() +
+           4.0 * double(neighbours);
   }
 };
 
@@ -49,6 +57,7 @@ class CoverSystem {
   CoverSystem& operator=(CoverSystem&&) noexcept;
 
   Index covers() const;
+  Index unknowns() const;  ///< U, see CoverArrays: the length of all vectors here
   OperatorSize size() const;
 
   void apply(const SystemCoefficients& c, const CoverVector& x, CoverVector& y) const;

@@ -1,26 +1,17 @@
-// Stiffness and mass of a tetrahedron's manifold element of order 0 (thesis 4.2).
+// Stiffness and mass of manifold elements (thesis 4.2), exact for every lattice and order.
 //
-// Inside one tetrahedron the weight of corner a is N_a(x) = constant_a + gradient_a · x, x from the lattice cell's centre. The
-// displacement is Σ_a N_a d_a, its gradient constant, and over an element of volume V, first moments S and second moments T
+// With φ_f the functions of an element's part (part_functions.hpp) and S_ij = ∫ ∂_i φ_f ∂_j φ_g dV over the element
 //
-//   K_ab = V (λ g_a g_bᵀ + μ g_b g_aᵀ + μ (g_a·g_b) I)         (V Bᵀ D B, isotropic D)
-//   M_ab = ρ (c_a c_b V + (c_a g_b + c_b g_a)·S + g_aᵀ T g_b)    (∫ ρ N_a N_b dV, exact)
+//   K_fg[i][j] = λ S_ij + μ S_ji + μ δ_ij Σ_d S_dd     (∫ BᵀDB, isotropic D)
+//   M_fg       = ρ ∫ φ_f φ_g dV
+//
+// Both integrals are sums over products of the polynomials' coefficients with the element's moments.
 #pragma once
 
-#include "kernels/device/device_kernel.hpp"
-#include "src/arrays/cover_arrays.hpp"
+#include "kernels/solve/part_table_kernel.hpp"
 #include "src/arrays/element_arrays.hpp"
 
 namespace rockfold::solve {
-
-/// The six tetrahedra of every lattice cell.
-struct TetTable {
-  int corner[6][4];
-  Real gradient[6][4][3];  ///< 1/m
-  Real constant[6][4];     ///< value at the centre of the lattice cell
-  Real volume;             ///< m³ of one whole tetrahedron
-};
-TetTable make_tet_table(const Lattice& lattice);
 
 struct Elastic {
   Real lambda, mu, density;
@@ -28,37 +19,48 @@ struct Elastic {
 Elastic make_elastic(const ElasticMaterial& material);
 std::vector<Elastic> make_elastic(const std::vector<ElasticMaterial>& materials);
 
-/// k[3·i + j] += K_ab.
-KOKKOS_INLINE_FUNCTION void add_stiffness(const Elastic& m, Real volume, const Real* ga,
-                                          const Real* gb, Real* k) {
-  const Real shear = m.mu * (ga[0] * gb[0] + ga[1] * gb[1] + ga[2] * gb[2]);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      k[3 * i + j] +=
-          volume * (m.lambda * ga[i] * gb[j] + m.mu * gb[i] * ga[j] + (i == j ? shear : 0));
-}
+/// A coupling of two functions: block of 9 of stiffness, row by row, and mass.
+inline constexpr int entry_size = 10;
 
-/// moments: volume, first x y z, second xx yy zz xy yz zx.
-KOKKOS_INLINE_FUNCTION Real mass_entry(Real density, const Real* moments, Real ca, const Real* ga,
-                                       Real cb, const Real* gb) {
-  const Real* s = moments + 1;
-  const Real* t = moments + 4;
-  Real linear = 0;
-  for (int d = 0; d < 3; ++d) linear += (ca * gb[d] + cb * ga[d]) * s[d];
-  const Real square = ga[0] * (t[0] * gb[0] + t[3] * gb[1] + t[5] * gb[2]) +
-                      ga[1] * (t[3] * gb[0] + t[1] * gb[1] + t[4] * gb[2]) +
-                      ga[2] * (t[5] * gb[0] + t[4] * gb[1] + t[2] * gb[2]);
-  return density * (ca * cb * moments[0] + linear + square);
-}
+/// One row of an element's matrices: function f with the moments folded in, so that a coupling is a few dot products.
+struct ElementRow {
+  Real slope[3][most_slope_terms];  ///< Σ_m (coefficients of ∂_i φ_f)_m · moment(m + n)
+  Real value[most_terms];           ///< Σ_m (coefficients of φ_f)_m · moment(m + n)
 
-/// Stress (xx yy zz xy yz zx) of an element whose corners move by d[a].
-KOKKOS_INLINE_FUNCTION void element_stress(const Elastic& m, const Real (*gradient)[3],
-                                           const Real (*d)[3], Real* stress) {
-  Real h[3][3] =
-      {};  // displacement gradient; differences to corner 0: a translation leaves no stress
-  for (int a = 1; a < 4; ++a)
+  KOKKOS_INLINE_FUNCTION ElementRow(const PartTable& table, int part, int f, const Real* moments) {
+    const int terms = table.terms, slope_terms = table.slope_terms;
+    for (int n = 0; n < terms; ++n) {
+      const Index* sum = &table.sum_index(n * terms);
+      const Real* phi = table.values(part, f);
+      value[n] = 0;
+      for (int m = 0; m < terms; ++m) value[n] += phi[m] * moments[sum[m]];
+      if (n >= slope_terms) continue;
+      for (int i = 0; i < 3; ++i) {
+        const Real* d = table.slopes(part, f, i);
+        slope[i][n] = 0;
+        for (int m = 0; m < slope_terms; ++m) slope[i][n] += d[m] * moments[sum[m]];
+      }
+    }
+  }
+
+  /// entry[10] = K_fg, M_fg.
+  KOKKOS_INLINE_FUNCTION void couple(const PartTable& table, int part, int g, const Elastic& m,
+                                     Real* entry) const {
+    Real s[3][3];
+    for (int j = 0; j < 3; ++j) {
+      const Real* d = table.slopes(part, g, j);
+      for (int i = 0; i < 3; ++i) s[i][j] = dot_terms(slope[i], d, table.slope_terms);
+    }
+    const Real shear = m.mu * (s[0][0] + s[1][1] + s[2][2]);
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) h[i][j] += (d[a][i] - d[0][i]) * gradient[a][j];
+      for (int j = 0; j < 3; ++j)
+        entry[3 * i + j] = m.lambda * s[i][j] + m.mu * s[j][i] + (i == j ? shear : 0);
+    entry[9] = m.density * dot_terms(value, table.values(part, g), table.terms);
+  }
+};
+
+/// Stress (xx yy zz xy yz zx) of a displacement gradient h[i][j] = ∂u_i/∂x_j.
+KOKKOS_INLINE_FUNCTION void elastic_stress(const Elastic& m, const Real (*h)[3], Real* stress) {
   const Real pressure = m.lambda * (h[0][0] + h[1][1] + h[2][2]);
   for (int i = 0; i < 3; ++i) stress[i] = pressure + 2 * m.mu * h[i][i];
   stress[3] = m.mu * (h[0][1] + h[1][0]);

@@ -52,11 +52,11 @@ bool any_augmented(const Springs& springs) {
 HeldSystem make_held_system(Operator op, const FixedPoints& fixed) {
   HeldSystem system;
   MergedPoints merged = merge_points(fixed);
-  system.springs = build_springs(merged.fixed, op.covers);
+  system.springs = build_springs(merged.fixed, op.unknowns);
   system.shares = std::move(merged.shares);
-  system.work = make_pcg_work(op.covers);
-  system.inverse = Blocks("rockfold::solve::inverse_diagonal", op.covers);
-  system.load = device::make_field("solve::load", op.covers);
+  system.work = make_pcg_work(op.unknowns);
+  system.inverse = Blocks("rockfold::solve::inverse_diagonal", op.unknowns);
+  system.load = device::make_field("solve::load", op.unknowns);
   system.op = std::move(op);
   return system;
 }
@@ -64,7 +64,10 @@ HeldSystem make_held_system(Operator op, const FixedPoints& fixed) {
 void set_combination(HeldSystem& system, const Combination& c, Real spring_factor, bool stiffen) {
   system.combination = c;
   system.spring_factor = spring_factor;
-  diagonal_blocks(system.op, c, system.inverse);
+  if (system.other.diagonal)
+    system.other.diagonal(system.inverse);
+  else
+    diagonal_blocks(system.op, c, system.inverse);
   if (stiffen) stiffen_springs(system.springs, spring_factor, system.inverse);
   add_spring_diagonal(system.springs, spring_factor, system.inverse);
   invert_blocks(system.inverse);
@@ -76,7 +79,10 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
   const Springs& springs = system.springs;
   const Real factor = system.spring_factor;
   const Apply a = [&](const Field& u, const Field& v) {
-    apply(system.op, system.combination, u, v);
+    if (system.other.apply)
+      system.other.apply(u, v);
+    else
+      apply(system.op, system.combination, u, v);
     apply_springs(springs, factor, u, v);
   };
   PcgOptions pcg = options.pcg;
@@ -96,12 +102,20 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
   if (!augmented || !report.converged) return report;
 
   system.acceleration.begin_again();
+  bool fresh = false;  // whether what it knows is of this solve alone
   Real best = std::numeric_limits<Real>::infinity();
   for (int stalled = 0; report.converged;) {
     const Real gap = multiplier_change(springs, factor, x, goal, springs.force);
     report.gap = gap > 0 ? gap / std::max(largest_sum(x, base), largest_entry(goal)) : 0;
     stalled = gap < 0.5 * best ? 0 : stalled + 1;
     if (stalled == 0) best = gap;
+    // What was learned in earlier steps may have grown stale: every inner solve is inexact, and old pairs carry its noise on.
+    if (stalled == 2 && !fresh) {
+      system.acceleration.forget();
+      fresh = true;
+      stalled = 0;
+      best = gap;
+    }
     const bool close = report.gap <= options.gap_tolerance;
     if (close && report.residual <= pcg.tolerance) break;
     if (!close && (report.outer == options.max_outer || stalled == options.patience)) {

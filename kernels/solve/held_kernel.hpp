@@ -11,9 +11,17 @@
 
 namespace rockfold::solve {
 
+/// What stands in place of αK + βM where that is not the whole matrix: dashpots, tangents of large deformation. Both are
+/// asked for the combination set last.
+struct OtherMatrix {
+  Apply apply;                                    ///< y = A x
+  std::function<void(const Blocks& d)> diagonal;  ///< its diagonal blocks
+};
+
 /// αK + βM + γ NᵀkN with its preconditioner.
 struct HeldSystem {
   Operator op;
+  OtherMatrix other;   ///< empty: αK + βM of `op`
   Springs springs;     ///< of the merged points
   PointShares shares;  ///< of the points given in them
   PcgWork work;

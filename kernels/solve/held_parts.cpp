@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "src/arrays/shape_functions.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 
@@ -34,10 +35,11 @@ class Parts {
 
 Parts join_through_elements(const CoverArrays& covers) {
   Parts parts(covers.cover_count());
+  const std::size_t per_cell = covers.nodes_per_cell(), per_part = covers.nodes_per_part();
   for (std::size_t i = 0; i < covers.regular_cover.size(); ++i)
-    parts.join(covers.regular_cover[i], covers.regular_cover[i / 8 * 8]);
+    parts.join(covers.regular_cover[i], covers.regular_cover[i / per_cell * per_cell]);
   for (std::size_t i = 0; i < covers.element_cover.size(); ++i)
-    parts.join(covers.element_cover[i], covers.element_cover[i / 4 * 4]);
+    parts.join(covers.element_cover[i], covers.element_cover[i / per_part * per_part]);
   return parts;
 }
 
@@ -48,7 +50,8 @@ struct Frame {
     for (int d = 0; d < 3; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
   }
   Vec3 centre() const { return 0.5 * (low + high); }
-  Real size() const { return 0.5 * norm(high - low); }
+  /// A single block has but one node.
+  Real size() const { return norm(high - low) > 0 ? 0.5 * norm(high - low) : 1; }
 };
 
 /// Σ over fixed components of the outer product of what a rigid motion (t, ω·size) does to that component.
@@ -124,20 +127,13 @@ std::vector<std::string> free_motions(Holding holding) {
 std::map<Index, std::set<Index>> blocks_of_parts(const CoverArrays& covers, Parts& parts) {
   std::map<Index, std::set<Index>> blocks;
   for (Index r = 0; r < covers.regular_count(); ++r)
-    blocks[parts.root(covers.regular_cover[8 * r])].insert(covers.regular_block[r]);
+    blocks[parts.root(covers.regular_cover[covers.nodes_per_cell() * r])].insert(
+        covers.regular_block[r]);
   for (Index e = 0; e < covers.cut_count(); ++e)
     for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
-      blocks[parts.root(covers.element_cover[4 * e])].insert(covers.piece_block[q]);
+      blocks[parts.root(covers.element_cover[covers.nodes_per_part() * e])].insert(
+          covers.piece_block[q]);
   return blocks;
-}
-
-Vec3 position_of_point(const CoverArrays& covers, const MaterialPoints& points, std::size_t n) {
-  Vec3 x{};
-  for (int a = 0; a < 4; ++a) {
-    const Index node = covers.cover_node[points.cover[n][a]];
-    x += points.weight[n][a] * covers.lattice.node_position(covers.lattice.node_ijk(node));
-  }
-  return x;
 }
 
 }  // namespace
@@ -147,15 +143,14 @@ std::vector<LoosePart> find_loose_parts(const CoverArrays& covers, const FixedPo
   const auto blocks = blocks_of_parts(covers, parts);
   std::map<Index, Frame> frames;
   for (Index p = 0; p < covers.cover_count(); ++p)
-    frames[parts.root(p)].add(
-        covers.lattice.node_position(covers.lattice.node_ijk(covers.cover_node[p])));
+    frames[parts.root(p)].add(covers.lattice.node_position(covers.cover_node[p]));
 
   std::map<Index, Holding> holdings;
   for (std::size_t n = 0; n < fixed.points.size(); ++n) {
-    const Index part = parts.root(fixed.points.cover[n][0]);
+    const Index part = parts.root(element_nodes(covers, fixed.points.element[n]).cover[0]);
     const Frame& frame = frames[part];
     const Vec3 arm =
-        (1 / frame.size()) * (position_of_point(covers, fixed.points, n) - frame.centre());
+        (1 / frame.size()) * (point_position(covers, fixed.points, n) - frame.centre());
     for (int d = 0; d < 3; ++d)
       if (fixed.component[n][d]) holdings[part].add(arm, d);
   }

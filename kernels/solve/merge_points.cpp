@@ -10,22 +10,27 @@ namespace rockfold::solve {
 namespace {
 
 using RoundedWeights = std::vector<std::pair<Index, long long>>;
-using Key = std::tuple<RoundedWeights, std::array<std::uint8_t, 3>, Vec3, std::uint8_t>;
+using Key = std::tuple<RoundedWeights, std::array<std::uint8_t, 3>, Vec3, std::uint8_t, Index>;
 
 Key key_of(const FixedPoints& given, std::size_t n) {
   RoundedWeights weights;
-  for (int a = 0; a < 4; ++a) {
-    const long long rounded = std::llround(given.points.weight[n][a] * 1e9);
-    if (rounded != 0) weights.emplace_back(given.points.cover[n][a], rounded);
+  for (Index i = given.points.begin[n]; i < given.points.begin[n + 1]; ++i) {
+    const long long rounded = std::llround(given.points.weight[i] * 1e9);
+    if (rounded != 0) weights.emplace_back(given.points.unknown[i], rounded);
   }
   std::sort(weights.begin(), weights.end());
-  return {weights, given.component[n], given.value[n], given.augmented[n]};
+  return {weights, given.component[n], given.value[n], given.augmented[n],
+          given.table.empty() ? none : given.table[n]};
 }
 
 void append(FixedPoints& to, const FixedPoints& from, std::size_t n) {
   to.points.element.push_back(from.points.element[n]);
-  to.points.cover.push_back(from.points.cover[n]);
-  to.points.weight.push_back(from.points.weight[n]);
+  to.points.local.push_back(from.points.local[n]);
+  for (Index i = from.points.begin[n]; i < from.points.begin[n + 1]; ++i) {
+    to.points.unknown.push_back(from.points.unknown[i]);
+    to.points.weight.push_back(from.points.weight[i]);
+  }
+  to.points.begin.push_back(static_cast<Index>(to.points.unknown.size()));
   to.component.push_back(from.component[n]);
   to.value.push_back(from.value[n]);
   to.stiffness.push_back(0);

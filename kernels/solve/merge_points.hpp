@@ -22,7 +22,8 @@ struct MergedPoints {
   PointShares shares;
 };
 
-/// Merges points of equal covers, weights (to 1e-9), components, values and method; in the order of first occurrence.
+/// Merges points of equal covers, weights (to 1e-9), components, values, tables and method; in the order of first
+/// occurrence.
 MergedPoints merge_points(const FixedPoints& given);
 
 }  // namespace rockfold::solve

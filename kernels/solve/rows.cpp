@@ -1,72 +1,96 @@
 #include "kernels/solve/rows.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
+
+#include "kernels/solve/part_functions.hpp"
 
 namespace rockfold::solve {
 namespace {
 
-constexpr Offset corner_offset(int c) {
-  return {c & 1, c >> 1 & 1, c >> 2 & 1};
-}
-
-/// Which covers are stencil rows, and their eight cells.
+/// Which covers are stencil rows, and their cells.
 struct StencilCovers {
-  std::vector<Index> cell;      ///< [P][8] the regular cell of which p is corner c, or none
+  int nodes = 0;                ///< of a cell
+  std::vector<Index> cell;      ///< [P][nodes] the regular cell of which p is node c, or none
   std::vector<Index> material;  ///< [P] none for block rows
+  std::vector<NodeClass> classes;
+  std::vector<std::uint8_t> of;  ///< [P] class
+
+  Index cell_at(Index p, int node) const {
+    return cell[static_cast<std::size_t>(nodes) * p + node];
+  }
 };
+
+/// The material of a cover's cells, or none where not all are regular and alike.
+Index common_material(const CoverArrays& covers, const StencilCovers& found, Index p) {
+  Index material = none;
+  for (const auto& corner : found.classes[found.of[p]].cell) {
+    const Index r = found.cell_at(p, corner.node);
+    if (r == none) return none;
+    if (material != none && covers.regular_material[r] != material) return none;
+    material = covers.regular_material[r];
+  }
+  return material;
+}
 
 StencilCovers find_stencil_covers(const CoverArrays& covers) {
   const std::size_t count = covers.cover_node.size();
-  StencilCovers found{std::vector<Index>(8 * count, none), std::vector<Index>(count, none)};
+  StencilCovers found;
+  found.nodes = covers.nodes_per_cell();
+  found.classes = node_classes(covers.lattice.kind);
+  found.material.assign(count, none);
+  if (covers.regular_count() == 0) return found;
+  found.cell.assign(found.nodes * count, none);
+  found.of.resize(count);
   for (Index r = 0; r < covers.regular_count(); ++r)
-    for (int c = 0; c < 8; ++c)
-      found.cell[8 * static_cast<std::size_t>(covers.regular_cover[8 * r + c]) + c] = r;
+    for (int c = 0; c < found.nodes; ++c) {
+      const std::size_t p = covers.regular_cover[found.nodes * r + c];
+      found.cell[found.nodes * p + c] = r;
+    }
   for (std::size_t p = 0; p < count; ++p) {
-    const Index* cell = &found.cell[8 * p];
-    const bool whole = std::all_of(cell, cell + 8, [&](Index r) {
-      return r != none && cell[0] != none &&
-             covers.regular_material[r] == covers.regular_material[cell[0]];
-    });
-    if (whole) found.material[p] = covers.regular_material[cell[0]];
+    found.of[p] = static_cast<std::uint8_t>(class_of_node(covers.lattice, covers.cover_node[p]));
+    found.material[p] = common_material(covers, found, static_cast<Index>(p));
   }
   return found;
 }
 
-/// The cover one offset away from stencil cover p.
-Index neighbour(const CoverArrays& covers, const StencilCovers& stencil, Index p,
-                const Offset& offset) {
-  int from = 0, to = 0;  // the corners of a cell that holds both
-  for (int d = 0; d < 3; ++d) {
-    if (offset[d] < 0) from |= 1 << d;
-    if (offset[d] > 0) to |= 1 << d;
-  }
-  return covers.regular_cover[8 * stencil.cell[8 * static_cast<std::size_t>(p) + from] + to];
+std::vector<Index> neighbours(const CoverArrays& covers, const StencilCovers& stencil, Index p) {
+  std::vector<Index> result;
+  for (const auto& [from, to] : stencil.classes[stencil.of[p]].pair)
+    result.push_back(covers.regular_cover[stencil.nodes * stencil.cell_at(p, from) + to]);
+  return result;
 }
 
 StencilRuns make_runs(const CoverArrays& covers, const StencilCovers& stencil) {
   StencilRuns runs;
-  const auto offsets = stencil_offsets();
-  std::array<Index, 2 * half_neighbours> now{}, next{};
+  runs.stride = covers.lattice.kind == LatticeKind::tet5 ? 2 : 1;
+  struct Open {
+    Index run = none;
+    std::vector<Index> next;  ///< neighbours of the cover that would go on
+  };
+  std::vector<Open> open(stencil.classes.size());
   for (Index p = 0; p < covers.cover_count(); ++p) {
     if (stencil.material[p] == none) continue;
-    for (int o = 0; o < half_neighbours; ++o) {
-      const Offset& plus = offsets[o];
-      now[2 * o] = neighbour(covers, stencil, p, plus);
-      now[2 * o + 1] = neighbour(covers, stencil, p, {-plus[0], -plus[1], -plus[2]});
-    }
-    const bool goes_on = runs.count() > 0 && runs.first.back() + runs.length.back() == p &&
-                         runs.material.back() == stencil.material[p] &&
-                         runs.length.back() < StencilRuns::max_length && now == next;
+    Open& last = open[stencil.of[p]];
+    std::vector<Index> now = neighbours(covers, stencil, p);
+    const bool goes_on = last.run != none &&
+                         runs.first[last.run] + runs.stride * runs.length[last.run] == p &&
+                         runs.material[last.run] == stencil.material[p] &&
+                         runs.length[last.run] < StencilRuns::max_length && now == last.next;
     if (goes_on) {
-      ++runs.length.back();
+      ++runs.length[last.run];
     } else {
+      last.run = runs.count();
       runs.first.push_back(p);
       runs.length.push_back(1);
       runs.material.push_back(stencil.material[p]);
+      runs.node_class.push_back(stencil.of[p]);
+      runs.neighbour_begin.push_back(static_cast<Index>(runs.neighbour.size()));
       runs.neighbour.insert(runs.neighbour.end(), now.begin(), now.end());
     }
-    std::transform(now.begin(), now.end(), next.begin(), [](Index q) { return q + 1; });
+    for (Index& q : now) q += runs.stride;
+    last.next = std::move(now);
   }
   return runs;
 }
@@ -103,10 +127,23 @@ void gather_sources(const CoverArrays& covers, const std::vector<Index>& row_of_
   });
 }
 
+/// [form][a][b] whether two nodes of a cell couple.
+std::vector<std::vector<std::vector<bool>>> couplings(const CoverArrays& covers) {
+  const int nodes = covers.nodes_per_cell();
+  const LatticeKind kind = covers.lattice.kind;
+  std::vector<std::vector<std::vector<bool>>> couple(
+      kind == LatticeKind::tet5 ? 2 : 1,
+      std::vector<std::vector<bool>>(nodes, std::vector<bool>(nodes)));
+  for (std::size_t form = 0; form < couple.size(); ++form)
+    for (int a = 0; a < nodes; ++a)
+      for (int b = 0; b < nodes; ++b)
+        couple[form][a][b] = nodes_couple(kind, static_cast<int>(form), a, b);
+  return couple;
+}
+
 void gather_columns(const CoverArrays& covers, PlainRows& rows) {
-  bool couple[8][8];
-  for (int a = 0; a < 8; ++a)
-    for (int b = 0; b < 8; ++b) couple[a][b] = corners_couple(a, b);
+  const auto couple = couplings(covers);
+  const int nodes = covers.nodes_per_cell(), per_part = covers.nodes_per_part();
   std::vector<Index> seen_by(covers.cover_node.size(), none);
   rows.column_begin.assign(1, 0);
   for (std::size_t b = 0; b < rows.cover.size(); ++b) {
@@ -118,10 +155,13 @@ void gather_columns(const CoverArrays& covers, PlainRows& rows) {
     for (Index s = rows.source_begin[b]; s < rows.source_begin[b + 1]; ++s) {
       const Source source = rows.source[s];
       if (source >= 0) {
-        for (int c = 0; c < 8; ++c)
-          if (couple[source % 8][c]) add(covers.regular_cover[source / 8 * 8 + c]);
+        const Source r = source / nodes;
+        const int form = LatticeFunctions::form(covers.lattice, covers.regular_cell[r]);
+        for (int c = 0; c < nodes; ++c)
+          if (couple[form][source % nodes][c]) add(covers.regular_cover[r * nodes + c]);
       } else {
-        for (int a = 0; a < 4; ++a) add(covers.element_cover[(-1 - source) / 4 * 4 + a]);
+        for (int a = 0; a < per_part; ++a)
+          add(covers.element_cover[(-1 - source) / per_part * per_part + a]);
       }
     }
     std::sort(rows.column.begin() + rows.column_begin.back(), rows.column.end());
@@ -167,33 +207,81 @@ BlockRows slice_rows(const PlainRows& rows, int lanes) {
   return sliced;
 }
 
-}  // namespace
+/// Which sort of node this is: 0 corner, 1 … 3 centre of a face across that axis, 4 centre of the cell.
+int sort_of(const HalfSteps& at) {
+  const int odd = (at[0] & 1) + (at[1] & 1) + (at[2] & 1);
+  if (odd == 0) return 0;
+  if (odd == 3) return 4;
+  return (at[0] & 1) == 0 ? 1 : (at[1] & 1) == 0 ? 2 : 3;
+}
 
-std::array<Offset, half_neighbours> stencil_offsets() {
-  std::vector<Offset> found;
-  for (const auto& tet : tet6_corner)
-    for (int from : tet)
-      for (int to : tet) {
-        const Offset a = corner_offset(from), b = corner_offset(to);
-        const Offset offset{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-        if (offset > Offset{0, 0, 0}) found.push_back(offset);
-      }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  std::array<Offset, half_neighbours> result{};
-  std::copy(found.begin(), found.end(), result.begin());
+/// The class of nodes of a sort; `parity`: of the corner's i + j + k, tet5 alone.
+NodeClass make_class(LatticeKind kind, int sort, int parity) {
+  const CellSplit& split = cell_split(kind);
+  NodeClass result;
+  std::set<Offset> found;
+  std::vector<std::pair<Offset, std::array<int, 2>>> pairs;
+  for (int a = 0; a < split.node_count(); ++a) {
+    if (sort_of(split.node[a]) != sort) continue;
+    // A cell's parity is that of its lower corner: the node's less the steps up to it.
+    const int form =
+        kind == LatticeKind::tet5 ? (parity + (a & 1) + (a >> 1 & 1) + (a >> 2)) & 1 : 0;
+    result.cell.push_back({form, a});
+    for (int b = 0; b < split.node_count(); ++b) {
+      if (a == b || !nodes_couple(kind, form, a, b)) continue;
+      Offset offset;
+      for (int d = 0; d < 3; ++d) offset[d] = split.node[b][d] - split.node[a][d];
+      if (found.insert(offset).second) pairs.push_back({offset, {a, b}});
+    }
+  }
+  for (const Offset& offset : found)
+    if (offset > Offset{0, 0, 0}) result.positive.push_back(offset);
+  for (const Offset& plus : result.positive)
+    for (const int sign : {1, -1})
+      for (const auto& [offset, nodes] : pairs)
+        if (offset == Offset{sign * plus[0], sign * plus[1], sign * plus[2]})
+          result.pair.push_back(nodes);
   return result;
 }
 
-bool corners_couple(int a, int b) {
-  return std::any_of(std::begin(tet6_corner), std::end(tet6_corner), [=](const auto& tet) {
-    auto has = [&](int c) { return std::find(std::begin(tet), std::end(tet), c) != std::end(tet); };
-    return has(a) && has(b);
+}  // namespace
+
+std::vector<NodeClass> node_classes(LatticeKind kind) {
+  switch (kind) {
+    case LatticeKind::block:
+      return {};
+    case LatticeKind::tet5:
+      return {make_class(kind, 0, 0), make_class(kind, 0, 1)};
+    case LatticeKind::tet24:
+      return {make_class(kind, 0, 0), make_class(kind, 1, 0), make_class(kind, 2, 0),
+              make_class(kind, 3, 0), make_class(kind, 4, 0)};
+    default:
+      return {make_class(kind, 0, 0)};
+  }
+}
+
+int class_of_node(const Lattice& lattice, Index node) {
+  if (lattice.kind == LatticeKind::tet24) return node / lattice.grid();
+  if (lattice.kind != LatticeKind::tet5) return 0;
+  const auto n = lattice.node_ijk(node);
+  return (n[0] + n[1] + n[2] + (lattice.odd_origin ? 1 : 0)) & 1;
+}
+
+bool nodes_couple(LatticeKind kind, int form, int a, int b) {
+  const auto& parts = cell_split(kind, form == 1).part;
+  return std::any_of(parts.begin(), parts.end(), [=](const CellPart& part) {
+    const auto end = part.node.begin() + part.nodes;
+    return std::find(part.node.begin(), end, a) != end &&
+           std::find(part.node.begin(), end, b) != end;
   });
 }
 
-Rows sort_rows(const CoverArrays& covers, int lanes) {
-  const StencilCovers stencil = find_stencil_covers(covers);
+Rows sort_rows(const CoverArrays& covers, int lanes, bool stencils) {
+  StencilCovers stencil;
+  if (stencils)
+    stencil = find_stencil_covers(covers);
+  else
+    stencil.material.assign(covers.cover_node.size(), none);
   PlainRows plain;
   std::vector<Index> row_of_cover(covers.cover_node.size(), none);
   for (Index p = 0; p < covers.cover_count(); ++p)
@@ -207,9 +295,9 @@ Rows sort_rows(const CoverArrays& covers, int lanes) {
   Rows rows;
   rows.stencil = make_runs(covers, stencil);
   rows.block = slice_rows(plain, lanes);
-  rows.block_rows = static_cast<Index>(plain.cover.size());
-  rows.stencil_rows = covers.cover_count() - rows.block_rows;
-  rows.block_entries = static_cast<std::int64_t>(plain.column.size());
+  rows.block_covers = static_cast<Index>(plain.cover.size());
+  rows.stencil_covers = covers.cover_count() - rows.block_covers;
+  rows.neighbours = static_cast<std::int64_t>(plain.column.size());
   return rows;
 }
 

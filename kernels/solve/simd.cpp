@@ -44,6 +44,53 @@ void stencil_add(Index length, const Real* c, const Components& x, const Compone
   }
 }
 
+namespace {
+
+constexpr Index chunk = 16;
+
+/// Rows [begin, begin + count) of stencil_gather: count = chunk, or fewer where they are not contiguous.
+template <bool contiguous>
+[[gnu::always_inline]] inline void gather_chunk(Index begin, Index count, Index stride,
+                                                Index differences, Index terms, const Real* block,
+                                                const Components* at, const Components& own,
+                                                Real own_mass, Real* const* y) {
+  Index index[chunk];  // lanes without a row repeat the last
+  for (Index l = 0; l < chunk; ++l) index[l] = (begin + (l < count ? l : count - 1)) * stride;
+  Real o[3][chunk], s[3][chunk];
+  for (int i = 0; i < 3; ++i)
+    for (Index l = 0; l < chunk; ++l) {
+      o[i][l] = own.x[i][contiguous ? begin + l : index[l]];
+      s[i][l] = own_mass * o[i][l];
+    }
+  for (Index c = 0; c < terms; ++c, block += 9) {
+    Real t[3][chunk];
+    for (int i = 0; i < 3; ++i)
+      for (Index l = 0; l < chunk; ++l) t[i][l] = at[c].x[i][contiguous ? begin + l : index[l]];
+    if (c < differences)
+      for (int i = 0; i < 3; ++i)
+        for (Index l = 0; l < chunk; ++l) t[i][l] -= o[i][l];
+    for (int i = 0; i < 3; ++i)
+      for (Index l = 0; l < chunk; ++l)
+        s[i][l] += block[3 * i] * t[0][l] + block[3 * i + 1] * t[1][l] + block[3 * i + 2] * t[2][l];
+  }
+  for (int i = 0; i < 3; ++i)
+    for (Index l = 0; l < count; ++l) y[i][contiguous ? begin + l : index[l]] = s[i][l];
+}
+
+}  // namespace
+
+ROCKFOLD_SIMD_VERSIONS
+void stencil_gather(Index length, Index stride, Index differences, Index terms, const Real* block,
+                    const Components* at, const Components& own, Real own_mass, Real* const* y) {
+  for (Index begin = 0; begin < length; begin += chunk) {
+    const Index count = length - begin < chunk ? length - begin : chunk;
+    if (count == chunk && stride == 1)
+      gather_chunk<true>(begin, chunk, stride, differences, terms, block, at, own, own_mass, y);
+    else
+      gather_chunk<false>(begin, count, stride, differences, terms, block, at, own, own_mass, y);
+  }
+}
+
 ROCKFOLD_SIMD_VERSIONS
 void slice_add(Index columns, const Index* column, const Real* value, Real stiffness, Real mass,
                const Components& x, const Real (*own)[simd_lanes], Real (*sum)[simd_lanes]) {

@@ -18,6 +18,11 @@ void stencil_start(Index length, Real scale, const Components& x, Real* const* y
 void stencil_add(Index length, const Real* c, const Components& x, const Components& plus,
                  const Components& minus, Real* const* y);
 
+/// Rows k < length that stand `stride` apart, each the sum of `terms` couplings to vectors that run along with them:
+/// y = own_mass · own + Σ_c block_c (at_c − own for c < differences, else at_c). block: [terms][9].
+void stencil_gather(Index length, Index stride, Index differences, Index terms, const Real* block,
+                    const Components* at, const Components& own, Real own_mass, Real* const* y);
+
 /// Rows that stand side by side in a slice of block rows on a core: one AVX-512 register, two of AVX2.
 inline constexpr int simd_lanes = 8;
 

@@ -3,52 +3,13 @@
 namespace rockfold::solve {
 namespace {
 
-/// Inverts points → covers: covers ascending, entries of a cover ascending.
-void build_rows(const MaterialPoints& points, Index covers, Springs& springs) {
-  std::vector<Index> begin(static_cast<std::size_t>(covers) + 1, 0);
-  for (const auto& four : points.cover)
-    for (Index p : four) ++begin[p + 1];
-  std::vector<Index> row, row_begin{0};
-  for (Index p = 0; p < covers; ++p) {
-    if (begin[p + 1] > 0) {
-      row.push_back(p);
-      row_begin.push_back(row_begin.back() + begin[p + 1]);
-    }
-    begin[p + 1] += begin[p];
-  }
-  std::vector<Index> entry(4 * points.size());
-  for (std::size_t n = 0; n < points.size(); ++n)
-    for (int a = 0; a < 4; ++a) entry[begin[points.cover[n][a]]++] = static_cast<Index>(4 * n + a);
-  springs.row = device::to_device("solve::spring_row", row);
-  springs.row_begin = device::to_device("solve::spring_row_begin", row_begin);
-  springs.row_entry = device::to_device("solve::spring_row_entry", entry);
-}
-
 Index points_of(const Springs& springs) {
   return springs.points.count;
 }
 
 }  // namespace
 
-DevicePoints upload(const MaterialPoints& points) {
-  std::vector<Index> cover;
-  std::vector<Real> weight;
-  for (std::size_t n = 0; n < points.size(); ++n) {
-    cover.insert(cover.end(), points.cover[n].begin(), points.cover[n].end());
-    weight.insert(weight.end(), points.weight[n].begin(), points.weight[n].end());
-  }
-  return {static_cast<Index>(points.size()), device::to_device("solve::point_cover", cover),
-          device::to_device("solve::point_weight", weight)};
-}
-
-void interpolate(const DevicePoints& points, const Field& x, const Field& value) {
-  device::for_each(
-      "rockfold::solve::interpolate", points.count, KOKKOS_LAMBDA(const Index n) {
-        for (int d = 0; d < 3; ++d) value(n, d) = interpolate_one(points, n, d, x);
-      });
-}
-
-Springs build_springs(const FixedPoints& fixed, Index covers) {
+Springs build_springs(const FixedPoints& fixed, Index unknowns) {
   const std::size_t count = fixed.points.size();
   const Index n = static_cast<Index>(count);
   std::vector<Vec3> stiffness(count), augmented(count);
@@ -58,32 +19,19 @@ Springs build_springs(const FixedPoints& fixed, Index covers) {
       augmented[i][d] = fixed.component[i][d] && fixed.augmented[i];
     }
   Springs springs;
-  springs.points = upload(fixed.points);
+  static_cast<PointRows&>(springs) = make_point_rows(fixed.points, unknowns);
   springs.given_stiffness = device::make_field("solve::given_stiffness", n);
   springs.stiffness = device::make_field("solve::stiffness", n);
   springs.augmented = device::make_field("solve::augmented", n);
   springs.multiplier = device::make_field("solve::multiplier", n);
   springs.target = device::make_field("solve::target", n);
   springs.force = device::make_field("solve::spring_force", n);
-  springs.share = device::allocate<Real>("solve::share", 4 * count);
+  springs.share = device::allocate<Real>("solve::share", fixed.points.unknown.size());
   device::copy_to_device(stiffness, springs.given_stiffness);
   device::copy_to_device(stiffness, springs.stiffness);
   device::copy_to_device(augmented, springs.augmented);
   device::copy_to_device(fixed.value, springs.target);
-  build_rows(fixed.points, covers, springs);
   return springs;
-}
-
-void scatter(const Springs& springs, Real scale, const Field& value, const Field& y) {
-  const auto row = springs.row, begin = springs.row_begin, entry = springs.row_entry;
-  const auto weight = springs.points.weight;
-  device::for_each(
-      "rockfold::solve::scatter", static_cast<Index>(row.extent(0)), KOKKOS_LAMBDA(const Index t) {
-        Real sum[3] = {0, 0, 0};
-        for (Index i = begin(t); i < begin(t + 1); ++i)
-          for (int d = 0; d < 3; ++d) sum[d] += weight(entry(i)) * value(entry(i) / 4, d);
-        for (int d = 0; d < 3; ++d) y(row(t), d) += scale * sum[d];
-      });
 }
 
 void apply_springs(const Springs& springs, Real factor, const Field& x, const Field& y) {
@@ -116,7 +64,7 @@ void add_spring_diagonal(const Springs& springs, Real factor, const Blocks& bloc
         for (Index i = s.row_begin(t); i < s.row_begin(t + 1); ++i) {
           const Real w = s.points.weight(s.row_entry(i));
           for (int d = 0; d < 3; ++d)
-            block(s.row(t), d) += factor * w * w * s.stiffness(s.row_entry(i) / 4, d);
+            block(s.row(t), d) += factor * w * w * s.stiffness(s.entry_point(s.row_entry(i)), d);
         }
       });
 }
@@ -143,7 +91,8 @@ void stiffen_springs(const Springs& springs, Real factor, const Blocks& block) {
   device::for_each(
       "rockfold::solve::stiffen", points_of(springs), KOKKOS_LAMBDA(const Index n) {
         Real wanted = 0;
-        for (int a = 0; a < 4; ++a) wanted += 10 / factor * s.share(4 * n + a);
+        for (Index i = s.points.begin(n); i < s.points.begin(n + 1); ++i)
+          wanted += 10 / factor * s.share(i);
         for (int d = 0; d < 3; ++d) {
           const Real given = s.given_stiffness(n, d);
           s.stiffness(n, d) = s.augmented(n, d) > 0 && wanted > given ? wanted : given;

@@ -8,29 +8,11 @@
 #include "kernels/device/device_kernel.hpp"
 #include "kernels/device/sums_kernel.hpp"
 #include "kernels/solve/operator_kernel.hpp"
+#include "kernels/solve/point_rows_kernel.hpp"
 
 namespace rockfold::solve {
 
-/// Material points on the device.
-struct DevicePoints {
-  Index count = 0;
-  Array<Index> cover;  ///< [N][4]
-  Array<Real> weight;  ///< [N][4]
-};
-DevicePoints upload(const MaterialPoints& points);
-
-/// value(n, d) = Σ_a weight · x.
-void interpolate(const DevicePoints& points, const Field& x, const Field& value);
-
-KOKKOS_INLINE_FUNCTION Real interpolate_one(const DevicePoints& points, Index n, int d,
-                                            const Field& x) {
-  Real sum = 0;
-  for (int a = 0; a < 4; ++a) sum += points.weight(4 * n + a) * x(points.cover(4 * n + a), d);
-  return sum;
-}
-
-struct Springs {
-  DevicePoints points;
+struct Springs : PointRows {
   Field given_stiffness;  ///< (n, d) N/m as the model asks, 0 where a component is free
   Field
       stiffness;  ///< (n, d) N/m in use: raised for augmented points in stiff or heavy surroundings
@@ -38,20 +20,10 @@ struct Springs {
   Field multiplier;   ///< (n, d) N
   Field target;       ///< (n, d) m, prescribed displacement
   Field force;        ///< (n, d) work space
-  Array<Real> share;  ///< [N][4] work space
-
-  // The transpose: which points act on a cover, so that each cover is written by one thread.
-  Array<Index> row;        ///< [T] covers touched, ascending
-  Array<Index> row_begin;  ///< [T+1]
-  Array<Index> row_entry;  ///< 4·n + a
-
-  bool any() const { return points.count > 0; }
+  Array<Real> share;  ///< work space, one for each entry of `points`
 };
 
-Springs build_springs(const FixedPoints& fixed, Index covers);
-
-/// y += scale · Nᵀ value.
-void scatter(const Springs& springs, Real scale, const Field& value, const Field& y);
+Springs build_springs(const FixedPoints& fixed, Index unknowns);
 
 /// y += factor · Nᵀ k N x.
 void apply_springs(const Springs& springs, Real factor, const Field& x, const Field& y);

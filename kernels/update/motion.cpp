@@ -11,11 +11,11 @@ using device::Field;
 
 namespace update {
 
-MovingState make_moving_state(Index covers, Index fixed) {
+MovingState make_moving_state(Index unknowns, Index fixed) {
   MovingState state;
-  state.displacement = device::make_field("update::displacement", covers);
-  state.velocity = device::make_field("update::velocity", covers);
-  state.acceleration = device::make_field("update::acceleration", covers);
+  state.displacement = device::make_field("update::displacement", unknowns);
+  state.velocity = device::make_field("update::velocity", unknowns);
+  state.acceleration = device::make_field("update::acceleration", unknowns);
   state.multiplier = device::make_field("update::multiplier", fixed);
   state.reaction = device::make_field("update::reaction", fixed);
   return state;
@@ -28,36 +28,90 @@ void copy_state(const MovingState& from, MovingState& to) {
   Kokkos::deep_copy(to.multiplier, from.multiplier);
   Kokkos::deep_copy(to.reaction, from.reaction);
   to.time = from.time;
-  to.support_work = from.support_work;
+  to.work = from.work;
   to.steps = from.steps;
+}
+
+std::vector<Vec3> uniform_field(Index unknowns, Index covers, const Vec3& v) {
+  std::vector<Vec3> field(unknowns);
+  std::fill(field.begin(), field.begin() + covers, v);  // the weights of the constants sum to one
+  return field;
 }
 
 namespace {
 
-Motion::Data make_data(const MotionSetup& setup) {
-  const Index covers = setup.covers.cover_count();
-  Motion::Data m;
+void make_system(Motion::Data& m, const MotionSetup& setup) {
   m.held = solve::make_held_system(
-      solve::build_operator(setup.covers, setup.moments, setup.materials), setup.fixed);
-  const Index fixed = m.held.springs.points.count;
-  m.elements = make_element_table(setup.covers, setup.materials);
-  m.now = make_moving_state(covers, fixed);
-  m.held.springs.multiplier = m.now.multiplier;  // one and the same array: saved with the state
-  m.load = device::make_field("update::load", covers);
-  m.increment = device::make_field("update::increment", covers);
-  m.right = device::make_field("update::right", covers);
-  m.work = device::make_field("update::work", covers);
-  m.goal = device::make_field("update::goal", fixed);
-  m.partial =
-      device::allocate<Real>("update::partial", 2 * device::chunk_count(std::max(covers, fixed)));
-  m.sums = device::Array<Real>("rockfold::update::sums", 2);
+      solve::build_operator(setup.covers, setup.moments, setup.materials, !setup.large),
+      setup.fixed);
+  if (setup.large) {
+    auto rock = make_finite_strain(setup, m.held);
+    m.large = rock.get();
+    m.rock = std::move(rock);
+  } else {
+    m.rock = make_small_strain(setup, m.held);
+  }
+  m.supports = make_moving_supports(setup.fixed, m.held);
+  m.dashpots = make_dashpots(setup.quiet, m.unknowns);
+  if (!m.dashpots.any()) return;
+  // Data stays where it is for as long as its motion lives.
+  m.held.other = {[&m](const Field& x, const Field& y) {
+                    m.rock->apply(m.held.combination, x, y);
+                    add_dashpots(m.dashpots, m.dashpot_factor, x, y);
+                  },
+                  [&m](const solve::Blocks& d) {
+                    m.rock->diagonal(m.held.combination, d);
+                    add_dashpot_diagonal(m.dashpots, m.dashpot_factor, d);
+                  }};
+}
+
+void make_loads(Motion::Data& m, const MotionSetup& setup) {
+  m.load = device::make_field("update::load", m.unknowns);
+  // ∫ρ N dV is the mass matrix times the uniform field 1.
+  const Field mass = device::make_field("update::mass", m.unknowns);
+  device::copy_to_device(uniform_field(m.unknowns, m.covers, {1, 1, 1}), m.work);
+  m.rock->apply({0, 1}, m.work, mass);
+  device::copy_to_device(constant_load(setup, device::copy_to_host(mass)), m.load);
+  m.varying_loads = make_varying_loads(setup, mass);
+  if (!m.varying_loads.any()) return;
+  m.varying = device::make_field("update::varying_load", m.unknowns);
+  m.varying_before = device::make_field("update::varying_load_before", m.unknowns);
+}
+
+void make_data(Motion::Data& m, const MotionSetup& setup) {
+  m.unknowns = setup.covers.unknown_count();
+  m.covers = setup.covers.cover_count();
+  m.elements = setup.covers.element_count();
   m.gravity = setup.gravity;
+  m.damping = setup.damping;
   m.beta = setup.beta;
   m.gamma = setup.gamma;
   m.dynamic_ratio = setup.dynamic_ratio;
   m.solver = setup.solver;
-  make_load(m, setup);
-  return m;
+  make_system(m, setup);
+  const Index fixed = m.held.springs.points.count;
+  m.now = make_moving_state(m.unknowns, fixed);
+  m.held.springs.multiplier = m.now.multiplier;  // one and the same array: saved with the state
+  m.increment = device::make_field("update::increment", m.unknowns);
+  m.correction = device::make_field("update::correction", m.unknowns);
+  m.right = device::make_field("update::right", m.unknowns);
+  m.work = device::make_field("update::work", m.unknowns);
+  m.goal = device::make_field("update::goal", fixed);
+  m.support_way = device::make_field("update::support_way", fixed);
+  m.partial = device::allocate<Real>("update::partial",
+                                     3 * device::chunk_count(std::max(m.unknowns, fixed)));
+  m.sums = device::Array<Real>("rockfold::update::sums", 3);
+  if (m.large) {
+    m.displacement_before = device::make_field("update::displacement_before", m.unknowns);
+    m.acceleration_before = device::make_field("update::acceleration_before", m.unknowns);
+    m.following = make_following_pressures(setup);
+    if (m.following.any())
+      m.following_before = device::make_field("update::following_before", m.unknowns);
+    m.goal_before = device::make_field("update::goal_before", fixed);
+  }
+  if (m.damped() || m.large)
+    m.velocity_before = device::make_field("update::velocity_before", m.unknowns);
+  make_loads(m, setup);
 }
 
 Real largest_motion(const solve::DevicePoints& points, const Field& x) {
@@ -75,7 +129,9 @@ Real largest_motion(const solve::DevicePoints& points, const Field& x) {
 }  // namespace
 }  // namespace update
 
-Motion::Motion(const MotionSetup& setup) : data_(new Data(update::make_data(setup))) {}
+Motion::Motion(const MotionSetup& setup) : data_(std::make_unique<Data>()) {
+  update::make_data(*data_, setup);
+}
 Motion::~Motion() = default;
 Motion::Motion(Motion&&) noexcept = default;
 Motion& Motion::operator=(Motion&&) noexcept = default;
@@ -90,7 +146,7 @@ void Motion::set_motion(const StateArrays& state) {
 }
 
 SolveReport Motion::solve_static() {
-  return update::solve_equilibrium(*data_);
+  return data_->large ? update::solve_equilibrium_large(*data_) : update::solve_equilibrium(*data_);
 }
 SolveReport Motion::start(Real dt) {
   if (data_->dynamic_ratio == 0) return {};  // no acceleration is handed on
@@ -104,7 +160,8 @@ SolveReport Motion::step(Real dt, int substeps, const TrackedPoints* watched, Re
   for (int i = 0; i < substeps; ++i) {
     // A quasi-static substep is a step of its own: nothing is handed on. The share of a velocity is taken once a step.
     if (i == 0 || m.dynamic_ratio == 0) update::hand_on(m);
-    const SolveReport report = update::advance(m, dt / substeps);
+    const SolveReport report =
+        m.large ? update::advance_large(m, dt / substeps) : update::advance(m, dt / substeps);
     total.iterations += report.iterations;
     total.outer += report.outer;
     total.residual = report.residual;
@@ -126,7 +183,7 @@ Real Motion::largest_increment() const {
 void Motion::save() {
   Data& m = *data_;
   if (m.saved.displacement.extent(0) == 0)
-    m.saved = update::make_moving_state(m.held.op.covers, m.held.springs.points.count);
+    m.saved = update::make_moving_state(m.unknowns, m.held.springs.points.count);
   update::copy_state(m.now, m.saved);
 }
 
@@ -146,18 +203,6 @@ StateArrays Motion::state() const {
 
 std::vector<Vec3> Motion::reactions() const {
   return data_->held.shares.share_out(device::copy_to_host(data_->now.reaction));
-}
-
-Energy Motion::energy() const {
-  const Data& m = *data_;
-  Energy e;
-  solve::apply(m.held.op, {0, 1}, m.now.velocity, m.work);
-  e.kinetic = 0.5 * solve::dot(m.held.work, m.now.velocity, m.work);
-  solve::apply(m.held.op, {1, 0}, m.now.displacement, m.work);
-  e.strain = 0.5 * solve::dot(m.held.work, m.now.displacement, m.work);
-  e.potential = -solve::dot(m.held.work, m.load, m.now.displacement);
-  e.dissipated = m.now.support_work - (e.kinetic + e.strain + e.potential - m.initial_energy);
-  return e;
 }
 
 }  // namespace rockfold

@@ -1,10 +1,17 @@
 // The motion of the rock: statics, and Newmark's method in time (thesis 4.4, Eq. 4-19 … 4-24).
 //
-// The thesis solves (K + 4M/Δt²) Δd = F + M (4v/Δt + a) with K d carried along in F. Here the whole residual stands on the
-// right in every step,
-//   (K + M/(βΔt²)) Δd = F − K d + M (v/(βΔt) + (1/(2β) − 1) a),
-// so that no error of one step's solution drifts into the next. With β = 1/4, γ = 1/2 this is the thesis' scheme (average
-// acceleration). The first acceleration follows from M a = F − K d: with a = 0 instead, free fall would lose gΔt/2 of speed.
+// The thesis solves (K + 4M/Δt²) Δd = F + M (4v/Δt + a) with K d carried along in F. Here the whole residual of the predicted
+// motion stands on the right in every step,
+//   (M/(βΔt²) + γ/(βΔt) C + K) x = F − M a' − C v' − f(d'),  d' = d + Δt v + Δt²/2 a,  v' = v + Δt a,  a' = a,
+// so that no error of one step's solution drifts into the next; x corrects d' (newmark.cpp). With β = 1/4, γ = 1/2 this is the
+// thesis' scheme (average acceleration). The first acceleration follows from M a = F − C v − f(d): with a = 0 instead, free
+// fall would lose gΔt/2 of speed. C = αM + βK (Rayleigh) and the dashpots of quiet boundaries.
+//
+// Where the base is accelerated (a record of an earthquake) the motion is relative to it: every point is loaded by −ρ a_base.
+// Displacements, velocities, damping and kinetic energy are then those that an observer on the base sees.
+//
+// Under large kinematics the internal force is that of finite strain, and every step is solved by Newton's method
+// (large_step.cpp); average acceleration then keeps momentum, angular momentum and energy (Simo & Tarnow 1992).
 //
 // Velocity handed to the next step: `dynamic_ratio` times what the step ended with. At 0 the acceleration is dropped too
 // (quasi-static): (K + 4M/Δt²) Δd = F − K d makes the error of a mode of frequency ω shrink by 4/(4 + ω²Δt²) a step, always
@@ -18,18 +25,29 @@
 
 #include "kernels/solve/cover_system.hpp"
 #include "kernels/update/tracked_points.hpp"
+#include "src/arrays/load_arrays.hpp"
 
 namespace rockfold {
+
+/// C = mass · M + stiffness · K.
+struct Rayleigh {
+  Real mass = 0;       ///< 1/s
+  Real stiffness = 0;  ///< s
+};
 
 struct MotionSetup {
   const CoverArrays& covers;
   const PieceMoments& moments;
   const std::vector<ElasticMaterial>& materials;
   const FixedPoints& fixed;
-  Vec3 gravity{};                 ///< m/s²
-  MaterialPoints loaded{};        ///< points that forces act on
-  std::vector<Vec3> forces{};     ///< [loaded.size()] N
-  Real beta = 0.25, gamma = 0.5;  ///< Newmark's
+  Vec3 gravity{};  ///< m/s²
+  LoadPoints loads{};
+  QuietPoints quiet{};
+  InitialStress initial_stress{};
+  TimeTable base_acceleration{};  ///< m/s²; empty: the base is at rest
+  Rayleigh damping{};
+  bool large = false;             ///< finite strain and rotation; otherwise small
+  Real beta = 0.25, gamma = 0.5;  ///< Newmark's; β > 0
   Real dynamic_ratio = 1;
   SolveOptions solver{};
 };
@@ -44,7 +62,7 @@ class Motion {
   /// Replaces displacement and velocity (at rest in place to start with); before start().
   void set_motion(const StateArrays& state);
 
-  /// The displacement in equilibrium with the loads; the time becomes 1, all of the load.
+  /// The displacement in equilibrium with the loads; the time becomes 1, and tables are read there.
   SolveReport solve_static();
 
   /// The acceleration at t = 0. Fixed points are held against accelerating as steps of length dt will hold them.
@@ -66,7 +84,6 @@ class Motion {
   std::vector<std::array<Real, 6>> element_stress() const;
   /// [fixed points] N, on the rock.
   std::vector<Vec3> reactions() const;
-  /// potential is that of gravity and point loads, 0 at t = 0; dissipated also counts the work of moving supports.
   Energy energy() const;
 
   struct Data;

@@ -1,62 +1,119 @@
 // What Motion keeps on the device.
 #pragma once
 
+#include <array>
+#include <memory>
+
 #include "kernels/solve/held_kernel.hpp"
+#include "kernels/update/deformation_kernel.hpp"
+#include "kernels/update/finite_strain_kernel.hpp"
+#include "kernels/update/following_kernel.hpp"
+#include "kernels/update/loads_kernel.hpp"
 #include "kernels/update/motion.hpp"
-#include "kernels/update/stress_kernel.hpp"
 
 namespace rockfold {
-
-struct TrackedPoints::Data {
-  solve::DevicePoints points;
-  device::Array<Index> element;
-  device::Field value;         ///< work space
-  device::Array<Real> stress;  ///< [N][6] work space
-};
-
 namespace update {
+
+/// J since the motion was given; see Energy.
+struct Work {
+  Real supports = 0, loads = 0, damping = 0, quiet = 0, ratio = 0;
+};
 
 /// Everything that a step changes.
 struct MovingState {
   Field displacement, velocity, acceleration;  ///< of the covers
   Field multiplier, reaction;                  ///< of the fixed points
   Real time = 0;
-  Real support_work = 0;  ///< J done by fixed points on the rock
-  Index steps = 0;        ///< done since the motion was given
+  Work work;
+  Index steps = 0;  ///< done since the motion was given
 };
-MovingState make_moving_state(Index covers, Index fixed);
+MovingState make_moving_state(Index unknowns, Index fixed);
 void copy_state(const MovingState& from, MovingState& to);
 
 }  // namespace update
 
 struct Motion::Data {
   solve::HeldSystem held;
-  update::ElementTable elements;
+  std::unique_ptr<update::Deformation> rock;
+  update::LargeDeformation* large = nullptr;  ///< the rock, under large kinematics
+  update::VaryingLoads varying_loads;
+  update::FollowingPressures following;  ///< large kinematics
+  update::Dashpots dashpots;
+  update::MovingSupports supports;
   update::MovingState now, saved;
-  device::Field load;       ///< F: gravity and point loads, N
-  device::Field increment;  ///< Δd
-  device::Field right;      ///< right-hand side
+
+  device::Field load;            ///< gravity and constant loads, N
+  device::Field varying;         ///< loads that change, at the time of `now` …
+  device::Field varying_before;  ///< … and at the start of the step; empty where no load changes
+  device::Field
+      velocity_before;  ///< at the start of the step; empty without damping or large kinematics
+  device::Field displacement_before, acceleration_before, goal_before,
+      following_before;      ///< likewise; large kinematics
+  device::Field increment;   ///< Δd of the step
+  device::Field correction;  ///< of the prediction: what is solved for
+  device::Field right;       ///< right-hand side
   device::Field work;
-  device::Field goal;  ///< of the fixed points, for the unknown being solved for
+  device::Field goal;         ///< of the fixed points, for the unknown being solved for
+  device::Field support_way;  ///< of the fixed points in the step
   device::Array<Real> partial, sums;
+
   Vec3 gravity{};
-  Real beta, gamma, dynamic_ratio;
+  Rayleigh damping;
+  Real beta = 0.25, gamma = 0.5, dynamic_ratio = 1;
   SolveOptions solver;
-  Real step_length = 0;  ///< that the system is prepared for; 0 = for none
+  Index unknowns = 0, covers = 0, elements = 0;
+  Real dashpot_factor = 0;  ///< of the dashpots in the matrix
+  Real step_length = 0;     ///< that the system is prepared for; 0 = for none
   Real largest_increment = 0;
   Real initial_energy = 0;  ///< J, kinetic + strain + potential of the motion given
+
+  bool damped() const { return damping.mass > 0 || damping.stiffness > 0 || dashpots.any(); }
 };
 
 namespace update {
 
-/// F: gravity as M·g and point loads.
-void make_load(Motion::Data& m, const MotionSetup& setup);
+/// [unknowns] the functions that move everything by v.
+std::vector<Vec3> uniform_field(Index unknowns, Index covers, const Vec3& v);
+
+/// Chooses α, β of αK + βM, the factor of the dashpots, and that of the springs.
+void set_matrix(Motion::Data& m, const solve::Combination& c, Real dashpots, Real springs,
+                bool stiffen);
+/// The loads that change and the targets of the supports, at t.
+void set_time(Motion::Data& m, Real t);
+/// right = F − M a − C v − f(d) of `now`. Returns the largest norm of F, M a + C v and f(d): what residuals are measured
+/// against where they cancel.
+Real find_residual(Motion::Data& m, bool moving);
+/// goal = ū − N d: how far the fixed points still have to go.
+void aim(const Motion::Data& m);
+/// k of supports.cpp.
+std::array<Real, 3> steering(Real beta, Real gamma);
+/// Finds how far augmented points go in the step that begins (support_way), …
+void steer(const Motion::Data& m, Real dt);
+/// … and, once it is predicted, what is left of it: the goal of augmented points.
+void aim_steered(const Motion::Data& m);
+/// goal of the first acceleration: none at augmented points; others pull with what their springs are stretched by.
+void aim_acceleration(const Motion::Data& m);
+/// goal of the first velocity: that of their tables at augmented points with one, what they have at others.
+void aim_velocity(const Motion::Data& m);
+solve::HeldOptions solve_options(const Motion::Data& m, Real reference);
+
 SolveReport solve_initial_acceleration(Motion::Data& m, Real dt);
 SolveReport solve_equilibrium(Motion::Data& m);
 /// One step of Newmark's method.
 SolveReport advance(Motion::Data& m, Real dt);
+/// d', v', a' in free flight.
+void predict(const Motion::Data& m, Real dt);
+/// The same under large kinematics.
+SolveReport solve_equilibrium_large(Motion::Data& m);
+SolveReport advance_large(Motion::Data& m, Real dt);
 /// Scales the velocity by the dynamic ratio; at 0 drops the acceleration as well.
 void hand_on(Motion::Data& m);
+
+/// Reactions at the correction found, and the work of the supports: mean force times way.
+void update_reactions(Motion::Data& m);
+/// Counts the work of changing loads and of damping over the increment.
+void count_work(Motion::Data& m);
+Real kinetic_energy(const Motion::Data& m);
 
 }  // namespace update
 }  // namespace rockfold

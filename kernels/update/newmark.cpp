@@ -1,3 +1,7 @@
+// Newmark's method as predictor and corrector (Hughes 1987, ch. 9):
+//   d' = d + Δt v + Δt²/2 a,  v' = v + Δt a,  a' = a                      prediction: exact in free flight
+//   (M/(βΔt²) + γ/(βΔt) C + K) x = F − M a' − C v' − f(d')
+//   d' += x,  v' += γ/(βΔt) x,  a' += x/(βΔt²)
 #include <algorithm>
 #include <cmath>
 
@@ -7,114 +11,112 @@ namespace rockfold::update {
 namespace {
 
 using device::Sums;
-using solve::Combination;
-
-constexpr Combination stiffness_only{1, 0};
-constexpr Combination mass_only{0, 1};
-
-Index covers_of(const Motion::Data& m) {
-  return m.held.op.covers;
-}
-Index fixed_of(const Motion::Data& m) {
-  return m.held.springs.points.count;
-}
 
 void prepare(Motion::Data& m, Real dt) {
   if (m.step_length == dt) return;
-  solve::set_combination(m.held, {1, 1 / (m.beta * dt * dt)}, 1, true);
+  const Real of_mass = 1 / (m.beta * dt * dt), of_damping = m.gamma / (m.beta * dt);
+  set_matrix(m, {1 + of_damping * m.damping.stiffness, of_mass + of_damping * m.damping.mass},
+             of_damping, 1, true);
   m.step_length = dt;
 }
 
-/// right = F + inertia − K d, inertia in `right` before. Returns the largest norm of F and K d: what the right-hand side is made of,
-/// and what residuals are measured against where it vanishes (near equilibrium).
-Real balance_forces(const Motion::Data& m, bool inertia) {
-  solve::apply(m.held.op, stiffness_only, m.now.displacement, m.work);
-  const auto load = m.load, right = m.right, internal = m.work;
+void correct(const Motion::Data& m, Real dt) {
+  const auto d = m.now.displacement, v = m.now.velocity, a = m.now.acceleration, way = m.increment;
+  const auto x = m.correction;
+  const Real of_velocity = m.gamma / (m.beta * dt), of_acceleration = 1 / (m.beta * dt * dt);
+  device::for_each(
+      "rockfold::update::correct", m.unknowns, KOKKOS_LAMBDA(const Index p) {
+        for (int i = 0; i < 3; ++i) {
+          way(p, i) += x(p, i);
+          d(p, i) += x(p, i);
+          v(p, i) += of_velocity * x(p, i);
+          a(p, i) += of_acceleration * x(p, i);
+        }
+      });
+}
+
+/// w = a + α v, whose mass is the inertia and the damping by mass.
+void inertia_motion(const Motion::Data& m, const Field& w) {
+  const auto v = m.now.velocity, a = m.now.acceleration;
+  const Real of_velocity = m.damping.mass;
+  device::for_each(
+      "rockfold::update::inertia", m.unknowns, KOKKOS_LAMBDA(const Index p) {
+        for (int i = 0; i < 3; ++i) w(p, i) = a(p, i) + of_velocity * v(p, i);
+      });
+}
+
+void add(const Field& from, const Field& to, Real factor) {
+  device::for_each(
+      "rockfold::update::add", static_cast<Index>(to.extent(0)), KOKKOS_LAMBDA(const Index p) {
+        for (int i = 0; i < 3; ++i) to(p, i) += factor * from(p, i);
+      });
+}
+
+/// right = M a + C v of `now`.
+void moving_forces(Motion::Data& m) {
+  inertia_motion(m, m.work);
+  m.rock->apply({0, 1}, m.work, m.right);
+  if (m.damping.stiffness > 0) {
+    m.rock->apply({1, 0}, m.now.velocity, m.work);
+    add(m.work, m.right, m.damping.stiffness);
+  }
+  add_dashpots(m.dashpots, 1, m.now.velocity, m.right);
+}
+
+}  // namespace
+
+void predict(const Motion::Data& m, Real dt) {
+  const auto d = m.now.displacement, v = m.now.velocity, a = m.now.acceleration, way = m.increment;
+  device::for_each(
+      "rockfold::update::predict", m.unknowns, KOKKOS_LAMBDA(const Index p) {
+        for (int i = 0; i < 3; ++i) {
+          way(p, i) = dt * v(p, i) + 0.5 * dt * dt * a(p, i);
+          d(p, i) += way(p, i);
+          v(p, i) += dt * a(p, i);
+        }
+      });
+}
+
+void set_matrix(Motion::Data& m, const solve::Combination& c, Real dashpots, Real springs,
+                bool stiffen) {
+  m.dashpot_factor = dashpots;
+  solve::set_combination(m.held, c, springs, stiffen);
+  m.step_length = 0;
+}
+
+void set_time(Motion::Data& m, Real t) {
+  if (m.varying_loads.any()) varying_load(m.varying_loads, t, m.varying);
+  move_supports(m.supports, t, m.held.springs);
+}
+
+Real find_residual(Motion::Data& m, bool moving) {
+  if (moving)
+    moving_forces(m);
+  else
+    Kokkos::deep_copy(m.right, 0.0);
+  m.rock->force(m.now.displacement, m.work);
+  const auto load = m.load, varying = m.varying, right = m.right, internal = m.work;
+  const bool varies = m.varying_loads.any();
   const auto out = m.sums;
-  device::sum_then<2>(
-      "rockfold::update::balance_forces", m.held.op.covers, m.partial,
-      KOKKOS_LAMBDA(const Index p, Sums<2>& sum) {
+  device::sum_then<3>(
+      "rockfold::update::residual", m.unknowns, m.partial,
+      KOKKOS_LAMBDA(const Index p, Sums<3>& sum) {
         for (int d = 0; d < 3; ++d) {
-          sum.value[0] += load(p, d) * load(p, d);
-          sum.value[1] += internal(p, d) * internal(p, d);
-          right(p, d) = load(p, d) - internal(p, d) + (inertia ? right(p, d) : 0);
+          const Real f = load(p, d) + (varies ? varying(p, d) : 0);
+          sum.value[0] += f * f;
+          sum.value[1] += right(p, d) * right(p, d);
+          sum.value[2] += internal(p, d) * internal(p, d);
+          right(p, d) = f - right(p, d) - internal(p, d);
         }
       },
-      KOKKOS_LAMBDA(const Sums<2>& sum) {
-        for (int k = 0; k < 2; ++k) out(k) = sum.value[k];
+      KOKKOS_LAMBDA(const Sums<3>& sum) {
+        for (int k = 0; k < 3; ++k) out(k) = sum.value[k];
       });
   const std::vector<Real> squares = device::to_host(m.sums);
-  return std::sqrt(std::max(squares[0], squares[1]));
+  return std::sqrt(std::max({squares[0], squares[1], squares[2]}));
 }
 
-/// right = M (v / (βΔt) + (1/(2β) − 1) a).
-void inertia_forces(const Motion::Data& m, Real dt) {
-  const auto v = m.now.velocity, a = m.now.acceleration, w = m.work;
-  const Real of_velocity = 1 / (m.beta * dt), of_acceleration = 1 / (2 * m.beta) - 1;
-  device::for_each(
-      "rockfold::update::inertia", covers_of(m), KOKKOS_LAMBDA(const Index p) {
-        for (int d = 0; d < 3; ++d) w(p, d) = of_velocity * v(p, d) + of_acceleration * a(p, d);
-      });
-  solve::apply(m.held.op, mass_only, w, m.right);
-}
-
-/// Δd = Δt v + Δt²/2 a: exact for free flight, and the start of the solution otherwise.
-void predict(const Motion::Data& m, Real dt) {
-  const auto v = m.now.velocity, a = m.now.acceleration, x = m.increment;
-  device::for_each(
-      "rockfold::update::predict", covers_of(m), KOKKOS_LAMBDA(const Index p) {
-        for (int d = 0; d < 3; ++d) x(p, d) = dt * v(p, d) + 0.5 * dt * dt * a(p, d);
-      });
-}
-
-/// goal = ū − N d: how far the fixed points still have to go.
-void aim(const Motion::Data& m) {
-  const solve::Springs s = m.held.springs;
-  const auto d = m.now.displacement, goal = m.goal;
-  device::for_each(
-      "rockfold::update::aim", fixed_of(m), KOKKOS_LAMBDA(const Index n) {
-        for (int i = 0; i < 3; ++i)
-          goal(n, i) = s.target(n, i) - solve::interpolate_one(s.points, n, i, d);
-      });
-}
-
-/// a' = a + (Δd − predicted) / (βΔt²): equal to Eq. 4-21 for β = 1/4, but exact in free flight.
-void move_covers(const Motion::Data& m, Real dt) {
-  const auto d = m.now.displacement, v = m.now.velocity, a = m.now.acceleration, x = m.increment;
-  const Real beta = m.beta, gamma = m.gamma;
-  device::for_each(
-      "rockfold::update::move", covers_of(m), KOKKOS_LAMBDA(const Index p) {
-        for (int i = 0; i < 3; ++i) {
-          const Real before = a(p, i), predicted = dt * v(p, i) + 0.5 * dt * dt * before;
-          const Real after = before + (x(p, i) - predicted) / (beta * dt * dt);
-          d(p, i) += x(p, i);
-          v(p, i) += dt * ((1 - gamma) * before + gamma * after);
-          a(p, i) = after;
-        }
-      });
-}
-
-/// Reactions to the new positions, and the work of the supports: mean force times way.
-void update_reactions(Motion::Data& m) {
-  const solve::Springs s = m.held.springs;
-  if (!s.any()) return;
-  const auto x = m.increment, before = m.now.reaction, goal = m.goal;
-  const auto out = m.sums;
-  solve::spring_reactions(s, m.held.spring_factor, x, goal, s.force);
-  device::sum_then<1>(
-      "rockfold::update::support_work", s.points.count, m.partial,
-      KOKKOS_LAMBDA(const Index n, Sums<1>& sum) {
-        for (int d = 0; d < 3; ++d) {
-          sum.value[0] +=
-              0.5 * (before(n, d) + s.force(n, d)) * solve::interpolate_one(s.points, n, d, x);
-          before(n, d) = s.force(n, d);
-        }
-      },
-      KOKKOS_LAMBDA(const Sums<1>& sum) { out(0) = sum.value[0]; });
-  m.now.support_work += device::to_host(m.sums)[0];
-}
-
-solve::HeldOptions options(const Motion::Data& m, Real reference) {
+solve::HeldOptions solve_options(const Motion::Data& m, Real reference) {
   solve::HeldOptions how;
   how.pcg.tolerance = m.solver.tolerance;
   how.pcg.max_iterations = m.solver.max_iterations;
@@ -124,72 +126,26 @@ solve::HeldOptions options(const Motion::Data& m, Real reference) {
   return how;
 }
 
-}  // namespace
-
-void make_load(Motion::Data& m, const MotionSetup& setup) {
-  // Weights sum to one, so ∫ρ N dV b is the mass matrix times the uniform field b.
-  std::vector<Vec3> field(m.held.op.covers, setup.gravity);
-  device::copy_to_device(field, m.work);
-  solve::apply(m.held.op, mass_only, m.work, m.load);
-  if (setup.forces.empty()) return;
-  field = device::copy_to_host(m.load);
-  for (std::size_t n = 0; n < setup.forces.size(); ++n)
-    for (int a = 0; a < 4; ++a)
-      for (int d = 0; d < 3; ++d)
-        field[setup.loaded.cover[n][a]][d] += setup.loaded.weight[n][a] * setup.forces[n][d];
-  device::copy_to_device(field, m.load);
-}
-
-SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
-  prepare(m, dt);  // chooses the springs' stiffness
-  solve::set_combination(m.held, mass_only, m.beta * dt * dt, false);
-  m.step_length = 0;
-  const Real reference = balance_forces(m, false);
-  Kokkos::deep_copy(m.goal, 0.0);
-  std::vector<Vec3> guess(m.held.op.covers, m.gravity);
-  device::copy_to_device(guess, m.now.acceleration);
-  const SolveReport report = solve::solve_held(m.held, m.right, m.goal, m.now.acceleration, Field(),
-                                               options(m, reference));
-  if (m.held.springs.any())
-    solve::spring_reactions(m.held.springs, m.held.spring_factor, m.now.acceleration, m.goal,
-                            m.now.reaction);
-  return report;
-}
-
-SolveReport solve_equilibrium(Motion::Data& m) {
-  solve::set_combination(m.held, stiffness_only, 1, true);
-  m.step_length = 0;
-  const Real reference = balance_forces(m, false);
-  aim(m);
-  Kokkos::deep_copy(m.increment, 0.0);
-  // There is no next step in which the multipliers could go on.
-  solve::HeldOptions how = options(m, reference);
-  how.patience = 40;
-  how.max_outer = std::max<Index>(how.max_outer, 400);
-  const SolveReport report =
-      solve::solve_held(m.held, m.right, m.goal, m.increment, m.now.displacement, how);
-  update_reactions(m);
-  const auto d = m.now.displacement, x = m.increment;
-  device::for_each(
-      "rockfold::update::displace", covers_of(m), KOKKOS_LAMBDA(const Index p) {
-        for (int i = 0; i < 3; ++i) d(p, i) += x(p, i);
-      });
-  m.now.time = 1;
-  return report;
-}
-
 SolveReport advance(Motion::Data& m, Real dt) {
   prepare(m, dt);
-  const bool inertia = m.dynamic_ratio > 0;
-  if (inertia) inertia_forces(m, dt);
-  const Real reference = balance_forces(m, inertia);
-  predict(m, dt);
-  aim(m);
-  const SolveReport report = solve::solve_held(m.held, m.right, m.goal, m.increment,
-                                               m.now.displacement, options(m, reference));
-  update_reactions(m);
-  move_covers(m, dt);
+  if (m.varying_loads.any()) {
+    varying_load(m.varying_loads, m.now.time, m.varying_before);
+  }
+  if (m.damped()) Kokkos::deep_copy(m.velocity_before, m.now.velocity);
+  const bool steered = m.dynamic_ratio > 0;
+  if (steered) steer(m, dt);
   m.now.time += dt;
+  set_time(m, m.now.time);
+  predict(m, dt);
+  const Real reference = find_residual(m, m.dynamic_ratio > 0);
+  aim(m);
+  if (steered) aim_steered(m);
+  Kokkos::deep_copy(m.correction, 0.0);
+  const SolveReport report = solve::solve_held(m.held, m.right, m.goal, m.correction,
+                                               m.now.displacement, solve_options(m, reference));
+  correct(m, dt);
+  update_reactions(m);
+  count_work(m);
   ++m.now.steps;
   return report;
 }
@@ -197,10 +153,11 @@ SolveReport advance(Motion::Data& m, Real dt) {
 void hand_on(Motion::Data& m) {
   if (m.dynamic_ratio == 1 || m.now.steps == 0) return;
   const Real share = m.dynamic_ratio;
+  m.now.work.ratio += (1 - share * share) * kinetic_energy(m);
   const bool keep_acceleration = share > 0;
   const auto v = m.now.velocity, a = m.now.acceleration;
   device::for_each(
-      "rockfold::update::hand_on", covers_of(m), KOKKOS_LAMBDA(const Index p) {
+      "rockfold::update::hand_on", m.unknowns, KOKKOS_LAMBDA(const Index p) {
         for (int d = 0; d < 3; ++d) {
           v(p, d) *= share;
           if (!keep_acceleration) a(p, d) = 0;

@@ -1,23 +1,8 @@
 #include "kernels/update/motion_kernel.hpp"
+#include "kernels/update/stress_kernel.hpp"
 
 namespace rockfold {
 namespace update {
-
-using device::to_device;
-
-ElementTable make_element_table(const CoverArrays& covers,
-                                const std::vector<ElasticMaterial>& materials) {
-  return {covers.regular_count(),
-          covers.cut_count(),
-          to_device("update::regular_cover", covers.regular_cover),
-          to_device("update::regular_material", covers.regular_material),
-          to_device("update::element_cover", covers.element_cover),
-          to_device("update::element_material", covers.element_material),
-          to_device("update::element_tet", covers.element_tet),
-          to_device("update::tets",
-                    std::vector<solve::TetTable>{solve::make_tet_table(covers.lattice)}),
-          to_device("update::elastic", solve::make_elastic(materials))};
-}
 
 namespace {
 
@@ -31,12 +16,10 @@ Stresses fetch(const Array<Real>& flat) {
   return result;
 }
 
-void stress_of_points(const ElementTable& table, const Field& d, const TrackedPoints::Data& at) {
-  const auto element = at.element;
-  const auto stress = at.stress;
-  device::for_each(
-      "rockfold::update::point_stress", at.points.count,
-      KOKKOS_LAMBDA(const Index n) { stress_of_element(table, d, element(n), &stress(6 * n)); });
+device::Field upload_local(const MaterialPoints& points) {
+  const auto field = device::make_field("update::local", static_cast<Index>(points.size()));
+  device::copy_to_device(points.local, field);
+  return field;
 }
 
 }  // namespace
@@ -44,6 +27,7 @@ void stress_of_points(const ElementTable& table, const Field& d, const TrackedPo
 
 TrackedPoints::TrackedPoints(const MaterialPoints& points)
     : data_(new Data{solve::upload(points), device::to_device("update::element", points.element),
+                     update::upload_local(points),
                      device::make_field("update::value", static_cast<Index>(points.size())),
                      device::allocate<Real>("update::stress", 6 * points.size())}) {}
 TrackedPoints::~TrackedPoints() = default;
@@ -58,20 +42,15 @@ PointMotion Motion::at(const TrackedPoints& points) const {
     return device::copy_to_host(at.value);
   };
   PointMotion motion{value(now.displacement), value(now.velocity), value(now.acceleration), {}};
-  update::stress_of_points(data_->elements, now.displacement, at);
+  data_->rock->point_stress(now.displacement, at);
   motion.stress = update::fetch(at.stress);
   return motion;
 }
 
 std::vector<std::array<Real, 6>> Motion::element_stress() const {
-  const update::ElementTable table = data_->elements;
-  const auto d = data_->now.displacement;
-  const auto stress =
-      device::allocate<Real>("update::element_stress", 6 * static_cast<std::size_t>(table.count()));
-  device::for_each(
-      "rockfold::update::element_stress", table.count(), KOKKOS_LAMBDA(const Index e) {
-        update::stress_of_element(table, d, e, &stress(6 * static_cast<std::size_t>(e)));
-      });
+  const auto stress = device::allocate<Real>("update::element_stress",
+                                             6 * static_cast<std::size_t>(data_->elements));
+  data_->rock->element_stress(data_->now.displacement, stress);
   return update::fetch(stress);
 }
 

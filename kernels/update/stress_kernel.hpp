@@ -1,46 +1,40 @@
-// Stresses of elements on the device.
+// Stresses of elements on the device (xx yy zz xy yz zx) under the displacement d of the covers.
 #pragma once
 
-#include "kernels/solve/element_kernel.hpp"
+#include "kernels/solve/element_table_kernel.hpp"
 
 namespace rockfold::update {
 
 using device::Array;
 using device::Field;
 
-/// Which covers and which material each element has; see CoverArrays for the numbering.
-struct ElementTable {
-  Index regular = 0, cut = 0;
-  Array<Index> regular_cover, regular_material, element_cover, element_material;
-  Array<std::uint8_t> element_tet;
-  Array<solve::TetTable> tets;
-  Array<solve::Elastic> elastic;
-  Index count() const { return 6 * regular + cut; }
-};
-ElementTable make_element_table(const CoverArrays& covers,
-                                const std::vector<ElasticMaterial>& materials);
+inline constexpr int most_width = 8 * 10;  ///< functions of a part
 
-/// Stress of element e (xx yy zz xy yz zx) under the displacement d of the covers.
-KOKKOS_INLINE_FUNCTION void stress_of_element(const ElementTable& table, const Field& d, Index e,
-                                              Real* stress) {
-  const solve::TetTable& tets = table.tets(0);
-  Real moved[4][3];
-  int tet;
-  Index material;
-  if (e < 6 * table.regular) {
-    tet = e % 6;
-    material = table.regular_material(e / 6);
-    for (int a = 0; a < 4; ++a)
-      for (int i = 0; i < 3; ++i)
-        moved[a][i] = d(table.regular_cover(8 * (e / 6) + tets.corner[tet][a]), i);
-  } else {
-    const Index c = e - 6 * table.regular;
-    tet = table.element_tet(c);
-    material = table.element_material(c);
-    for (int a = 0; a < 4; ++a)
-      for (int i = 0; i < 3; ++i) moved[a][i] = d(table.element_cover(4 * c + a), i);
-  }
-  solve::element_stress(table.elastic(material), tets.gradient[tet], moved, stress);
+/// The mean over element e.
+KOKKOS_INLINE_FUNCTION void stress_of_element(const solve::ElementTable& table, const Field& d,
+                                              Index e, Real* stress) {
+  Real gradient[most_width][3], h[3][3];
+  solve::mean_gradients(table.parts, table.part(e), table.moments(e), gradient);
+  solve::displacement_gradient(table, e, gradient, d, h);
+  solve::elastic_stress(table.elastic(table.material(e)), h, stress);
+}
+
+/// ∂u/∂x at a point x m from the centre of the element's lattice cell.
+KOKKOS_INLINE_FUNCTION void gradient_at(const solve::ElementTable& table, const Field& d, Index e,
+                                        const Real* x, Real (*h)[3]) {
+  const auto& r = table.parts.reciprocal;
+  Real gradient[most_width][3], eta[3];
+  for (int i = 0; i < 3; ++i) eta[i] = r[i][0] * x[0] + r[i][1] * x[1] + r[i][2] * x[2];
+  solve::part_gradients(table.parts, table.part(e), eta, gradient);
+  solve::displacement_gradient(table, e, gradient, d, h);
+}
+
+/// At such a point.
+KOKKOS_INLINE_FUNCTION void stress_at(const solve::ElementTable& table, const Field& d, Index e,
+                                      const Real* x, Real* stress) {
+  Real h[3][3];
+  gradient_at(table, d, e, x, h);
+  solve::elastic_stress(table.elastic(table.material(e)), h, stress);
 }
 
 }  // namespace rockfold::update

@@ -16,24 +16,40 @@ struct ElasticMaterial {
 };
 
 /// Integrals over each convex piece, about the centre of its lattice cell.
-/// Example: a cube of side 2 centred there: volume 8, first {0,0,0}, second {8/3,8/3,8/3,0,0,0}.
+/// Example: a cube of side 2 centred there: volume 8, first {0,0,0}; in a lattice of edges 4, local[4] = ∫ η_0² dV = 1/6.
 struct PieceMoments {
-  std::vector<Real> volume;                 ///< [Q] ∫dV, m³
-  std::vector<Vec3> first;                  ///< [Q] ∫x_i dV, m⁴
-  std::vector<std::array<Real, 6>> second;  ///< [Q] ∫x_i x_j dV for xx yy zz xy yz zx, m⁵
+  std::vector<Real> volume;  ///< [Q] ∫dV, m³
+  std::vector<Vec3> first;   ///< [Q] ∫x_i dV, m⁴
+  int degree = 0;            ///< of `local`
+  /// [Q][(degree+1)(degree+2)(degree+3)/6] ∫ η^m dV, m³; η in units of the cell's edges, monomials as monomial_index has them
+  std::vector<Real> local;
 };
 
-/// The motion of the physical covers (order 0: the displacement of each cover's node).
+/// The motion of the physical covers, in the order of unknowns (order 0: of each cover's node).
 struct StateArrays {
   Real time = 0;                   ///< s
-  std::vector<Vec3> displacement;  ///< [P] m
-  std::vector<Vec3> velocity;      ///< [P] m/s
-  std::vector<Vec3> acceleration;  ///< [P] m/s²
+  std::vector<Vec3> displacement;  ///< [U] m
+  std::vector<Vec3> velocity;      ///< [U] m/s
+  std::vector<Vec3> acceleration;  ///< [U] m/s²
 };
 
-/// J; `contact` stays 0 until contact exists. dissipated = work done by loads − change of the others.
+/// J. What loads have done since the start is either still there or dissipated:
+///   kinetic + strain + potential + contact + dissipated = what the motion began with + loads + supports.
+/// `contact` stays 0 until contact exists.
 struct Energy {
-  Real kinetic = 0, strain = 0, potential = 0, contact = 0, dissipated = 0;
+  Real kinetic = 0;
+  Real strain = 0;     ///< from the initial stress on: that is the zero
+  Real potential = 0;  ///< of gravity and of constant loads, 0 in place
+  Real contact = 0;
+  Real dissipated = 0;  ///< all that follow, to `numerical`
+
+  Real damping = 0;    ///< by Rayleigh damping
+  Real quiet = 0;      ///< carried away through quiet boundaries
+  Real ratio = 0;      ///< taken by the dynamic ratio
+  Real numerical = 0;  ///< by the scheme itself: rounding alone for average acceleration
+
+  Real loads = 0;     ///< work of loads that change in time and of the accelerated base
+  Real supports = 0;  ///< work of fixed points on the rock
 };
 
 }  // namespace rockfold

@@ -68,6 +68,9 @@ void write_block_totals(File& file, const BlockArrays& blocks) {
 void write_lattice(File& file, const Lattice& lattice) {
   const std::string group = "/rockfold/lattice/";
   file.write(group + "origin", std::vector<Real>(lattice.origin.begin(), lattice.origin.end()));
+  file.set_text("/rockfold/lattice", "kind", lattice_name(lattice.kind));
+  file.set_integers("/rockfold/lattice", "odd_origin", {lattice.odd_origin ? 1 : 0});
+  if (!lattice.block_origin.empty()) file.write(group + "block_origin", lattice.block_origin);
   file.write(group + "edge", std::vector<Vec3>(lattice.edge.begin(), lattice.edge.end()));
   file.write(group + "cells", std::vector<Index>(lattice.cells.begin(), lattice.cells.end()));
 }
@@ -140,12 +143,12 @@ void write_cover_arrays(File& file, const CoverArrays& covers) {
   const std::string group = "/rockfold/covers/";
   file.write(group + "cover_node", covers.cover_node);
   file.write(group + "regular_cell", covers.regular_cell);
-  file.write_wide(group + "regular_cover", covers.regular_cover, 8);
+  file.write_wide(group + "regular_cover", covers.regular_cover, covers.nodes_per_cell());
   file.write(group + "regular_material", covers.regular_material);
   file.write(group + "regular_block", covers.regular_block);
   file.write(group + "element_cell", covers.element_cell);
-  file.write(group + "element_tet", covers.element_tet);
-  file.write_wide(group + "element_cover", covers.element_cover, 4);
+  file.write(group + "element_part", covers.element_part);
+  file.write_wide(group + "element_cover", covers.element_cover, covers.nodes_per_part());
   file.write(group + "element_material", covers.element_material);
   file.write(group + "piece_begin", covers.piece_begin);
   file.write(group + "piece_block", covers.piece_block);
@@ -153,10 +156,12 @@ void write_cover_arrays(File& file, const CoverArrays& covers) {
   file.write_wide(group + "triangle_vertex", covers.triangle_vertex, 3);
   file.write(group + "vertex_begin", covers.vertex_begin);
   file.write_wide(group + "vertex_xyz", covers.vertex_xyz, 3);
+  file.set_integers("/rockfold/covers", "order", {covers.order});
   file.set_integers("/rockfold/totals", "physical_covers", {covers.cover_count()});
   file.set_integers("/rockfold/totals", "elements", {covers.element_count()});
-  file.set_integers("/rockfold/totals", "pieces",
-                    {std::int64_t{6} * covers.regular_count() + covers.piece_count()});
+  file.set_integers(
+      "/rockfold/totals", "pieces",
+      {std::int64_t{covers.parts_per_cell()} * covers.regular_count() + covers.piece_count()});
 }
 
 void append_state(File& file, Index step, const StateArrays& state) {

@@ -88,9 +88,9 @@ struct ResultWriter::Implementation {
   bool damaged = false;  ///< a state was written in part
   bool with_stress = false;
   bool with_blocks = false;
-  std::size_t block_vertices = 0, covers = 0, elements = 0;
+  std::size_t block_vertices = 0, unknowns = 0, elements = 0;
   std::vector<Index> joint_vertex;  ///< [points of Joints] into BlockArrays::vertex
-  ElementMesh mesh;                 ///< `cover`, `weight` and `element` alone are kept
+  ElementMesh mesh;                 ///< `begin`, `unknown`, `weight` and `element` alone are kept
   std::vector<Grid> grids;
   std::vector<Real> times;
 
@@ -231,7 +231,7 @@ void ResultWriter::write_blocks(const BlockArrays& blocks, const BlockFields& fi
 
 void ResultWriter::write_elements(const CoverArrays& covers) {
   auto& my = *implementation_;
-  expect(!my.finished && my.covers == 0 && my.times.empty(),
+  expect(!my.finished && my.unknowns == 0 && my.times.empty(),
          "write_elements comes once, before states");
   File file = my.extend();
   my.mesh = make_element_mesh(covers);
@@ -245,7 +245,7 @@ void ResultWriter::write_elements(const CoverArrays& covers) {
     my.grids.push_back(std::move(grid));
   }
   file.close();
-  my.covers = covers.cover_node.size();
+  my.unknowns = static_cast<std::size_t>(covers.unknown_count());
   my.elements = static_cast<std::size_t>(covers.element_count());
   my.mesh.tetrahedron = {};
   my.mesh.block = my.mesh.material = {};
@@ -254,8 +254,8 @@ void ResultWriter::write_elements(const CoverArrays& covers) {
 
 /// All that a state adds to the file, with room for the entries in HDF5's own tables.
 std::int64_t ResultWriter::Implementation::bytes_of(const ResultState& state) const {
-  const auto points = 2 * (block_vertices + joint_vertex.size() + mesh.cover.size());
-  const std::int64_t native = static_cast<std::int64_t>(3 * covers * sizeof(Vec3));
+  const auto points = 2 * (block_vertices + joint_vertex.size() + mesh.point_count());
+  const std::int64_t native = static_cast<std::int64_t>(3 * unknowns * sizeof(Vec3));
   return native + vtkhdf::state_bytes(points, 3) +
          (state.stress.empty() ? 0 : vtkhdf::state_bytes(mesh.element.size(), 6));
 }
@@ -295,16 +295,16 @@ void ResultWriter::Implementation::append_grids(File& file, const ResultState& s
 
 void ResultWriter::add_state(const ResultState& state) {
   auto& my = *implementation_;
-  expect(!my.finished && my.with_blocks && my.covers > 0,
+  expect(!my.finished && my.with_blocks && my.unknowns > 0,
          "add_state comes after write_blocks and write_elements");
   expect(state.block_displacement.size() == my.block_vertices &&
              state.block_velocity.size() == my.block_vertices,
          "block displacement and velocity are not [V]");
-  expect(state.covers.displacement.size() == my.covers &&
-             state.covers.velocity.size() == my.covers &&
-             state.covers.acceleration.size() == my.covers,
-         "the state is not [P]");
-  expect(state.stress.empty() || state.stress.size() == my.elements, "stress is not [6R+E]");
+  expect(state.covers.displacement.size() == my.unknowns &&
+             state.covers.velocity.size() == my.unknowns &&
+             state.covers.acceleration.size() == my.unknowns,
+         "the state is not [U]");
+  expect(state.stress.empty() || state.stress.size() == my.elements, "stress is not [nR+E]");
   expect(my.times.empty() ||
              (state.covers.time >= my.times.back() && my.with_stress == !state.stress.empty()),
          "time runs backwards, or stress comes and goes");

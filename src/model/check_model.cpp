@@ -55,7 +55,7 @@ class Needs {
 
   /// In-situ stress clamps joints by how stiff they are.
   void joint_stiffness() {
-    if (!model_.initial_stress) return;
+    if (!model_.initial_stress.any) return;
     for (const auto& joint : model_.joint_materials)
       if (!joint.normal_stiffness || !joint.shear_stiffness)
         missing("joint_material",
@@ -87,12 +87,6 @@ class Needs {
       missing("material", "the model has no [[material]], which this command needs");
     else if (model_.materials[model_.theory->material].density <= 0)
       of_material(model_.theory->material, "density", "must be > 0 (kg/m3)");
-  }
-
-  void no_initial_stress() {
-    if (!model_.initial_stress) return;
-    Place place = model_.initial_stress->place;
-    found_.push_back({place, "is not supported yet by an analysis, only by block theory"});
   }
 
   void something_fixed() {
@@ -133,7 +127,6 @@ void add_rock_needs(Needs& needs) {
 void add_support_needs(Needs& needs) {
   needs.joint_materials();
   needs.driving_force();
-  needs.joint_stiffness();
 }
 
 void add_theory_needs(Needs& needs) {
@@ -147,7 +140,6 @@ void add_run_needs(Needs& needs) {
   needs.cover();
   needs.analysis();
   needs.something_fixed();
-  needs.no_initial_stress();
 }
 
 }  // namespace
@@ -169,6 +161,7 @@ std::vector<Diagnostic> missing_for(const Model& model, Purpose purpose) {
   needs.solid();
   if (support || run) add_rock_needs(needs);
   if (support) add_support_needs(needs);
+  if (purpose == Purpose::support) needs.joint_stiffness();
   if (run) add_run_needs(needs);
   return std::move(needs).found();
 }

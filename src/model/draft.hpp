@@ -23,7 +23,8 @@ struct Draft {
   Names monitors{"monitor", "monitor"};
   Names excavations{"excavation", "excavation"};
   Names scanlines{"scanline", "scanline"};
-  std::vector<bool> has_shape{};  ///< [solids] its shape could be read
+  std::vector<bool> has_shape{};             ///< [solids] its shape could be read
+  std::vector<bool> excavation_has_shape{};  ///< [excavations] likewise
 };
 
 /// Calls `read(reader, number)` for each table of the section [[key]], numbers counting from 1.
@@ -46,15 +47,19 @@ void read_excavations(Draft& draft);   // needs solids
 void read_cut(Draft& draft);
 void read_scanlines(Draft& draft);
 void read_cover(Draft& draft);
-void read_fixed(Draft& draft);  // needs solids
+void read_fixed(Draft& draft);             // needs solids and excavations
+void read_tractions(Draft& draft);         // likewise
+void read_quiet_boundaries(Draft& draft);  // likewise
 void read_point_loads(Draft& draft);
+void read_initial_velocities(Draft& draft);
+void read_initial_stress(Draft& draft);
+void read_base_acceleration(Draft& draft);
 void read_monitors(Draft& draft);
 void read_analysis(Draft& draft);
 void read_solver(Draft& draft);
 void read_output(Draft& draft);
 void read_support(Draft& draft);
-void read_waters(Draft& draft);  // needs joints of all kinds
-void read_initial_stress(Draft& draft);
+void read_waters(Draft& draft);        // needs joints of all kinds
 void read_block_theory(Draft& draft);  // needs materials
 
 /// "dip" and "dip_direction" of a table.

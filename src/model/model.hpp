@@ -12,10 +12,27 @@
 #include <variant>
 #include <vector>
 
+#include "src/arrays/lattice.hpp"
+#include "src/arrays/load_arrays.hpp"
 #include "src/base/error.hpp"
 #include "src/base/types.hpp"
 
 namespace rockfold {
+
+/// Mohr–Coulomb strength of intact rock, with a tension cut-off.
+struct MohrCoulombStrength {
+  Real cohesion = 0;          ///< Pa, ≥ 0
+  Real friction_angle = 0;    ///< deg, [0, 90)
+  Real tensile_strength = 0;  ///< Pa, ≥ 0; at most cohesion / tan(friction_angle), the cone's apex
+};
+
+/// Hoek & Brown's (2002 edition): σ1 = σ3 + σ_ci (m_b σ3/σ_ci + s)^a, compression positive; tensile strength s σ_ci / m_b.
+struct HoekBrownStrength {
+  Real sigma_ci = 0;  ///< Pa, > 0, of intact rock in uniaxial compression
+  Real m_b = 0;       ///< > 0
+  Real s = 1;         ///< [0, 1]
+  Real a = 0.5;       ///< [0.5, 1]
+};
 
 /// Intact rock, concrete, … check_model.hpp says which commands need which constants.
 struct Material {
@@ -23,7 +40,8 @@ struct Material {
   Real density = 0;        ///< kg/m³, > 0; 0 = not given
   Real young_modulus = 0;  ///< Pa, > 0; 0 = neither it nor poisson_ratio is given
   Real poisson_ratio = 0;  ///< (−1, 0.5)
-  Place place = {};        ///< where the model defines it, for messages of later stages
+  std::variant<std::monostate, MohrCoulombStrength, HoekBrownStrength> strength = {};
+  Place place = {};  ///< where the model defines it, for messages of later stages
 };
 
 /// Mohr–Coulomb joint.
@@ -270,21 +288,34 @@ enum class JointTreatment {
   welded,    ///< covers go on across joints: the mass deforms as one continuum
 };
 
-/// Mathematical cover: the thesis' tet6 lattice, order 0.
+/// What becomes of a joint that ends inside a manifold element.
+enum class JointTips : std::uint8_t {
+  keep,   ///< the element stays one
+  extend  ///< the joint is prolonged to the element's boundary and cuts it in two
+};
+
+/// Mathematical cover.
 struct CoverSpec {
-  Real spacing = 0;  ///< m, > 0
-  /// Normals of the three plane families, mutually orthogonal; listed z, y, x as in INTERFACE.md:
+  LatticeKind lattice = LatticeKind::tet6;
+  /// m, > 0: distance between the planes of each family along their common normal, in the order of `directions`.
+  /// Lattice `block`: the unit of length of the cover functions along z, y, x; 0 = from the size of the blocks
+  Vec3 spacing{};
+  /// Normals of the three plane families, of which no two are nearly parallel; listed z, y, x as in INTERFACE.md:
   /// the last one is the lattice's first axis.
   std::array<DipOrientation, 3> directions{{{0, 0}, {90, 0}, {90, 90}}};
   std::optional<Vec3> origin;  ///< m, a lattice node; default the centre of the solids' box
+  int order = 0;               ///< of the cover functions: 0, 1, 2
   JointTreatment joints = JointTreatment::separate;
+  JointTips joint_tips = JointTips::keep;
+  Index max_elements = 50'000'000;
   Place place = {};
 };
 
 /// A region of the model to which a condition applies.
 struct FaceRegion {
-  Index solid = 0;
+  Index solid = 0;  ///< into Model::solids, or excavations
   std::vector<Index> faces;
+  bool of_excavation = false;
 };  ///< faces into face_names
 struct PointRegion {
   Vec3 point{};
@@ -299,24 +330,70 @@ struct BlockRegion {
 };  ///< the block that holds this point
 using Region = std::variant<FaceRegion, BoxRegion, PointRegion, PlaneRegion, BlockRegion>;
 
-enum class FixMethod { penalty, augmented_lagrangian };
+enum class FixMethod {
+  penalty,               ///< springs
+  augmented_lagrangian,  ///< springs and multipliers, improved from step to step
+  lagrange,  ///< multipliers, in every step until no gap is left but the solver's tolerance
+};
 
 /// Essential boundary condition: displacement `value` in the chosen components.
 struct Fixed {
   Region where;
   std::array<bool, 3> components{true, true, true};
-  Vec3 value{};  ///< m
+  Vec3 value{};     ///< m
+  TimeTable table;  ///< m; if not empty, instead of `value`
   FixMethod method = FixMethod::augmented_lagrangian;
+  /// Pa/m of the springs (N/m for a point), > 0; default from the rock and the cover spacing.
+  std::optional<Real> stiffness;
+  Place place = {};
+};
+
+/// A stress on free faces (natural boundary condition).
+struct Traction {
+  Region where;           ///< a face, or the free faces that lie in a plane or a box
+  bool pressure = false;  ///< along the inward normal, else a vector fixed in space
+  bool follows = false;   ///< a pressure whose direction and area go with the deformed face
+  Vec3 value{};           ///< Pa; a pressure is its x component
+  TimeTable table;        ///< likewise; if not empty, instead of `value`
   Place place = {};
 };
 
 struct PointLoad {
-  Vec3 point{};  ///< m, in the rock
-  Vec3 force{};  ///< N
+  Vec3 point{};     ///< m, in the rock
+  Vec3 force{};     ///< N
+  TimeTable table;  ///< N; if not empty, instead of `force`
+  Place place = {};
+};
+
+/// Faces that let waves out.
+struct QuietBoundary {
+  Region where;  ///< as of a traction
+  Place place = {};
+};
+
+/// Rigid motion of blocks at t = 0.
+struct InitialVelocity {
+  std::optional<Vec3> block_at;  ///< m, in the block; none: all blocks
+  Vec3 velocity{};               ///< m/s, of the blocks' common mass centre
+  Vec3 angular_velocity{};       ///< rad/s about it
+  Place place = {};
+};
+
+/// Motion of the ground that carries the fixed points (an earthquake's record).
+struct BaseAcceleration {
+  std::string
+      file;  ///< CSV; resolved against the model's folder; empty: the table stands in the model
+  Real scale = 1;   ///< of the record, not yet applied
+  TimeTable table;  ///< m/s²; of a file: filled after the model is read
   Place place = {};
 };
 
 enum class AnalysisType { static_, quasi_static, dynamic };
+
+enum class Kinematics {
+  small,  ///< linear strain about the place where the rock lay at t = 0
+  large
+};
 
 struct Analysis {
   AnalysisType type = AnalysisType::dynamic;
@@ -327,8 +404,15 @@ struct Analysis {
   Real dynamic_ratio = 1.0;  ///< [0, 1]: share of the velocity handed to the next step
   std::optional<Real> max_displacement_ratio;  ///< largest vertex displacement a step / model half
                                                ///< height, if limited
-  Real newmark_beta = 0.25;                    ///< only average acceleration yet
-  Real newmark_gamma = 0.5;
+  /// As given; none: large for dynamic and quasi_static, small for static.
+  std::optional<Kinematics> kinematics;
+  bool large() const {
+    return kinematics ? *kinematics == Kinematics::large : type != AnalysisType::static_;
+  }
+  Real newmark_beta = 0.25;  ///< > 0
+  Real newmark_gamma = 0.5;  ///< ≥ 0
+  Real rayleigh_alpha = 0;   ///< 1/s, ≥ 0: damping α M …
+  Real rayleigh_beta = 0;    ///< s, ≥ 0: … + β K
 };
 
 struct SolverSpec {
@@ -365,14 +449,6 @@ struct Water {
       joints;           ///< names of joints of any kind; empty = all that no other names
   Real density = 1000;  ///< kg/m³, > 0
   std::variant<WaterPressure, WaterTable, WaterHead> level;
-  Place place = {};
-};
-
-/// [initial_stress]: in-situ stress, compression negative.
-struct InitialStress {
-  Mat3 value{};          ///< Pa, symmetric, at reference_z
-  Real reference_z = 0;  ///< m
-  Mat3 gradient{};       ///< Pa per m of depth below reference_z, symmetric
   Place place = {};
 };
 
@@ -451,14 +527,18 @@ struct Model {
   std::vector<Scanline> scanlines;
   std::optional<CoverSpec> cover;
   std::vector<Fixed> fixed;
+  std::vector<Traction> tractions;
   std::vector<PointLoad> point_loads;
+  std::vector<QuietBoundary> quiet_boundaries;
+  std::vector<InitialVelocity> initial_velocities;
+  InitialStress initial_stress;
+  std::optional<BaseAcceleration> base_acceleration;
   std::optional<Analysis> analysis;
   SolverSpec solver;
   Output output;
   std::vector<Monitor> monitors;
   std::optional<SupportSpec> support;
   std::vector<Water> waters;
-  std::optional<InitialStress> initial_stress;
   std::optional<TheorySpec> theory;
 
   std::string

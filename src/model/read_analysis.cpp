@@ -1,8 +1,10 @@
 // [analysis], [solver] and [output].
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "src/model/draft.hpp"
+#include "src/model/read_value.hpp"
 
 namespace rockfold {
 
@@ -65,18 +67,66 @@ void read_dynamic_ratio(TableReader& in, Analysis& analysis) {
                  ", a quasi_static analysis has 0; use type = \"dynamic\" for others");
 }
 
+void read_kinematics(TableReader& in, Analysis& analysis) {
+  const auto given = in.choose("kinematics", {{"small", "large"}, {}}, Need::optional);
+  if (given) analysis.kinematics = *given == 0 ? Kinematics::small : Kinematics::large;
+}
+
 void read_newmark(TableReader& in, Analysis& analysis) {
   const auto* value = in.find("newmark");
   if (!value) return;
   TableReader newmark(*value, in.path_of("newmark"), in.out());
-  const auto only = [&](const char* key, Real& target) {
-    Real given = target;
-    if (newmark.read(key, given, between(0, 1, ""), Need::optional) && given != target)
-      newmark.wrong(key, number_text(given) + " is not supported yet, must be " +
-                             number_text(target) + " (average acceleration)");
-  };
-  only("beta", analysis.newmark_beta);
-  only("gamma", analysis.newmark_gamma);
+  newmark.read("beta", analysis.newmark_beta,
+               positive("0 would be the explicit scheme, which is not offered"), Need::optional);
+  newmark.read("gamma", analysis.newmark_gamma, not_negative(""), Need::optional);
+}
+
+/// α, β of αM + βK that damp at both frequencies (Hz) by the ratio: α/(2ω) + βω/2 = ζ (Clough & Penzien 1993, §12.5).
+void damp(Real ratio, Real first, Real second, Analysis& analysis) {
+  const Real low = 2 * std::numbers::pi * first, high = 2 * std::numbers::pi * second;
+  analysis.rayleigh_alpha = 2 * ratio * low * high / (low + high);
+  analysis.rayleigh_beta = 2 * ratio / (low + high);
+}
+
+void read_ratio_at_frequencies(TableReader& rayleigh, Analysis& analysis) {
+  Real ratio = 0;
+  Range share = between(0, 1, "of critical damping");
+  share.high_open = true;
+  const bool known = rayleigh.read("damping_ratio", ratio, share);
+  const auto* value = rayleigh.find("frequencies", "two frequencies (Hz)");
+  if (!value) return;
+  const auto* list =
+      array_from(*value, rayleigh.path_of("frequencies"), 2, "2 frequencies (Hz)", rayleigh.out());
+  if (!list) return;
+  if (list->size() > 2) {
+    rayleigh.wrong("frequencies", "found " + std::to_string(list->size()) + ", must be 2 (Hz)");
+    return;
+  }
+  std::optional<Real> hertz[2];
+  for (std::size_t i = 0; i < 2; ++i)
+    hertz[i] = real_from((*list)[i], item_path(rayleigh.path_of("frequencies"), i), positive("Hz"),
+                         rayleigh.out());
+  if (known && hertz[0] && hertz[1]) damp(ratio, *hertz[0], *hertz[1], analysis);
+}
+
+/// {alpha, beta}, or {damping_ratio, frequencies} that they follow from.
+void read_rayleigh(TableReader& in, Analysis& analysis) {
+  const auto* value = in.find("rayleigh");
+  if (!value) return;
+  TableReader rayleigh(*value, in.path_of("rayleigh"), in.out());
+  if (!rayleigh.is_table()) return;
+  const bool by_ratio = rayleigh.has("damping_ratio") || rayleigh.has("frequencies");
+  const bool direct = rayleigh.has("alpha") || rayleigh.has("beta");
+  if (by_ratio && direct)
+    rayleigh.wrong("", "give either alpha and beta, or damping_ratio and frequencies");
+  rayleigh.read("alpha", analysis.rayleigh_alpha, not_negative("1/s"), Need::optional);
+  rayleigh.read("beta", analysis.rayleigh_beta, not_negative("s"), Need::optional);
+  if (by_ratio) {
+    read_ratio_at_frequencies(rayleigh, analysis);
+  } else {
+    rayleigh.find("damping_ratio");  // known keys all the same
+    rayleigh.find("frequencies");
+  }
 }
 
 }  // namespace
@@ -85,13 +135,14 @@ void read_analysis(Draft& draft) {
   read_section(draft, "analysis", [&](TableReader& in) {
     Analysis analysis;
     read_type(in, analysis);
-    in.choose("kinematics", {{"small"}, {"large"}}, Need::optional);
+    read_kinematics(in, analysis);
     read_duration(in, analysis);
     read_dynamic_ratio(in, analysis);
     Range ratio = between(0, 1, "of half the model's height");
     ratio.low_open = true;
     in.read("max_displacement_ratio", analysis.max_displacement_ratio, ratio);
     read_newmark(in, analysis);
+    read_rayleigh(in, analysis);
     draft.model.analysis = analysis;
   });
 }

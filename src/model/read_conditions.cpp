@@ -1,5 +1,6 @@
-// [[fixed]], [[point_load]] and [[monitor]].
+// [[fixed]] and [[monitor]].
 #include "src/model/draft.hpp"
+#include "src/model/read_loads.hpp"
 #include "src/model/read_region.hpp"
 #include "src/model/read_value.hpp"
 
@@ -35,25 +36,22 @@ void read_fixed(Draft& draft) {
   read_entries(draft, "fixed", [&](TableReader& in, Index) {
     Fixed fixed;
     fixed.place = in.place();
-    if (const auto region = read_region(in, draft)) fixed.where = *region;
+    if (const auto region = read_region(in, draft, Regions::any)) fixed.where = *region;
     read_components(in, fixed.components);
+    if (in.has("value") && in.has("value_table"))
+      in.wrong("value_table", "give either value or value_table, not both");
     in.read("value", fixed.value, coordinate(), Need::optional);
-    in.not_yet("value_table", "give a constant value");
-    if (in.choose("method", {{"augmented_lagrangian", "penalty"}, {"lagrange"}}, Need::optional) ==
-        1)
-      fixed.method = FixMethod::penalty;
+    read_time_table(in, "value_table", 3, coordinate(), fixed.table);
+    const auto method =
+        in.choose("method", {{"augmented_lagrangian", "penalty", "lagrange"}, {}}, Need::optional);
+    constexpr FixMethod methods[] = {FixMethod::augmented_lagrangian, FixMethod::penalty,
+                                     FixMethod::lagrange};
+    if (method) fixed.method = methods[*method];
+    const bool point = std::holds_alternative<PointRegion>(fixed.where);
+    in.read("stiffness", fixed.stiffness, positive(point ? "N/m" : "Pa/m"));
+    if (fixed.stiffness && fixed.method == FixMethod::lagrange)
+      in.wrong("stiffness", "has no use with method = \"lagrange\", which has no springs");
     draft.model.fixed.push_back(fixed);
-  });
-}
-
-void read_point_loads(Draft& draft) {
-  read_entries(draft, "point_load", [&](TableReader& in, Index) {
-    PointLoad load;
-    load.place = in.place();
-    in.read("point", load.point, coordinate());
-    const bool table = in.not_yet("force_table", "give a constant force");
-    in.read("force", load.force, any_number("N"), table ? Need::optional : Need::required);
-    draft.model.point_loads.push_back(load);
   });
 }
 

@@ -65,7 +65,9 @@ void read_excavations(Draft& draft) {
       in.wrong("name",
                "\"" + excavation.name + "\" is already the name of " + draft.solids.path(solid));
     in.read("stage", excavation.stage, IntegerRange{.low = 1}, Need::optional);
-    if (auto shape = read_shape(in, false, draft.model.path)) excavation.shape = std::move(*shape);
+    auto shape = read_shape(in, false, draft.model.path);
+    draft.excavation_has_shape.push_back(shape.has_value());
+    if (shape) excavation.shape = std::move(*shape);
     draft.model.excavations.push_back(std::move(excavation));
   });
 }

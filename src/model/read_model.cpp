@@ -53,14 +53,34 @@ void read_title_and_gravity(TableReader& in, Model& model) {
 void read_top_level(Draft& draft, const Value& root) {
   TableReader in(root, "", draft.out);
   read_title_and_gravity(in, draft.model);
-  for (const char* key : {"material", "joint_material", "solid", "joint_set", "joint", "joint_mesh",
-                          "joint_table", "merge", "excavation", "cut", "scanline", "cover", "fixed",
-                          "point_load", "analysis", "solver", "output", "monitor", "support", "water",
-                          "initial_stress", "block_theory"})
+  for (const char* key : {"material",
+                          "joint_material",
+                          "solid",
+                          "joint_set",
+                          "joint",
+                          "joint_mesh",
+                          "joint_table",
+                          "merge",
+                          "excavation",
+                          "cut",
+                          "scanline",
+                          "cover",
+                          "fixed",
+                          "traction",
+                          "point_load",
+                          "quiet_boundary",
+                          "initial_velocity",
+                          "initial_stress",
+                          "base_acceleration",
+                          "analysis",
+                          "solver",
+                          "output",
+                          "monitor",
+                          "support",
+                          "water",
+                          "block_theory"})
     in.has(key);
-  for (const char* key :
-       {"traction", "initial_velocity", "contact", "bolt", "bolt_pattern"})
-    in.not_yet(key);
+  for (const char* key : {"contact", "bolt", "bolt_pattern"}) in.not_yet(key);
 }
 
 void read_sections(Draft& draft) {
@@ -77,14 +97,18 @@ void read_sections(Draft& draft) {
   read_scanlines(draft);
   read_cover(draft);
   read_fixed(draft);
+  read_tractions(draft);
   read_point_loads(draft);
+  read_quiet_boundaries(draft);
+  read_initial_velocities(draft);
+  read_initial_stress(draft);
+  read_base_acceleration(draft);
   read_monitors(draft);
   read_analysis(draft);
   read_solver(draft);
   read_output(draft);
   read_support(draft);
   read_waters(draft);
-  read_initial_stress(draft);
   read_block_theory(draft);
 }
 

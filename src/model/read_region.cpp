@@ -7,9 +7,15 @@ namespace rockfold {
 
 namespace {
 
-const std::vector<std::string> ways{"face", "box", "point", "plane", "block_at"};
+using Ways = std::vector<std::string>;
 
-std::string way_list() {
+const Ways& ways_of(Regions regions) {
+  static const Ways any{"face", "box", "point", "plane", "block_at"};
+  static const Ways surface{"face", "plane", "box"};
+  return regions == Regions::any ? any : surface;
+}
+
+std::string way_list(const Ways& ways) {
   std::string text;
   for (const auto& way : ways)
     text += (text.empty() ? "" : way == ways.back() ? " or " : ", ") + way;
@@ -25,19 +31,27 @@ std::optional<Region> read_face(TableReader& in, const Draft& draft) {
     in.wrong("face", "found \"" + text + "\", must be \"solid.face\", e.g. \"rock.zmin\"");
     return {};
   }
-  const std::string solid_name = text.substr(0, point), face_name = text.substr(point + 1);
-  const Index solid = draft.solids.find(solid_name);
-  if (solid == none) {
-    if (draft.solids.complete() && !in.out().explained("solid"))
-      in.wrong("face", "unknown solid \"" + solid_name + "\"" +
-                           suggestion(solid_name, draft.solids.all(), "the solids are"));
+  const std::string owner = text.substr(0, point), face_name = text.substr(point + 1);
+  const Index solid = draft.solids.find(owner);
+  const Index excavation = solid == none ? draft.excavations.find(owner) : none;
+  if (solid == none && excavation == none) {
+    auto names = draft.solids.all();
+    names.insert(names.end(), draft.excavations.all().begin(), draft.excavations.all().end());
+    if (draft.solids.complete() && draft.excavations.complete() && !in.out().explained("solid") &&
+        !in.out().explained("excavation"))
+      in.wrong("face", "unknown solid \"" + owner + "\"" +
+                           suggestion(owner, names, "the solids and excavations are"));
     return {};
   }
-  if (!draft.has_shape[solid]) return {};  // reported there
-  const Shape& shape = draft.model.solids[solid].shape;
+  const bool has_shape =
+      solid != none ? draft.has_shape[solid] : draft.excavation_has_shape[excavation];
+  if (!has_shape) return {};  // reported there
+  const Shape& shape =
+      solid != none ? draft.model.solids[solid].shape : draft.model.excavations[excavation].shape;
   const auto faces = faces_named(shape, face_name);
-  if (!faces.empty()) return FaceRegion{solid, faces};
-  in.wrong("face", "unknown face \"" + face_name + "\" of solid \"" + solid_name + "\"" +
+  if (!faces.empty()) return FaceRegion{solid != none ? solid : excavation, faces, solid == none};
+  in.wrong("face", "unknown face \"" + face_name + "\" of " +
+                       (solid != none ? "solid" : "excavation") + " \"" + owner + "\"" +
                        suggestion(face_name, names_and_groups(shape), "its faces are"));
   return {};
 }
@@ -80,21 +94,28 @@ std::optional<Region> read_way(TableReader& in, const std::string& way, const Dr
 
 }  // namespace
 
-std::optional<Region> read_region(TableReader& entry, const Draft& draft) {
-  const auto* value = entry.find("where", "must say one of " + way_list());
+std::optional<Region> read_region(TableReader& entry, const Draft& draft, Regions regions) {
+  const Ways& ways = ways_of(regions);
+  const std::string list = way_list(ways);
+  const auto* value = entry.find("where", "must say one of " + list);
   if (!value) return {};
   TableReader in(*value, entry.path_of("where"), entry.out());
   std::vector<std::string> given;
   for (const auto& way : ways)
     if (in.has(way)) given.push_back(way);
+  for (const auto& way : ways_of(Regions::any))
+    if (given.empty() && in.has(way)) {
+      in.wrong(way, "a " + way + " has no free faces, must have one of " + list);
+      return {};
+    }
   if (given.empty()) {
     auto keys = ways;
     keys.insert(keys.begin(), "");
-    in.missing(std::move(keys), "says no region, must have one of " + way_list());
+    in.missing(std::move(keys), "says no region, must have one of " + list);
   }
   if (given.size() > 1)
     in.out().add(value->spot, entry.path_of("where"),
-                 "has both " + given[0] + " and " + given[1] + ", must have one of " + way_list());
+                 "has both " + given[0] + " and " + given[1] + ", must have one of " + list);
   return given.size() == 1 ? read_way(in, given[0], draft) : std::nullopt;
 }
 

@@ -1,7 +1,5 @@
-// [support], and the loads of block theory beside those that other analyses share: [[water]] and
-// [initial_stress].
+// [support], and [[water]], the load of block theory that it does not share with other analyses.
 #include <algorithm>
-#include <cmath>
 
 #include "src/base/vector.hpp"
 #include "src/model/draft.hpp"
@@ -100,53 +98,6 @@ void read_waters(Draft& draft) {
     if (draft.model.gravity == Vec3{} && !in.has("pressure"))
       in.wrong("", "gravity is zero: a water table or head gives no pressure");
     draft.model.waters.push_back(std::move(water));
-  });
-}
-
-namespace {
-
-/// Three rows, symmetric.
-void read_tensor(TableReader& in, const std::string& key, const std::string& unit, Need need,
-                 Mat3& target) {
-  const std::string expected = "must be 3 rows of 3 numbers (" + unit + ")";
-  const auto* value = in.find(key, need == Need::required ? expected : "");
-  const auto* rows = value ? std::get_if<Array>(&value->data) : nullptr;
-  if (!value) return;
-  if (!rows || rows->size() != 3) {
-    in.wrong(key, "found " + described(*value) + ", " + expected);
-    return;
-  }
-  Mat3 read{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto row =
-        vector_from((*rows)[i], item_path(in.path_of(key), i), any_number(unit), in.out());
-    if (!row) return;
-    read[i] = *row;
-  }
-  Real size = 0;
-  for (const Vec3& row : read)
-    for (const Real x : row) size = std::max(size, std::abs(x));
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      if (std::abs(read[i][k] - read[k][i]) > 1e-9 * size) {
-        in.wrong(key, "is not symmetric: row " + std::to_string(i + 1) + " has " +
-                          number_text(read[i][k]) + " where row " + std::to_string(k + 1) +
-                          " has " + number_text(read[k][i]));
-        return;
-      }
-  target = read;
-}
-
-}  // namespace
-
-void read_initial_stress(Draft& draft) {
-  read_section(draft, "initial_stress", [&](TableReader& in) {
-    InitialStress stress;
-    stress.place = in.place();
-    read_tensor(in, "value", "Pa", Need::required, stress.value);
-    in.read("reference_z", stress.reference_z, coordinate(), Need::optional);
-    read_tensor(in, "gradient", "Pa per m of depth", Need::optional, stress.gradient);
-    draft.model.initial_stress = stress;
   });
 }
 

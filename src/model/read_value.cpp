@@ -123,4 +123,67 @@ std::optional<std::array<Vec3, 2>> two_points_from(const Value& value, const std
   return first && second ? std::optional(std::array{*first, *second}) : std::nullopt;
 }
 
+std::optional<TimeTable> time_table_from(const Value& value, const std::string& path, int width,
+                                         const Range& range, Diagnostics& out) {
+  const std::string row_text = width == 1 ? "[t, value]" : "[t, x, y, z]";
+  const std::string unit = range.unit.empty() ? "" : " (s, " + range.unit + ")";
+  const auto* rows = array_from(value, path, 1, "a table over time, rows " + row_text + unit, out);
+  if (!rows) return {};
+  TimeTable table;
+  bool good = true;
+  for (std::size_t i = 0; i < rows->size(); ++i) {
+    const std::string row_path = item_path(path, i);
+    const auto* row = std::get_if<Array>(&(*rows)[i].data);
+    if (!row || static_cast<int>(row->size()) != 1 + width) {
+      wrong((*rows)[i], row_path, "must be a row " + row_text + unit, out);
+      good = false;
+      continue;
+    }
+    std::array<Real, 4> number{};
+    for (int k = 0; k <= width; ++k) {
+      const auto x =
+          real_from((*row)[k], item_path(row_path, k), k == 0 ? any_number("s") : range, out);
+      good = good && x;
+      number[k] = x.value_or(0);
+    }
+    if (good && !table.empty() && !(number[0] > table.time.back())) {
+      out.add((*rows)[i].spot, row_path,
+              "found time " + number_text(number[0]) + " after " + number_text(table.time.back()) +
+                  ", times must ascend (s)");
+      good = false;
+    }
+    table.time.push_back(number[0]);
+    table.value.push_back({number[1], number[2], number[3]});
+  }
+  return good ? std::optional(table) : std::nullopt;
+}
+
+std::optional<std::array<Real, 6>> tensor_from(const Value& value, const std::string& path,
+                                               const Range& range, Diagnostics& out) {
+  const auto* rows = std::get_if<Array>(&value.data);
+  if (!rows || rows->size() != 3) {
+    wrong(value, path,
+          "must be 3 rows [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]] (" + range.unit + ")", out);
+    return {};
+  }
+  std::array<Vec3, 3> t{};
+  bool good = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto row = vector_from((*rows)[i], item_path(path, i), range, out);
+    good = good && row;
+    if (row) t[i] = *row;
+  }
+  if (!good) return {};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < i; ++j)
+      if (t[i][j] != t[j][i]) {
+        out.add(value.spot, path,
+                std::string("must be symmetric: ") + "xyz"[j] + "xyz"[i] + " is " +
+                    number_text(t[j][i]) + ", but " + "xyz"[i] + "xyz"[j] + " is " +
+                    number_text(t[i][j]));
+        return {};
+      }
+  return std::array<Real, 6>{t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[2][0]};
+}
+
 }  // namespace rockfold

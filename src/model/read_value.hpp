@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "src/arrays/time_table.hpp"
 #include "src/model/diagnostics.hpp"
 #include "src/model/range.hpp"
 #include "src/model/value.hpp"
@@ -39,6 +40,14 @@ std::optional<std::array<Vec3, 2>> two_points_from(const Value& value, const std
 /// An array with at least `least` values; `what` says of which, e.g. "3 numbers".
 const Array* array_from(const Value& value, const std::string& path, std::size_t least,
                         const std::string& what, Diagnostics& out);
+
+/// Rows [t, x] (width 1, y and z are 0) or [t, x, y, z] (3), times ascending; `range` is that of the values.
+std::optional<TimeTable> time_table_from(const Value& value, const std::string& path, int width,
+                                         const Range& range, Diagnostics& out);
+
+/// A symmetric 3×3 tensor in the order xx yy zz xy yz zx.
+std::optional<std::array<Real, 6>> tensor_from(const Value& value, const std::string& path,
+                                               const Range& range, Diagnostics& out);
 
 /// "planes[2]" for index 1: paths count from 1.
 std::string item_path(const std::string& path, std::size_t index);

@@ -13,7 +13,7 @@ Json run_totals_json(const RunReport& report) {
           {"elements", covers.element_count()},
           {"element_vertices", covers.element_vertices},
           {"element_faces", covers.element_faces},
-          {"dof", 3 * std::int64_t{covers.cover_count()}},
+          {"dof", 3 * std::int64_t{covers.unknown_count()}},
           {"steps", report.run.steps},
           {"time", report.run.time},
           {"interrupted", report.run.interrupted},

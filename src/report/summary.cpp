@@ -25,6 +25,16 @@ Index count_true(const std::vector<std::uint8_t>& flags) {
   return static_cast<Index>(std::count(flags.begin(), flags.end(), std::uint8_t{1}));
 }
 
+std::string cover_text(const CoverSpec& cover) {
+  const Vec3& h = cover.spacing;
+  std::string text = fmt::format("{}, order {}", lattice_name(cover.lattice), cover.order);
+  if (h[0] != h[1] || h[1] != h[2])
+    text += fmt::format(", spacing {:g}, {:g}, {:g} m", h[0], h[1], h[2]);
+  else if (h[0] > 0)
+    text += fmt::format(", spacing {:g} m", h[0]);
+  return text;
+}
+
 std::string counted(std::size_t n, const std::string& one, const std::string& many) {
   return grouped(static_cast<std::int64_t>(n)) + " " + (n == 1 ? one : many);
 }
@@ -126,7 +136,7 @@ std::string check_summary(const Model& model) {
   if (!model.merges.empty())
     text += fact("merges", counted(model.merges.size(), "region", "regions"));
   if (!model.excavations.empty()) text += fact("excavations", excavations_text(model));
-  if (model.cover) text += fact("covers", fmt::format("spacing {:g} m", model.cover->spacing));
+  if (model.cover) text += fact("covers", cover_text(*model.cover));
   if (model.analysis)
     text += fact("analysis", fmt::format("{}, {}", analysis_name(model.analysis->type),
                                          counted(model.analysis->steps, "step", "steps")));

@@ -1,64 +1,155 @@
 #include "src/run/block_motion.hpp"
 
-#include "kernels/solve/tet_weights.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/solve/part_functions.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
 namespace {
 
-/// Sums over the pieces of a block: displacement and rotation times volume until they are divided by it.
+Real determinant(const Mat3& a) {
+  return dot(a[0], cross(a[1], a[2]));
+}
+
+/// The rotation of a's polar decomposition: a ← (a + a⁻ᵀ)/2 until it stays (Higham 1986). det a > 0.
+Mat3 nearest_rotation(Mat3 a) {
+  for (int step = 0; step < 50; ++step) {
+    const Real det = determinant(a);
+    Real change = 0;
+    Mat3 next;
+    for (int i = 0; i < 3; ++i) {
+      // Row i of the inverse's transpose.
+      const Vec3 cofactor = (1 / det) * cross(a[(i + 1) % 3], a[(i + 2) % 3]);
+      next[i] = 0.5 * (a[i] + cofactor);
+      change = std::max(change, norm(next[i] - a[i]));
+    }
+    a = next;
+    if (change < 1e-14) break;
+  }
+  return a;
+}
+
+/// Axis times angle, up to π.
+Vec3 rotation_vector(const Mat3& r) {
+  const Vec3 twice_sine{r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]};
+  const Real sine = 0.5 * norm(twice_sine), cosine = 0.5 * (r[0][0] + r[1][1] + r[2][2] - 1);
+  const Real angle = std::atan2(sine, cosine);
+  if (sine > 1e-7) return (0.5 * angle / sine) * twice_sine;
+  if (cosine > 0) return 0.5 * twice_sine;
+  // Half a turn: R + I = 2 n nᵀ.
+  int most = 0;
+  for (int i = 1; i < 3; ++i)
+    if (r[i][i] > r[most][most]) most = i;
+  Vec3 axis = r[most];
+  axis[most] += 1;
+  return angle * normalized(axis);
+}
+
+/// Sums over the parts of a block: displacement and its gradient times volume until they are divided by it.
 class Averages {
  public:
-  Averages(const Lattice& lattice, Index blocks) : tets_(tet_weights(lattice)), sums_(blocks) {}
+  Averages(const CoverArrays& covers, const std::vector<Vec3>& displacement, Index blocks,
+           bool large)
+      : covers_(covers),
+        functions_(lattice_functions(covers)),
+        d_(displacement),
+        sums_(blocks),
+        gradient_(blocks, Mat3{}),
+        before_(blocks, 0),
+        large_(large) {}
 
-  const TetWeights& tet(int t) const { return tets_[t]; }
+  const LatticeFunctions& functions() const { return functions_; }
 
-  /// A part of tetrahedron t whose corners move by d[a]: ∫ N_a dV = constant_a V + gradient_a · first moment.
-  void add(Index block, int t, Real volume, const Vec3& first, const Vec3* const (&d)[4]) {
+  /// A body of a part (counted through all forms) with covers `cover`, its moments in m³ times `share`.
+  void add(Index block, int part, const Index* cover, const Real* moments, Real share) {
     BlockMotion& sum = sums_[block];
-    sum.volume += volume;
-    for (int a = 0; a < 4; ++a) {
-      const Real share = tets_[t].constant[a] * volume + dot(tets_[t].gradient[a], first);
-      sum.displacement += share * *d[a];
-      // Half the curl of N_a d_a; differences to corner 0, so that a translation turns nothing.
-      sum.rotation += (0.5 * volume) * cross(tets_[t].gradient[a], *d[a] - *d[0]);
+    const Real volume = share * moments[0];
+    before_[block] += volume;
+    Mat3 gradient{};  // ∫ ∂u/∂x dV
+    const PartFunctions& of = functions_.part[part];
+    const int n = functions_.functions;
+    const auto integral = [&](const Real* coefficients, int terms) {
+      Real total = 0;
+      for (int m = 0; m < terms; ++m) total += coefficients[m] * moments[m];
+      return share * total;
+    };
+    for (int f = 0; f < functions_.nodes * n; ++f) {
+      const Vec3& d = d_[f % n * covers_.cover_count() + cover[f / n]];
+      sum.displacement += integral(&of.value[f * functions_.terms()], functions_.terms()) * d;
+      Vec3 slope{};
+      for (int i = 0; i < 3; ++i)
+        slope[i] =
+            integral(&of.slope[(3 * f + i) * functions_.slope_terms()], functions_.slope_terms());
+      // Functions 0 by differences to the first node's, so that a translation has no gradient.
+      const Vec3 by = f % n == 0 ? d - d_[cover[0]] : d;
+      for (int i = 0; i < 3; ++i) gradient[i] += by[i] * slope;
     }
+    Mat3 deformed = gradient;
+    for (int i = 0; i < 3; ++i) {
+      gradient_[block][i] += gradient[i];
+      deformed[i] = (volume > 0 ? 1 / volume : 0) * deformed[i];
+      deformed[i][i] += 1;
+    }
+    sum.volume += large_ ? volume * determinant(deformed) : volume;
   }
 
   std::vector<BlockMotion> take() {
-    for (BlockMotion& block : sums_) {
-      if (!(block.volume > 0)) continue;
-      block.displacement = (1 / block.volume) * block.displacement;
-      block.rotation = (1 / block.volume) * block.rotation;
+    for (std::size_t b = 0; b < sums_.size(); ++b) {
+      if (!(before_[b] > 0)) continue;
+      BlockMotion& block = sums_[b];
+      block.displacement = (1 / before_[b]) * block.displacement;
+      Mat3 mean = gradient_[b];
+      for (Vec3& row : mean) row = (1 / before_[b]) * row;
+      block.rotation =
+          0.5 * Vec3{mean[2][1] - mean[1][2], mean[0][2] - mean[2][0], mean[1][0] - mean[0][1]};
+      for (int i = 0; i < 3; ++i) mean[i][i] += 1;
+      if (large_ && determinant(mean) > 0) block.rotation = rotation_vector(nearest_rotation(mean));
     }
     return std::move(sums_);
   }
 
  private:
-  std::array<TetWeights, 6> tets_;
+  const CoverArrays& covers_;
+  LatticeFunctions functions_;
+  const std::vector<Vec3>& d_;
   std::vector<BlockMotion> sums_;
+  std::vector<Mat3> gradient_;  // ∫ ∂u/∂x dV
+  std::vector<Real> before_;    // m³, volume before the motion
+  bool large_;
 };
+
+/// The part of a cut element, counted through all forms.
+int part_of(const CoverArrays& covers, Index e) {
+  return covers.element_part[e] +
+         covers.parts_per_cell() * LatticeFunctions::form(covers.lattice, covers.element_cell[e]);
+}
 
 }  // namespace
 
 std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
                                               const PieceMoments& moments,
-                                              const std::vector<Vec3>& displacement, Index blocks) {
-  Averages sums(covers.lattice, blocks);
-  for (Index r = 0; r < covers.regular_count(); ++r)
-    for (int t = 0; t < 6; ++t) {
-      const Vec3* d[4];
-      for (int a = 0; a < 4; ++a)
-        d[a] = &displacement[covers.regular_cover[8 * r + tet6_corner[t][a]]];
-      sums.add(covers.regular_block[r], t, sums.tet(t).volume, sums.tet(t).first, d);
+                                              const std::vector<Vec3>& displacement, Index blocks,
+                                              bool large) {
+  Averages sums(covers, displacement, blocks, large);
+  const LatticeFunctions& all = sums.functions();
+  for (Index r = 0; r < covers.regular_count(); ++r) {
+    const int first = all.parts * LatticeFunctions::form(covers.lattice, covers.regular_cell[r]);
+    for (int part = first; part < first + all.parts; ++part) {
+      std::array<Index, 8> cover{};
+      for (int a = 0; a < all.nodes; ++a)
+        cover[a] = covers.regular_cover[all.cell_nodes * r + all.part[part].node[a]];
+      sums.add(covers.regular_block[r], part, cover.data(), all.part[part].moment.data(), 1);
     }
-  for (Index e = 0; e < covers.cut_count(); ++e) {
-    const Vec3* d[4];
-    for (int a = 0; a < 4; ++a) d[a] = &displacement[covers.element_cover[4 * e + a]];
-    for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
-      sums.add(covers.piece_block[q], covers.element_tet[e], moments.volume[q], moments.first[q],
-               d);
   }
+  const std::size_t terms =
+      moments.volume.empty() ? 0 : moments.local.size() / moments.volume.size();
+  for (Index e = 0; e < covers.cut_count(); ++e)
+    for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
+      sums.add(covers.piece_block[q], part_of(covers, e),
+               &covers.element_cover[static_cast<std::size_t>(all.nodes) * e],
+               &moments.local[terms * q], all.share);
   return sums.take();
 }
 
@@ -68,26 +159,25 @@ LargestDisplacement find_largest_displacement(const CoverArrays& covers,
   const auto offer = [&](const Vec3& u, const Vec3& point, Index block) {
     if (largest.block == none || norm(u) > largest.length) largest = {norm(u), point, block};
   };
-  for (Index r = 0; r < covers.regular_count(); ++r) {
-    const auto cell = covers.lattice.cell_ijk(covers.regular_cell[r]);
-    for (int c = 0; c < 8; ++c)
-      offer(displacement[covers.regular_cover[8 * r + c]],
-            covers.lattice.node_position(
-                {cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2 & 1)}),
+  // At a node of a whole cell all functions of its cover vanish but the constant one.
+  const int cell_nodes = covers.nodes_per_cell();
+  for (Index r = 0; r < covers.regular_count(); ++r)
+    for (int c = 0; c < cell_nodes; ++c)
+      offer(displacement[covers.regular_cover[cell_nodes * r + c]],
+            covers.lattice.node_position(covers.lattice.cell_node(covers.regular_cell[r], c)),
             covers.regular_block[r]);
-  }
-  const auto weights = tet_weights(covers.lattice);
+  const LatticeFunctions all = lattice_functions(covers);
   for (Index e = 0; e < covers.cut_count(); ++e) {
-    const TetWeights& tet = weights[covers.element_tet[e]];
     const Vec3 centre = covers.lattice.cell_centre(covers.element_cell[e]);
     for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
       for (Index v = covers.vertex_begin[q]; v < covers.vertex_begin[q + 1]; ++v) {
         const Vec3 x{covers.vertex_xyz[3 * v], covers.vertex_xyz[3 * v + 1],
                      covers.vertex_xyz[3 * v + 2]};
+        const auto value = all.values(part_of(covers, e), covers.lattice.to_local(x));
         Vec3 u{};
-        for (int a = 0; a < 4; ++a)
-          u += (tet.constant[a] + dot(tet.gradient[a], x)) *
-               displacement[covers.element_cover[4 * e + a]];
+        for (std::size_t f = 0; f < value.size(); ++f)
+          u += value[f] * displacement[f % all.functions * covers.cover_count() +
+                                       covers.element_cover[all.nodes * e + f / all.functions]];
         offer(u, centre + x, covers.piece_block[q]);
       }
   }

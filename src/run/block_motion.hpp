@@ -9,12 +9,14 @@
 
 namespace rockfold {
 
-/// Averages over the blocks' volume; `displacement` is that of the covers.
+/// Averages over the blocks' volume; `displacement` is that of the covers. With `large` kinematics the rotation is that of
+/// the mean deformation gradient (up to half a turn) and the volume that of the deformed block, by the means of its elements.
 std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
                                               const PieceMoments& moments,
-                                              const std::vector<Vec3>& displacement, Index blocks);
+                                              const std::vector<Vec3>& displacement, Index blocks,
+                                              bool large = false);
 
-/// The displacement is that of the covers.
+/// Over the lattice nodes of whole cells and the vertices of cut elements; the displacement is that of the covers.
 LargestDisplacement find_largest_displacement(const CoverArrays& covers,
                                               const std::vector<Vec3>& displacement);
 

@@ -8,6 +8,7 @@
 #include "kernels/integrate/moments.hpp"
 #include "kernels/solve/held_parts.hpp"
 #include "kernels/update/motion.hpp"
+#include "src/arrays/shape_functions.hpp"
 #include "src/base/error.hpp"
 #include "src/base/interrupt.hpp"
 #include "src/base/timer.hpp"
@@ -33,28 +34,26 @@ MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
   const Analysis& analysis = *input.model.analysis;
   MotionSetup setup{input.covers, moments, materials, input.fixed};
   setup.gravity = input.model.gravity;
-  setup.loaded = input.loads;
-  for (const PointLoad& load : input.model.point_loads) setup.forces.push_back(load.force);
+  setup.loads = input.loads;
   setup.beta = analysis.newmark_beta;
   setup.gamma = analysis.newmark_gamma;
+  setup.damping = {analysis.rayleigh_alpha, analysis.rayleigh_beta};
+  setup.quiet = input.quiet;
+  setup.initial_stress = input.model.initial_stress;
+  if (input.model.base_acceleration) setup.base_acceleration = input.model.base_acceleration->table;
+  setup.large = analysis.large();
   setup.dynamic_ratio = analysis.type == AnalysisType::quasi_static ? 0 : analysis.dynamic_ratio;
   setup.solver.tolerance = input.model.solver.tolerance;
   setup.solver.max_iterations = input.model.solver.max_iterations;
   return setup;
 }
 
-/// Half the extent of the blocks' vertices in z: what max_displacement_ratio refers to. A point's weights give its
-/// position as they give its displacement.
+/// Half the extent of the blocks' vertices in z: what max_displacement_ratio refers to.
 Real half_height(const RunInput& input) {
   Real low = std::numeric_limits<Real>::infinity(), high = -low;
   const MaterialPoints& points = input.block_vertices;
-  const Lattice& lattice = input.covers.lattice;
   for (std::size_t n = 0; n < points.size(); ++n) {
-    Real z = 0;
-    for (int a = 0; a < 4; ++a) {
-      const Index node = input.covers.cover_node[points.cover[n][a]];
-      z += points.weight[n][a] * lattice.node_position(lattice.node_ijk(node))[2];
-    }
+    const Real z = point_position(input.covers, points, n)[2];
     low = std::min(low, z);
     high = std::max(high, z);
   }
@@ -145,6 +144,12 @@ void Run::take_step(Index step) {
                       number(motion_.largest_increment()) + " m each, more than " + number(limit_) +
                       " m (analysis.max_displacement_ratio)");
     const SolveReport report = motion_.step(dt, substeps, watched_ ? &*watched_ : nullptr, limit_);
+    // Newton's method may find its way by shorter steps.
+    if (!report.converged && analysis_.large() && substeps < most_substeps) {
+      result_.iterations.pcg += report.iterations;
+      motion_.restore();
+      continue;
+    }
     accept(report, step, start + dt);
     result_.largest_substeps = std::max(result_.largest_substeps, substeps);
     if (!watched_ || motion_.largest_increment() <= limit_) break;
@@ -190,8 +195,8 @@ RunResult run_analysis(const RunInput& input, const StoreState& store, Progress&
   result.energy = motion.energy();
   result.reactions = motion.reactions();
   const std::vector<Vec3> displacement = motion.state().displacement;
-  result.blocks =
-      average_block_motion(input.covers, moments, displacement, input.blocks.block_count());
+  result.blocks = average_block_motion(input.covers, moments, displacement,
+                                       input.blocks.block_count(), input.model.analysis->large());
   result.largest_displacement = find_largest_displacement(input.covers, displacement);
   return result;
 }

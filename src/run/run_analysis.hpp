@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "src/arrays/block_arrays.hpp"
-#include "src/arrays/cover_arrays.hpp"
+#include "src/arrays/load_arrays.hpp"
 #include "src/base/progress.hpp"
 #include "src/model/model.hpp"
 #include "src/run/run_result.hpp"
@@ -17,8 +17,9 @@ struct RunInput {
   const CoverArrays& covers;
   const BlockArrays& blocks;
   const FixedPoints& fixed;
-  const MaterialPoints& monitors;        ///< one for each of Model::monitors, all in the rock
-  const MaterialPoints& loads;           ///< one for each of Model::point_loads, all in the rock
+  const MaterialPoints& monitors;  ///< one for each of Model::monitors, all in the rock
+  const LoadPoints& loads;
+  const QuietPoints& quiet;
   const MaterialPoints& block_vertices;  ///< in the order of BlockArrays::vertex
 };
 

@@ -34,8 +34,9 @@ struct MonitorHistory {
 /// A block as a whole at the end. Averages are over its volume.
 struct BlockMotion {
   Vec3 displacement{};  ///< m
-  Vec3 rotation{};      ///< rad, small rotation vector: half the curl of the displacement
-  Real volume = 0;      ///< m³, of the undeformed block, from its lattice cells and pieces
+  /// rad: axis times angle of the mean rotation; under small kinematics half the curl of the displacement.
+  Vec3 rotation{};
+  Real volume = 0;  ///< m³, under large kinematics of the deformed block
 };
 
 /// The point of the rock that has moved furthest: displacement is linear in each element, so it is a vertex of one.

@@ -29,7 +29,7 @@ inline Covered cover(Model model, CoverSpec spec) {
 
 inline CoverSpec spacing(Real s) {
   CoverSpec spec;
-  spec.spacing = s;
+  spec.spacing = {s, s, s};
   return spec;
 }
 

@@ -102,10 +102,11 @@ TEST(Monomials, OfTheReferenceBodiesEqualTheExactRationals) {
 /// Irregular and off the origin: no symmetry for an error to cancel in, no zero to hide it.
 CoverArrays one_tetrahedron() {
   CoverArrays covers;
-  covers.lattice = {{0, 0, 0}, {{{6, 0, 0}, {0, 6, 0}, {0, 0, 6}}}, {1, 1, 1}};
+  covers.lattice.edge = {{{6, 0, 0}, {0, 6, 0}, {0, 0, 6}}};
+  covers.lattice.cells = {1, 1, 1};
   covers.cover_node = {0, 1, 2, 3, 4, 5, 6, 7};
   covers.element_cell = {0};
-  covers.element_tet = {3};
+  covers.element_part = {3};
   covers.element_cover = {0, 4, 6, 7};
   covers.element_material = {0};
   covers.piece_begin = {0, 1};
@@ -125,12 +126,72 @@ TEST(PieceMoments, OfAnIrregularTetrahedronEqualTheClosedForm) {
   EXPECT_NEAR(m.first[0][0] / (1.5 * v), 1, tolerance);
   EXPECT_NEAR(m.first[0][1] / (41.0 / 48 * v), 1, tolerance);
   EXPECT_NEAR(m.first[0][2] / (77.0 / 24 * v), 1, tolerance);
-  EXPECT_NEAR(m.second[0][0] / (283531.0 / 34560), 1, tolerance);
-  EXPECT_NEAR(m.second[0][1] / (803825.0 / 248832), 1, tolerance);
-  EXPECT_NEAR(m.second[0][2] / (11227243.0 / 311040), 1, tolerance);
-  EXPECT_NEAR(m.second[0][3] / (879823.0 / 207360), 1, tolerance);
-  EXPECT_NEAR(m.second[0][4] / (11946301.0 / 1244160), 1, tolerance);
-  EXPECT_NEAR(m.second[0][5] / (225071.0 / 13824), 1, tolerance);
+  // In units of the cell's edges, 6 m each.
+  const auto second = [&](int a, int b, int c) { return 36 * m.local[monomial_index(a, b, c)]; };
+  EXPECT_NEAR(second(2, 0, 0) / (283531.0 / 34560), 1, tolerance);
+  EXPECT_NEAR(second(0, 2, 0) / (803825.0 / 248832), 1, tolerance);
+  EXPECT_NEAR(second(0, 0, 2) / (11227243.0 / 311040), 1, tolerance);
+  EXPECT_NEAR(second(1, 1, 0) / (879823.0 / 207360), 1, tolerance);
+  EXPECT_NEAR(second(0, 1, 1) / (11946301.0 / 1244160), 1, tolerance);
+  EXPECT_NEAR(second(1, 0, 1) / (225071.0 / 13824), 1, tolerance);
+}
+
+/// The reference bodies as pieces of lattice cells of unequal edges.
+TEST(PieceMoments, OfTheReferenceBodiesInTheirOwnUnitsEqualTheExactRationals) {
+  const std::vector<Body> bodies = read_cases();
+  for (const int degree : {2, 4, 6, 8, 10}) {
+    CoverArrays covers;
+    covers.lattice.edge = {
+        {{2, 0, 0}, {0, 0.5, 0}, {0, 0, 8}}};  // powers of two: η^m scales exactly
+    covers.lattice.cells = {1, 1, 1};
+    covers.piece_begin = {0};
+    covers.triangle_begin = covers.vertex_begin = {0};
+    for (const Body& body : bodies) {
+      const Index first = static_cast<Index>(covers.vertex_xyz.size() / 3);
+      for (const Vec3& x : body.vertices)
+        covers.vertex_xyz.insert(covers.vertex_xyz.end(), x.begin(), x.end());
+      for (Index i : body.triangles) covers.triangle_vertex.push_back(first + i);
+      covers.triangle_begin.push_back(static_cast<Index>(covers.triangle_vertex.size() / 3));
+      covers.vertex_begin.push_back(static_cast<Index>(covers.vertex_xyz.size() / 3));
+      covers.piece_block.push_back(0);
+      covers.element_cell.push_back(0);
+      covers.piece_begin.push_back(covers.piece_count());
+    }
+    const PieceMoments m = piece_moments(covers, degree);
+    const std::size_t terms = m.local.size() / bodies.size();
+    for (std::size_t s = 0; s < bodies.size(); ++s)
+      for (const auto& [exponents, expected] : bodies[s].integrals) {
+        const int a = exponents[0] - '0', b = exponents[1] - '0', c = exponents[2] - '0';
+        if (a + b + c > degree) continue;
+        const Real value = m.local[terms * s + monomial_index(a, b, c)] * std::pow(2, a) *
+                           std::pow(0.5, b) * std::pow(8, c);
+        EXPECT_NEAR(value, expected,
+                    1e-13 * std::max(std::abs(expected), 0.1 * size_of(bodies[s], exponents)))
+            << bodies[s].name << ", x^y^z^ " << exponents << ", degree " << degree;
+      }
+  }
+}
+
+/// Degrees above the reference's: a box, whose moments are products.
+TEST(PieceMoments, OfABoxEqualTheProductsOfItsSidesUpToDegreeTen) {
+  const auto covered = reference::cover_regions(
+      {LatticeKind::tet6, {-1, -1, -1}, {{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}}, {1, 1, 1}, false, {}},
+      {reference::box({-0.3, -0.9, 0.2}, {0.7, 0.1, 0.95})});
+  const PieceMoments m = piece_moments(covered.arrays, 10);
+  const std::size_t terms = 286;
+  const auto one = [](Real low, Real high, int n) {
+    return (std::pow(high, n + 1) - std::pow(low, n + 1)) / (n + 1);
+  };
+  for (int a = 0; a <= 10; ++a)
+    for (int b = 0; a + b <= 10; ++b)
+      for (int c = 0; a + b + c <= 10; ++c) {
+        Real sum = 0;
+        for (std::size_t q = 0; q < m.volume.size(); ++q)
+          sum += m.local[terms * q + monomial_index(a, b, c)];
+        const Real expected = 8 * one(-0.15, 0.35, a) * one(-0.45, 0.05, b) * one(0.1, 0.475, c);
+        const Real size = std::pow(0.35, a) * std::pow(0.45, b) * std::pow(0.475, c);
+        EXPECT_NEAR(sum, expected, 1e-13 * std::max(std::abs(expected), 0.1 * size));
+      }
 }
 
 TEST(PieceMoments, OfPiecesAddUpToTheBoxThatWasCut) {
@@ -161,7 +222,7 @@ CoverArrays three_tetrahedra() {
   CoverArrays three = one;
   for (Index e = 1; e < 3; ++e) {
     three.element_cell.push_back(0);
-    three.element_tet.push_back(3);
+    three.element_part.push_back(3);
     three.element_material.push_back(0);
     three.piece_begin.push_back(e + 1);
     three.piece_block.push_back(0);

@@ -78,17 +78,5 @@ TEST(ElementMesh, InterpolatesALinearFieldExactly) {
   }
 }
 
-TEST(TetrahedronWeights, AreOneAtTheirCornerAndZeroAtTheOthers) {
-  const Lattice lattice = lattice_with_cut(2).lattice;
-  const TetrahedronWeights weights(lattice);
-  for (int tet = 0; tet < 6; ++tet)
-    for (int a = 0; a < 4; ++a) {
-      const int c = tet6_corner[tet][a];
-      const Vec3 x = ((c & 1) - 0.5) * lattice.edge[0] + ((c >> 1 & 1) - 0.5) * lattice.edge[1] +
-                     ((c >> 2) - 0.5) * lattice.edge[2];
-      for (int b = 0; b < 4; ++b) EXPECT_NEAR(weights(tet, x)[b], a == b, 1e-15);
-    }
-}
-
 }  // namespace
 }  // namespace rockfold::test

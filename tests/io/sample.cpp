@@ -154,7 +154,7 @@ CoverArrays lattice_with_cut(Index n) {
   }
   constexpr int tet = 4;
   out.element_cell = {last};
-  out.element_tet = {tet};
+  out.element_part = {tet};
   out.element_material = {0};
   Vec3 corner[4];
   for (int a = 0; a < 4; ++a) {

@@ -40,9 +40,8 @@ Model stressed_model(Real friction_angle, Real stiffness_ratio) {
   model.gravity = {0, 0, -10};
   model.joint_materials[0].normal_stiffness = 1e9;
   model.joint_materials[0].shear_stiffness = stiffness_ratio * 1e9;
-  InitialStress stress;
-  stress.value = {{{-0.05e6, 0, 0}, {0, -0.05e6, 0}, {0, 0, 0}}};
-  model.initial_stress = stress;
+  model.initial_stress.any = true;
+  model.initial_stress.at = {-0.05e6, -0.05e6, 0, 0, 0, 0};
   return model;
 }
 
@@ -86,7 +85,7 @@ TEST(InSituStress, HoldsTheWedgeFromTheCriticalFrictionAngleOn) {
 
 TEST(InSituStress, ThatIsTensileHoldsNothing) {
   Model model = stressed_model(50, 1);
-  for (Vec3& row : model.initial_stress->value) row = -row;
+  for (Real& s : model.initial_stress.at) s = -s;
   const auto report = find_keyblocks(roof_wedge(), model);
   ASSERT_EQ(report.keyblocks.size(), 1u);
   EXPECT_TRUE(std::isnan(report.keyblocks[0].factor_of_safety));
@@ -95,9 +94,9 @@ TEST(InSituStress, ThatIsTensileHoldsNothing) {
 
 TEST(InSituStress, GrowsWithDepthByItsGradient) {
   Model model = stressed_model(35, 1);
-  model.initial_stress->value = {};
-  model.initial_stress->reference_z = 100 + 1.0 / 3;  // the joints' centres are at z = 1/3
-  model.initial_stress->gradient = {{{-500, 0, 0}, {0, -500, 0}, {0, 0, 0}}};
+  model.initial_stress.at = {};
+  model.initial_stress.reference_z = 100 + 1.0 / 3;  // the joints' centres are at z = 1/3
+  model.initial_stress.gradient = {-500, -500, 0, 0, 0, 0};
   const auto report = find_keyblocks(roof_wedge(), model);
   EXPECT_NEAR(report.keyblocks.at(0).sliding_force / report.keyblocks.at(0).weight, 0.147617, 5e-7);
 }

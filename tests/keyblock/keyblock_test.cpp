@@ -306,18 +306,20 @@ void turn(BlockArrays& blocks, Model& model, const Vec3& axis, Real angle) {
     for (Vec3& x : *vectors) x = turned(x);
   model.gravity = turned(model.gravity);
   model.support->seismic_coefficient = turned(model.support->seismic_coefficient);
-  for (PointLoad& load : model.point_loads) load = {turned(load.point), turned(load.force), {}};
+  for (PointLoad& load : model.point_loads) {
+    load.point = turned(load.point);
+    load.force = turned(load.force);
+  }
   for (Water& water : model.waters)
     if (auto* table = std::get_if<WaterTable>(&water.level))
       *table = {turned(table->point), turned(table->normal)};
-  if (!model.initial_stress) return;
-  Mat3& stress = model.initial_stress->value;
-  Mat3 half{};  // Q σ, then (Q (Q σ)ᵀ)ᵀ
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 column = turned({stress[0][k], stress[1][k], stress[2][k]});
-    for (std::size_t i = 0; i < 3; ++i) half[i][k] = column[i];
-  }
-  for (std::size_t i = 0; i < 3; ++i) stress[i] = turned(half[i]);
+  // Q σ Qᵀ of xx yy zz xy yz zx.
+  auto& [xx, yy, zz, xy, yz, zx] = model.initial_stress.at;
+  Mat3 half{{turned({xx, xy, zx}), turned({xy, yy, yz}), turned({zx, yz, zz})}};  // (Q σ)ᵀ
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < i; ++k) std::swap(half[i][k], half[k][i]);
+  const Vec3 x = turned(half[0]), y = turned(half[1]), z = turned(half[2]);
+  model.initial_stress.at = {x[0], y[1], z[2], x[1], y[2], z[0]};
 }
 
 /// A model in which every load acts.
@@ -327,14 +329,15 @@ Model loaded_model(Real friction_angle) {
   model.joint_materials[0].shear_stiffness = 1e9;
   model.support->water_pressure = 1500;
   model.support->seismic_coefficient = {0.05, -0.1, 0.02};
-  model.point_loads.push_back({{1, -1, 8}, {2e4, -1e4, 1e4}, {}});
+  PointLoad load;
+  load.force = {2e4, -1e4, 1e4};
+  model.point_loads.push_back(load);
   Water water;
   water.joints = {"J1"};
   water.level = WaterTable{{0, 0, 6}, upward(20, 40)};
   model.waters.push_back(water);
-  InitialStress stress;
-  stress.value = {{{-3e4, 5e3, 0}, {5e3, -2e4, -4e3}, {0, -4e3, -6e4}}};
-  model.initial_stress = stress;
+  model.initial_stress.any = true;
+  model.initial_stress.at = {-3e4, -2e4, -6e4, 5e3, -4e3, 0};
   return model;
 }
 

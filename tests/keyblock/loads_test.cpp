@@ -106,7 +106,10 @@ TEST(Water, PushesABlockOff) {
 
 TEST(PointLoads, ActOnTheBlockThatHoldsThem) {
   Model model = model_with_joints(30);
-  model.point_loads.push_back({{1, 1.5, 5}, {1e6, 0, 0}, {}});  // on the top
+  PointLoad load;
+  load.point = {1, 1.5, 5};  // on the top
+  load.force = {1e6, 0, 0};
+  model.point_loads.push_back(load);
   model.support->rotation = false;
   const auto report = find_keyblocks(leaning_box(), model);
   ASSERT_EQ(report.keyblocks.size(), 1u);
@@ -120,7 +123,10 @@ TEST(PointLoads, ActOnTheBlockThatHoldsThem) {
 
 TEST(PointLoads, OutsideTheRockAreRefused) {
   Model model = model_with_joints(30);
-  model.point_loads.push_back({{1, 1.5, 7}, {1e6, 0, 0}, {"m.toml", 12, 1, "point_load[1]"}});
+  PointLoad load;
+  load.point = {1, 1.5, 7};
+  load.place = {"m.toml", 12, 1, "point_load[1]"};
+  model.point_loads.push_back(load);
   try {
     find_keyblocks(leaning_box(), model);
     FAIL() << "accepted";

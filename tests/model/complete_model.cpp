@@ -10,12 +10,16 @@ name = "granite"
 density = 2700
 young_modulus = 30e9
 poisson_ratio = 0.25
+cohesion = 2e6
+friction_angle = 40
+tensile_strength = 1e6
 
 [[material]]
 name = "concrete"
 density = 2400.0
 young_modulus = 25e9
 poisson_ratio = -0.1
+hoek_brown = {sigma_ci = 80e6, m_i = 12, GSI = 60, D = 0.5}
 
 [[joint_material]]
 name = "clean"
@@ -270,10 +274,46 @@ where = {plane = {point = [0, 0, 1], normal = [0, 3, 4], tolerance = 0.01}}
 
 [[fixed]]
 where = {block_at = [9, 9, 9]}
+value_table = [[0, 0, 0, 0], [0.5, 0, 0, 0.01]]
+method = "lagrange"
+
+[[fixed]]
+where = {face = "pit.0"}
+stiffness = 1e12
+
+[[traction]]
+where = {face = "rock.xmax"}
+value = [0, 0, -1e5]
+
+[[traction]]
+where = {plane = {point = [0, 0, 29], normal = [0, 0, 1]}}
+pressure_table = [[0, 0], [0.5, 2e5]]
+follows = false
+
+[[quiet_boundary]]
+where = {face = "rock.zmin"}
+
+[[initial_velocity]]
+where = {all = true}
+velocity = [1, 0, 0]
+angular_velocity = [0, 0, 2]
+
+[initial_stress]
+value = [[-1e6, 0, 1e4], [0, -2e6, 0], [1e4, 0, -3e6]]
+gradient = [[-1e4, 0, 0], [0, -1e4, 0], [0, 0, -2.6e4]]
+reference_z = 20
+
+[base_acceleration]
+file = ")" ROCKFOLD_SOURCE_DIR R"(/LICENSE"
+scale = 0.5
 
 [[point_load]]
 point = [5, 5, 10]
 force = [0, 0, -5e3]
+
+[[point_load]]
+point = [5, 5, 9]
+force_table = [[0, 0, 0, 0], [1, 0, 0, -5e3]]
 
 [analysis]
 type = "dynamic"

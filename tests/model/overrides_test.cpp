@@ -11,8 +11,8 @@ Model with(const std::vector<std::string>& overrides) {
 }
 
 TEST(Override, ReachesEveryKindOfPlace) {
-  EXPECT_EQ(with({"cover.spacing=0.5"}).cover->spacing, 0.5);
-  EXPECT_EQ(with({"cover . spacing = 0.5"}).cover->spacing, 0.5);
+  EXPECT_EQ(with({"cover.spacing=0.5"}).cover->spacing[0], 0.5);
+  EXPECT_EQ(with({"cover . spacing = 0.5"}).cover->spacing[0], 0.5);
   EXPECT_EQ(with({"joint_set.1.spacing=3"}).joint_sets[0].spacing, 3);
   EXPECT_EQ(with({"joint_set[1].spacing=3"}).joint_sets[0].spacing, 3);
   EXPECT_EQ(with({"joint_set.J1.spacing=3"}).joint_sets[0].spacing, 3);
@@ -38,14 +38,14 @@ TEST(Override, TakesTextWithoutQuotes) {
 TEST(Override, MakesWhatIsNotThereYet) {
   const auto model =
       parse_model(ROCK, "m.toml", {"cover.spacing=2", "support.water_pressure=5", "title=new"});
-  EXPECT_EQ(model.cover->spacing, 2);
+  EXPECT_EQ(model.cover->spacing[0], 2);
   EXPECT_EQ(model.support->water_pressure, 5);
   EXPECT_EQ(model.title, "new");
 }
 
 TEST(Override, IsAppliedInOrderAndStored) {
   const auto model = parse_model(ROCK, "m.toml", {"cover.spacing=2", "cover.spacing=3"});
-  EXPECT_EQ(model.cover->spacing, 3);
+  EXPECT_EQ(model.cover->spacing[0], 3);
   EXPECT_EQ(model.text, ROCK
             "\n# Overridden on the command line:\n#   --set cover.spacing=2\n#   --set "
             "cover.spacing=3\n");
@@ -66,7 +66,7 @@ TEST(Override, OfAWrongValueIsItsPlace) {
       {"gravity=[0, 0", "gravity", "must be 3 numbers"},
       {"cover.spcing=3", "cover.spcing", "did you mean \"spacing\"?"},
       {"foo.bar=3", "foo", "unknown key \"foo\""},
-      {"cover.order=1", "cover.order", "not supported yet"},
+      {"cover.order=3", "cover.order", "must be an integer, 0 to 2"},
       {"cover=3", "cover", "must be a table [cover]"},
   };
   for (const auto& [text, key, part] : cases) {

@@ -1,6 +1,8 @@
 // A right model: every key reaches the field that it means, and what is left out has its default.
 #include "src/model/read_model.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/model/model_errors.hpp"
@@ -43,7 +45,7 @@ TEST_F(CompleteModel, HasItsBox) {
   EXPECT_EQ(rock.material, 0);
   EXPECT_EQ(std::get<BoxShape>(rock.shape).max, (Vec3{10, 20, 30.5}));
   EXPECT_EQ(rock.continues, (std::vector<bool>{true, false, false, false, true, false}));
-  EXPECT_EQ(rock.place.line, 28);
+  EXPECT_EQ(rock.place.line, 32);
 }
 
 TEST_F(CompleteModel, HasItsHalfspaces) {
@@ -90,14 +92,15 @@ TEST_F(CompleteModel, HasItsJoints) {
 
 TEST_F(CompleteModel, HasItsCover) {
   ASSERT_TRUE(model.cover);
-  EXPECT_EQ(model.cover->spacing, 1.5);
+  EXPECT_EQ(model.cover->lattice, LatticeKind::tet6);
+  EXPECT_EQ(model.cover->spacing, (Vec3{1.5, 1.5, 1.5}));
   EXPECT_EQ(model.cover->directions[1].dip_direction, 45);
   EXPECT_EQ(model.cover->origin, (Vec3{0.5, 0.5, 0.5}));
   EXPECT_EQ(model.cover->joints, JointTreatment::welded);
 }
 
 TEST_F(CompleteModel, HasItsConditions) {
-  ASSERT_EQ(model.fixed.size(), 6u);
+  ASSERT_EQ(model.fixed.size(), 7u);
   const auto& first = model.fixed[0];
   EXPECT_EQ(std::get<FaceRegion>(first.where).solid, 0);
   EXPECT_EQ(std::get<FaceRegion>(first.where).faces, std::vector<Index>{4});
@@ -112,10 +115,51 @@ TEST_F(CompleteModel, HasItsConditions) {
   EXPECT_DOUBLE_EQ(std::get<PlaneRegion>(model.fixed[4].where).normal[1], 0.6);
   EXPECT_EQ(std::get<PlaneRegion>(model.fixed[4].where).tolerance, 0.01);
   EXPECT_EQ(std::get<BlockRegion>(model.fixed[5].where).point, (Vec3{9, 9, 9}));
-  ASSERT_EQ(model.point_loads.size(), 1u);
-  EXPECT_EQ(model.point_loads[0].force, (Vec3{0, 0, -5e3}));
+  EXPECT_EQ(model.fixed[5].method, FixMethod::lagrange);
+  EXPECT_EQ(model.fixed[5].table.time, (std::vector<Real>{0, 0.5}));
+  EXPECT_EQ(model.fixed[5].table.value[1], (Vec3{0, 0, 0.01}));
+  EXPECT_EQ(model.fixed[6].stiffness, 1e12);
+  EXPECT_TRUE(std::get<FaceRegion>(model.fixed[6].where).of_excavation);
   ASSERT_EQ(model.monitors.size(), 1u);
   EXPECT_EQ(model.monitors[0].name, "crest");
+}
+
+TEST_F(CompleteModel, HasItsLoads) {
+  ASSERT_EQ(model.point_loads.size(), 2u);
+  EXPECT_EQ(model.point_loads[0].force, (Vec3{0, 0, -5e3}));
+  EXPECT_TRUE(model.point_loads[0].table.empty());
+  EXPECT_EQ(model.point_loads[1].table.value[1], (Vec3{0, 0, -5e3}));
+  ASSERT_EQ(model.tractions.size(), 2u);
+  EXPECT_EQ(std::get<FaceRegion>(model.tractions[0].where).faces, std::vector<Index>{1});
+  EXPECT_FALSE(model.tractions[0].pressure);
+  EXPECT_EQ(model.tractions[0].value, (Vec3{0, 0, -1e5}));
+  EXPECT_TRUE(model.tractions[1].pressure);
+  EXPECT_FALSE(model.tractions[1].follows);
+  EXPECT_EQ(model.tractions[1].table.value[1], (Vec3{2e5, 0, 0}));
+  ASSERT_EQ(model.quiet_boundaries.size(), 1u);
+  EXPECT_EQ(std::get<FaceRegion>(model.quiet_boundaries[0].where).faces, std::vector<Index>{4});
+  ASSERT_EQ(model.initial_velocities.size(), 1u);
+  EXPECT_FALSE(model.initial_velocities[0].block_at);
+  EXPECT_EQ(model.initial_velocities[0].angular_velocity, (Vec3{0, 0, 2}));
+  EXPECT_TRUE(model.initial_stress.any);
+  EXPECT_EQ(model.initial_stress.at, (std::array<Real, 6>{-1e6, -2e6, -3e6, 0, 0, 1e4}));
+  EXPECT_EQ(model.initial_stress.gradient[2], -2.6e4);
+  EXPECT_EQ(model.initial_stress.reference_z, 20);
+  ASSERT_TRUE(model.base_acceleration);
+  EXPECT_EQ(model.base_acceleration->scale, 0.5);
+}
+
+TEST_F(CompleteModel, HasItsStrengths) {
+  const auto& mohr_coulomb = std::get<MohrCoulombStrength>(model.materials[0].strength);
+  EXPECT_EQ(mohr_coulomb.cohesion, 2e6);
+  EXPECT_EQ(mohr_coulomb.friction_angle, 40);
+  EXPECT_EQ(mohr_coulomb.tensile_strength, 1e6);
+  // Hoek, Carranza-Torres & Corkum 2002, Eq. 3 to 5.
+  const auto& hoek_brown = std::get<HoekBrownStrength>(model.materials[1].strength);
+  EXPECT_EQ(hoek_brown.sigma_ci, 80e6);
+  EXPECT_NEAR(hoek_brown.m_b, 12 * std::exp(-40.0 / 21), 1e-12);
+  EXPECT_NEAR(hoek_brown.s, std::exp(-40 / 7.5), 1e-12);
+  EXPECT_NEAR(hoek_brown.a, 0.5 + (std::exp(-4.0) - std::exp(-20.0 / 3)) / 6, 1e-12);
 }
 
 TEST_F(CompleteModel, HasItsAnalysis) {
@@ -221,7 +265,7 @@ TEST(ModelText, MayHaveAMarkAndAnyLineEnds) {
   for (std::size_t i = 0; (i = text.find('\n', i)) != std::string::npos; i += 2)
     text.insert(i, "\r");
   const auto model = parse_model("\xEF\xBB\xBF" + text, "m.toml");
-  EXPECT_EQ(model.solids[0].place.line, 28);
+  EXPECT_EQ(model.solids[0].place.line, 32);
   EXPECT_EQ(model.materials.size(), 2u);
 }
 
@@ -229,7 +273,7 @@ TEST(ModelText, MayBeInlineTables) {
   const auto model = parse_model(
       "solid = [{shape = 'box', min = [0, 0, 0], max = [1, 1, 1]}]\ncover = {spacing = 1}", "");
   EXPECT_EQ(model.solids.size(), 1u);
-  EXPECT_EQ(model.cover->spacing, 1);
+  EXPECT_EQ(model.cover->spacing, (Vec3{1, 1, 1}));
 }
 
 }  // namespace

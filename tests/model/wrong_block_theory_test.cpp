@@ -12,7 +12,6 @@ namespace {
 // ROCK is 5 lines: what is added starts in line 6.
 #define WATER ROCK "[[water]]\n"
 #define JOINT ROCK "[[joint]]\nname = 'J'\ndip = 3\ndip_direction = 0\npoint = [0, 0, 0]\n"
-#define STRESS ROCK "[initial_stress]\n"
 #define THEORY ROCK "[block_theory]\n"
 #define TUNNEL ROCK "[[block_theory.tunnel]]\ntrend = 0\nsection = 'circle'\nradius = 2\n"
 #define SLOPE ROCK "[[block_theory.slope]]\n"
@@ -30,17 +29,6 @@ TEST(WrongWater, IsRefused) {
       {JOINT "[[water]]\nhead = 1\njoints = ['J', 'J']", 13, 16, "water[1].joints[2]", "already given"},
       {WATER "head = 1\n[[water]]\nhead = 2", 8, 3, "water[2]", "without joints was given before"},
       {"gravity = [0, 0, 0]\n" WATER "head = 1", 7, 3, "water[1]", "gravity is zero"},
-  };
-  for (const auto& wrong : cases) expect_error(wrong);
-}
-
-TEST(WrongInitialStress, IsRefused) {
-  const Wrong cases[] = {
-      {STRESS, 6, 2, "initial_stress.value", "must be 3 rows of 3 numbers (Pa)"},
-      {STRESS "value = -1e6", 7, 9, "initial_stress.value", "must be 3 rows of 3 numbers (Pa)"},
-      {STRESS "value = [[1, 0, 0], [0, 1, 0]]", 7, 9, "initial_stress.value", "must be 3 rows"},
-      {STRESS "value = [[1, 0, 0], [0, 1, 0], [0, 1]]", 7, 32, "initial_stress.value[3]", "must be 3 numbers"},
-      {STRESS "value = [[1, 2, 0], [0, 1, 0], [0, 0, 1]]", 7, 9, "initial_stress.value", "is not symmetric: row 2 has 0 where row 1 has 2"},
   };
   for (const auto& wrong : cases) expect_error(wrong);
 }
@@ -95,15 +83,12 @@ TEST(BlockTheory, NeedsJointSetsAndADensityButNoSolid) {
   EXPECT_EQ(lacks(many), Keys{"joint_set"});
 }
 
-TEST(InitialStress, NeedsStiffJointsAndIsNotYetForAnAnalysis) {
+TEST(InitialStress, NeedsStiffJointsInBlockTheory) {
   const std::string rock = ROCK "[[material]]\ndensity = 2700\n[[joint_set]]\ndip = 60\ndip_direction = 0\nspacing = 1\n[initial_stress]\nvalue = [[-1, 0, 0], [0, -1, 0], [0, 0, -1]]\n";
   const auto errors = errors_of(rock + "[[joint_material]]\nname = 'soft'\nfriction_angle = 30\n", {}, Purpose::support);
   ASSERT_EQ(errors.size(), 1u) << listed(errors);
   EXPECT_NE(errors[0].message.find("\"soft\" has no normal_stiffness and shear_stiffness"), std::string::npos);
   EXPECT_TRUE(errors_of(rock + "[[joint_material]]\nfriction_angle = 30\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\n", {}, Purpose::support).empty());
-  bool said = false;
-  for (const auto& error : errors_of(rock + "[analysis]\n", {}, Purpose::run)) said |= error.place.key == "initial_stress";
-  EXPECT_TRUE(said);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ namespace {
 #define MATERIAL ROCK "[[material]]\nname = 'a'\n"
 #define RUN ROCK "[analysis]\n"
 #define FIXED ROCK "[[fixed]]\n"
+#define TRACTION ROCK "[[traction]]\nwhere = {face = 'rock.zmax'}\n"
 
 // The columns of syntax errors are the TOML library's own: they differ by one or so between its versions.
 TEST(WrongModel, IsNoToml) {
@@ -202,8 +203,60 @@ TEST(WrongModel, OfConditions) {
       {FIXED "where = {block_at = [0, 0, 0]}\nmethod = 'penality'", 8, 10, "fixed[1].method", "did you mean \"penalty\"?"},
       {ROCK "[[point_load]]\npoint = [0, 0, 0]", 6, 1, "point_load[1].force", "is missing"},
       {ROCK "[[point_load]]\npoint = [0, 0, 0]\nforce = 5", 8, 9, "point_load[1].force", "found 5, must be 3 numbers [x, y, z] (N)"},
+      {FIXED "where = {point = [0, 0, 0]}\nvalue_table = []", 8, 15, "fixed[1].value_table", "must be a table over time, rows [t, x, y, z] (s, m)"},
+      {FIXED "where = {point = [0, 0, 0]}\nvalue_table = [[0, 0, 0]]", 8, 16, "fixed[1].value_table[1]", "found an array of 3 values, must be a row [t, x, y, z] (s, m)"},
+      {FIXED "where = {point = [0, 0, 0]}\nvalue_table = [[0, 0, 0, 0], [0, 0, 0, 1]]", 8, 30, "fixed[1].value_table[2]", "found time 0.0 after 0.0, times must ascend (s)"},
+      {FIXED "where = {point = [0, 0, 0]}\nvalue = [0, 0, 0]\nvalue_table = [[0, 0, 0, 0]]", 9, 15, "fixed[1].value_table", "either value or value_table"},
+      {FIXED "where = {point = [0, 0, 0]}\nstiffness = 0", 8, 13, "fixed[1].stiffness", "found 0, must be > 0 (N/m)"},
+      {FIXED "where = {face = 'rock.zmin'}\nstiffness = -1", 8, 13, "fixed[1].stiffness", "found -1, must be > 0 (Pa/m)"},
+      {FIXED "where = {point = [0, 0, 0]}\nmethod = 'lagrange'\nstiffness = 1", 9, 13, "fixed[1].stiffness", "has no use with method = \"lagrange\""},
+      {ROCK "[[point_load]]\npoint = [0, 0, 0]\nforce = [0, 0, 0]\nforce_table = [[0, 0, 0, 0]]", 9, 15, "point_load[1].force_table", "either force or force_table"},
+      {ROCK "[[point_load]]\npoint = [0, 0, 0]\nforce_table = [[1, 0, 0, 0], [0.5, 0, 0, 0]]", 8, 30, "point_load[1].force_table[2]", "times must ascend"},
       {ROCK "[[monitor]]\nname = 'm'", 6, 1, "monitor[1].point", "is missing, must be 3 numbers [x, y, z] (in \"m\")"},
       {ROCK "[[monitor]]\nname = 'm'\npoint = [1, 1, 1]\n[[monitor]]\nname = 'm'\npoint = [1, 1, 1]", 10, 8, "monitor[2].name", "already the name of monitor[1]"},
+  };
+  for (const auto& wrong : cases) expect_error(wrong);
+}
+
+TEST(WrongModel, OfLoads) {
+  const Wrong cases[] = {
+      {TRACTION "value = [0, 0, 1]\npressure = 1", 9, 12, "traction[1].pressure", "either value or pressure, not both"},
+      {TRACTION, 6, 1, "traction[1].value", "is missing, must have one of value, pressure, value_table or pressure_table (Pa)"},
+      {TRACTION "presure = 1", 8, 1, "traction[1].presure", "did you mean \"pressure\"?"},
+      {TRACTION "pressure = nan", 8, 12, "traction[1].pressure", "found nan, must be a finite number (Pa)"},
+      {TRACTION "pressure_table = [[0, 1, 2]]", 8, 19, "traction[1].pressure_table[1]", "must be a row [t, value] (s, Pa)"},
+      {TRACTION "pressure_table = [[0, 1], ['a', 1]]", 8, 28, "traction[1].pressure_table[2][1]", "found \"a\", must be a number (s)"},
+      {TRACTION "value = [0, 0, 1]\nfollows = true", 9, 11, "traction[1].follows", "only a pressure can follow the face"},
+      {ROCK "[[traction]]\npressure = 1", 6, 1, "traction[1].where", "must say one of face, plane or box"},
+      {ROCK "[[traction]]\npressure = 1\nwhere = {point = [0, 0, 0]}", 8, 18, "traction[1].where.point", "a point has no free faces, must have one of face, plane or box"},
+      {ROCK "[[traction]]\npressure = 1\nwhere = {face = 'rock.top'}", 8, 17, "traction[1].where.face", "unknown face \"top\" of solid \"rock\""},
+      {ROCK "[[quiet_boundary]]\nwhere = {face = 'rok.zmin'}", 7, 17, "quiet_boundary[1].where.face", "did you mean \"rock\"?"},
+      {ROCK "[[initial_velocity]]\nwhere = {all = true}", 6, 1, "initial_velocity[1].velocity", "must have velocity (m/s), angular_velocity (rad/s) or both"},
+      {ROCK "[[initial_velocity]]\nvelocity = [0, 0, 1]", 6, 1, "initial_velocity[1].where", "must be {block_at = [x, y, z]} or {all = true}"},
+      {ROCK "[[initial_velocity]]\nwhere = {all = false}\nvelocity = [0, 0, 1]", 7, 16, "initial_velocity[1].where.all", "found false, must be true"},
+      {ROCK "[[initial_velocity]]\nwhere = {}\nvelocity = [0, 0, 1]", 7, 9, "initial_velocity[1].where.block_at", "says no blocks"},
+      {ROCK "[initial_stress]", 6, 1, "initial_stress.value", "is missing, must be 3 rows of 3 numbers"},
+      {ROCK "[initial_stress]\nvalue = [1, 2]", 7, 9, "initial_stress.value", "must be 3 rows [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]] (Pa)"},
+      {ROCK "[initial_stress]\nvalue = [[1, 2, 0], [3, 1, 0], [0, 0, 1]]", 7, 9, "initial_stress.value", "must be symmetric: xy is 2.0, but yx is 3.0"},
+      {ROCK "[initial_stress]\nvalue = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\ngradient = [[0, 0, 0], [0, 0, 0], [0, 0, -1]]", 6, 1, "initial_stress.reference_z", "is missing"},
+      {ROCK "[base_acceleration]", 6, 1, "base_acceleration.table", "must have one of table or file (m/s2)"},
+      {ROCK "[base_acceleration]\ntable = [[0, 0, 0, 0], [-1, 0, 0, 0]]", 7, 24, "base_acceleration.table[2]", "times must ascend"},
+      {ROCK "[base_acceleration]\nfile = 'no such.csv'", 7, 8, "base_acceleration.file", "there is no file"},
+  };
+  for (const auto& wrong : cases) expect_error(wrong);
+}
+
+TEST(WrongModel, OfStrength) {
+  const Wrong cases[] = {
+      {MATERIAL "cohesion = 1e6", 6, 1, "material[1].friction_angle", "is missing, must be >= 0 and < 90 (deg)"},
+      {MATERIAL "friction_angle = 30", 6, 1, "material[1].cohesion", "is missing, must be >= 0 (Pa)"},
+      {MATERIAL "cohesion = 1e6\nfriction_angle = 45\ntensile_strength = 2e6", 10, 20, "material[1].tensile_strength", "must be at most cohesion / tan(friction_angle)"},
+      {MATERIAL "cohesion = 1e6\nfriction_angle = 45\nhoek_brown = {sigma_ci = 1e8, m_i = 10}", 10, 14, "material[1].hoek_brown", "give one strength"},
+      {MATERIAL "hoek_brown = {m_i = 10}", 8, 14, "material[1].hoek_brown.sigma_ci", "is missing, must be > 0 (Pa)"},
+      {MATERIAL "hoek_brown = {sigma_ci = 1e8}", 8, 14, "material[1].hoek_brown.m_i", "must have m_i (intact rock), or m_b (rock mass)"},
+      {MATERIAL "hoek_brown = {sigma_ci = 1e8, m_i = 10, gsi = 50}", 8, 41, "material[1].hoek_brown.gsi", "did you mean \"GSI\"?"},
+      {MATERIAL "hoek_brown = {sigma_ci = 1e8, m_i = 10, GSI = 150}", 8, 47, "material[1].hoek_brown.GSI", "found 150, must be 1 to 100"},
+      {MATERIAL "hoek_brown = {sigma_ci = 1e8, m_i = 10, GSI = 50, a = 0.5}", 8, 55, "material[1].hoek_brown.a", "GSI and D say what a is"},
   };
   for (const auto& wrong : cases) expect_error(wrong);
 }
@@ -221,6 +274,15 @@ TEST(WrongModel, OfAnalyses) {
       {RUN "max_displacement_ratio = 0", 7, 26, "analysis.max_displacement_ratio", "must be > 0 and <= 1"},
       {RUN "newmark = 0.25", 7, 11, "analysis.newmark", "must be a table"},
       {RUN "newmark = {alpha = 1}", 7, 12, "analysis.newmark.alpha", "the keys here are: beta, gamma"},
+      {RUN "newmark = {beta = 0}", 7, 19, "analysis.newmark.beta", "found 0, must be > 0 (0 would be the explicit scheme"},
+      {RUN "newmark = {gamma = -0.5}", 7, 20, "analysis.newmark.gamma", "found -0.5, must be >= 0"},
+      {RUN "kinematics = 'medium'", 7, 14, "analysis.kinematics", "must be \"small\" or \"large\""},
+      {RUN "rayleigh = {alpha = -1}", 7, 21, "analysis.rayleigh.alpha", "found -1, must be >= 0 (1/s)"},
+      {RUN "rayleigh = {beta = 1, damping_ratio = 0.05, frequencies = [1, 10]}", 7, 12, "analysis.rayleigh", "give either alpha and beta, or damping_ratio and frequencies"},
+      {RUN "rayleigh = {damping_ratio = 0.05}", 7, 12, "analysis.rayleigh.frequencies", "two frequencies (Hz)"},
+      {RUN "rayleigh = {damping_ratio = 1, frequencies = [1, 10]}", 7, 29, "analysis.rayleigh.damping_ratio", "found 1, must be >= 0 and < 1 (of critical damping)"},
+      {RUN "rayleigh = {damping_ratio = 0.05, frequencies = [1, 0]}", 7, 53, "analysis.rayleigh.frequencies[2]", "found 0, must be > 0 (Hz)"},
+      {RUN "rayleigh = {damping_ratio = 0.05, frequencies = [1, 2, 3]}", 7, 49, "analysis.rayleigh.frequencies", "found 3, must be 2 (Hz)"},
       {RUN "time = 1", 7, 1, "analysis.time", "did you mean \"time_step\"?"},
       {ROCK "[solver]\ntolerance = 1", 7, 13, "solver.tolerance", "found 1, must be > 0 and < 1"},
       {ROCK "[solver]\nmax_iterations = -5", 7, 18, "solver.max_iterations", "must be an integer >= 1"},
@@ -252,8 +314,8 @@ spacing = -1
 where = {face = "rock.zmin"}
 components = ["u"]
 [analysis]
-kinematics = "large"
-newmark = {beta = 0.3}
+kinematics = "lrge"
+newmark = {beta = 0}
 [[bolt]]
 name = "b"
 )");

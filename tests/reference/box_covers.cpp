@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold::reference {
@@ -85,17 +86,33 @@ Solid tetrahedron(const std::array<Vec3, 4>& v) {
   return {{v[0], v[2], v[1]}, {v[0], v[1], v[3]}, {v[0], v[3], v[2]}, {v[1], v[2], v[3]}};
 }
 
+Vec3 node_place(const Lattice& lattice, Index cell, int node) {
+  return lattice.node_position(lattice.cell_node(cell, node));
+}
+
 std::array<Vec3, 8> cell_corners(const Lattice& lattice, Index cell) {
-  const auto ijk = lattice.cell_ijk(cell);
   std::array<Vec3, 8> x{};
-  for (int c = 0; c < 8; ++c)
-    x[c] = lattice.node_position({ijk[0] + (c & 1), ijk[1] + (c >> 1 & 1), ijk[2] + (c >> 2)});
+  for (int c = 0; c < 8; ++c) x[c] = node_place(lattice, cell, c);
   return x;
 }
 
-Index corner_node(const Lattice& lattice, Index cell, int c) {
-  const auto ijk = lattice.cell_ijk(cell);
-  return lattice.node_index(ijk[0] + (c & 1), ijk[1] + (c >> 1 & 1), ijk[2] + (c >> 2));
+Solid whole_part(const Lattice& lattice, Index cell, const CellPart& part) {
+  std::array<Vec3, 8> v{};
+  for (int a = 0; a < part.nodes; ++a) v[a] = node_place(lattice, cell, part.node[a]);
+  if (part.nodes == 4) return tetrahedron({v[0], v[1], v[2], v[3]});
+  const auto quad = [&](int a, int b, int c, int d) { return Polygon{v[a], v[b], v[c], v[d]}; };
+  return {quad(0, 4, 6, 2), quad(1, 3, 7, 5), quad(0, 1, 5, 4),
+          quad(2, 6, 7, 3), quad(0, 2, 3, 1), quad(4, 5, 7, 6)};
+}
+
+/// A cube that no region reaches out of.
+Solid everything() {
+  Lattice lattice;
+  lattice.kind = LatticeKind::hex8;
+  lattice.edge = {{{2e3, 0, 0}, {0, 2e3, 0}, {0, 0, 2e3}}};
+  lattice.origin = {-1e3, -1e3, -1e3};
+  lattice.cells = {1, 1, 1};
+  return whole_part(lattice, 0, cell_split(LatticeKind::hex8).part.front());
 }
 
 bool holds(const Region& region, const std::array<Vec3, 8>& x) {
@@ -131,6 +148,7 @@ class Builder {
 
   CoveredRegions build() {
     const Lattice& lattice = result_.arrays.lattice;
+    if (lattice.kind == LatticeKind::block) add_blocks();
     for (Index cell = 0; cell < lattice.cells[0] * lattice.cells[1] * lattice.cells[2]; ++cell)
       add_cell(cell);
     number_covers();
@@ -146,18 +164,16 @@ class Builder {
         a.regular_cell.push_back(cell);
         a.regular_material.push_back(region.material);
         a.regular_block.push_back(region.block);
-        for (int c = 0; c < 8; ++c)
-          regular_keys_.emplace_back(corner_node(a.lattice, cell, c), region.body);
+        for (int c = 0; c < a.nodes_per_cell(); ++c)
+          regular_keys_.emplace_back(a.lattice.cell_node(cell, c), region.body);
         return;
       }
-    for (int t = 0; t < 6; ++t) add_tetrahedron(cell, t, x);
+    for (int t = 0; t < a.parts_per_cell(); ++t)
+      add_part(cell, t, whole_part(a.lattice, cell, a.lattice.split(cell).part[t]));
   }
 
-  void add_tetrahedron(Index cell, int t, const std::array<Vec3, 8>& x) {
-    std::array<Vec3, 4> v{};
-    for (int k = 0; k < 4; ++k) v[k] = x[tet6_corner[t][k]];
-    const Solid whole = tetrahedron(v);
-    const Real least = least_ * 6 * volume(whole);
+  void add_part(Index cell, int t, const Solid& whole) {
+    const Real least = least_ * volume(whole) * (whole.size() == 4 ? 6 : 1);
     std::map<std::pair<Index, Index>, std::vector<std::pair<Solid, Index>>> elements;
     for (const Region& region : regions_) {
       Solid part = whole;
@@ -168,15 +184,31 @@ class Builder {
     for (const auto& [key, pieces] : elements) add_element(cell, t, key.first, key.second, pieces);
   }
 
+  /// One cell for each body.
+  void add_blocks() {
+    CoverArrays& a = result_.arrays;
+    for (Index body = 0; body < static_cast<Index>(a.lattice.block_origin.size()); ++body) {
+      std::map<Index, std::vector<std::pair<Solid, Index>>> elements;
+      for (const Region& region : regions_) {
+        if (region.body != body) continue;
+        Solid solid = everything();
+        for (const HalfSpace& h : region.planes) solid = clip(solid, h);
+        elements[region.material].emplace_back(solid, region.block);
+      }
+      for (const auto& [material, pieces] : elements) add_element(body, 0, body, material, pieces);
+    }
+  }
+
   void add_element(Index cell, int t, Index body, Index material,
                    const std::vector<std::pair<Solid, Index>>& pieces) {
     CoverArrays& a = result_.arrays;
     a.element_cell.push_back(cell);
-    a.element_tet.push_back(static_cast<std::uint8_t>(t));
+    a.element_part.push_back(static_cast<std::uint8_t>(t));
     a.element_material.push_back(material);
     result_.element_body.push_back(body);
-    for (int k = 0; k < 4; ++k)
-      element_keys_.emplace_back(corner_node(a.lattice, cell, tet6_corner[t][k]), body);
+    const CellPart& part = a.lattice.split(cell).part[t];
+    for (int k = 0; k < part.nodes; ++k)
+      element_keys_.emplace_back(a.lattice.cell_node(cell, part.node[k]), body);
     for (const auto& [solid, block] : pieces)
       add_piece(a, solid, a.lattice.cell_centre(cell), block);
     a.piece_begin.push_back(a.piece_count());
@@ -202,26 +234,18 @@ class Builder {
   std::vector<std::pair<Index, Index>> regular_keys_, element_keys_;
 };
 
-/// Barycentric coordinates in a tetrahedron.
-std::array<Real, 4> barycentric(const std::array<Vec3, 4>& v, const Vec3& x) {
-  auto six_volumes = [](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-    return dot(b - a, cross(c - a, d - a));
-  };
-  const Real whole = six_volumes(v[0], v[1], v[2], v[3]);
-  return {six_volumes(x, v[1], v[2], v[3]) / whole, six_volumes(v[0], x, v[2], v[3]) / whole,
-          six_volumes(v[0], v[1], x, v[3]) / whole, six_volumes(v[0], v[1], v[2], x) / whole};
-}
-
-/// Elements by (cell, tetrahedron, body).
+/// Elements by (cell, part, body).
 std::map<std::tuple<Index, int, Index>, Index> index_elements(const CoveredRegions& covered) {
   const CoverArrays& a = covered.arrays;
   std::map<std::tuple<Index, int, Index>, Index> elements;
+  const int parts = a.parts_per_cell(), nodes = a.nodes_per_cell();
   for (Index r = 0; r < a.regular_count(); ++r)
-    for (int t = 0; t < 6; ++t)
-      elements[{a.regular_cell[r], t, covered.cover_body[a.regular_cover[8 * r]]}] = 6 * r + t;
+    for (int t = 0; t < parts; ++t)
+      elements[{a.regular_cell[r], t, covered.cover_body[a.regular_cover[nodes * r]]}] =
+          parts * r + t;
   for (Index e = 0; e < a.cut_count(); ++e)
-    elements[{a.element_cell[e], a.element_tet[e], covered.element_body[e]}] =
-        6 * a.regular_count() + e;
+    elements[{a.element_cell[e], a.element_part[e], covered.element_body[e]}] =
+        parts * a.regular_count() + e;
   return elements;
 }
 
@@ -268,28 +292,24 @@ CoveredRegions cover_regions(const Lattice& lattice, const std::vector<Region>& 
 MaterialPoints locate(const CoveredRegions& covered, const std::vector<Vec3>& points, Index body) {
   const CoverArrays& a = covered.arrays;
   const auto elements = index_elements(covered);
+  const bool overlaid = a.lattice.kind == LatticeKind::tet5_mixed;
   MaterialPoints located;
   for (const Vec3& x : points) {
-    bool found = false;
+    Index found[2] = {none, none};  // in each of two overlaid splits
     for (const auto& [key, element] : elements) {
       const auto& [cell, t, of_body] = key;
-      if (found || of_body != body) continue;
-      const auto corner = cell_corners(a.lattice, cell);
-      std::array<Vec3, 4> v{};
-      for (int k = 0; k < 4; ++k) v[k] = corner[tet6_corner[t][k]];
-      const auto weight = barycentric(v, x);
-      if (*std::min_element(weight.begin(), weight.end()) < -1e-9) continue;
-      found = true;
-      located.element.push_back(element);
-      located.weight.push_back(weight);
-      std::array<Index, 4> cover{};
-      for (int k = 0; k < 4; ++k)
-        cover[k] = element < 6 * a.regular_count()
-                       ? a.regular_cover[8 * (element / 6) + tet6_corner[t][k]]
-                       : a.element_cover[4 * (element - 6 * a.regular_count()) + k];
-      located.cover.push_back(cover);
+      Index& mine = found[overlaid && t >= 5 ? 1 : 0];
+      if (mine != none || of_body != body) continue;
+      const Vec3 eta = a.lattice.to_local(x - a.lattice.cell_centre(cell));
+      const CellPart& part = a.lattice.split(cell).part[t];
+      const auto weight = part_weights(part, eta);
+      bool inside = *std::min_element(weight.begin(), weight.begin() + part.nodes) > -1e-9;
+      if (a.lattice.kind != LatticeKind::block)
+        for (const Real c : eta) inside = inside && std::abs(c) < 0.5 + 1e-9;
+      if (inside) mine = element;
     }
-    if (!found) throw std::runtime_error("a point lies outside the body");
+    if (found[0] == none) throw std::runtime_error("a point lies outside the body");
+    add_material_point(a, x, found[0], located, found[1]);
   }
   return located;
 }
@@ -332,8 +352,8 @@ FixedPoints fix(const CoveredRegions& covered, const std::vector<Vec3>& points,
 std::vector<Vec3> sample_at_nodes(const CoverArrays& covers,
                                   const std::function<Vec3(const Vec3&)>& field) {
   std::vector<Vec3> values;
-  for (Index node : covers.cover_node)
-    values.push_back(field(covers.lattice.node_position(covers.lattice.node_ijk(node))));
+  for (Index node : covers.cover_node) values.push_back(field(covers.lattice.node_position(node)));
+  values.resize(covers.unknown_count());
   return values;
 }
 

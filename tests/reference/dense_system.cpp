@@ -3,43 +3,63 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "src/base/vector.hpp"
 
 namespace rockfold::reference {
 namespace {
 
+using Tetrahedron = std::array<Vec3, 4>;
+
 struct ElementView {
-  std::array<Index, 4> cover{};
-  std::array<Vec3, 4> corner{};  ///< of the tetrahedron
+  std::vector<Index> cover;
+  std::vector<Vec3> node;  ///< places of the part's nodes
   Index material = 0;
+  Real share = 1;
 };
 
-std::array<Vec3, 4> tet_corners(const Lattice& lattice, Index cell, int t) {
-  const auto ijk = lattice.cell_ijk(cell);
-  std::array<Vec3, 4> x{};
-  for (int k = 0; k < 4; ++k) {
-    const int c = tet6_corner[t][k];
-    x[k] = lattice.node_position({ijk[0] + (c & 1), ijk[1] + (c >> 1 & 1), ijk[2] + (c >> 2)});
-  }
-  return x;
+Real signed_volume(const Tetrahedron& v) {
+  return rockfold::dot(v[1] - v[0], cross(v[2] - v[0], v[3] - v[0])) / 6;
+}
+
+ElementView make_view(const CoverArrays& a, Index cell, int part, Index material) {
+  ElementView e;
+  const CellSplit& split = a.lattice.split(cell);
+  for (int k = 0; k < split.part[part].nodes; ++k)
+    e.node.push_back(a.lattice.node_position(a.lattice.cell_node(cell, split.part[part].node[k])));
+  e.material = material;
+  if (a.lattice.kind == LatticeKind::tet5_mixed) e.share = 0.5;
+  return e;
+}
+
+/// Tetrahedra that fill a whole part.
+std::vector<Tetrahedron> fill(const std::vector<Vec3>& v) {
+  if (v.size() == 4) return {{v[0], v[1], v[2], v[3]}};
+  std::vector<Tetrahedron> result;
+  for (const auto& t : {std::array{0, 1, 3, 7}, std::array{0, 3, 2, 7}, std::array{0, 2, 6, 7},
+                        std::array{0, 6, 4, 7}, std::array{0, 4, 5, 7}, std::array{0, 5, 1, 7}})
+    result.push_back({v[t[0]], v[t[1]], v[t[2]], v[t[3]]});
+  return result;
 }
 
 /// Calls visit(element, tetrahedra that fill it), all in the model's coordinates.
 void for_each_element(
     const CoverArrays& a,
-    const std::function<void(const ElementView&, const std::vector<std::array<Vec3, 4>>&)>& visit) {
+    const std::function<void(const ElementView&, const std::vector<Tetrahedron>&)>& visit) {
   for (Index r = 0; r < a.regular_count(); ++r)
-    for (int t = 0; t < 6; ++t) {
-      ElementView e{{}, tet_corners(a.lattice, a.regular_cell[r], t), a.regular_material[r]};
-      for (int k = 0; k < 4; ++k) e.cover[k] = a.regular_cover[8 * r + tet6_corner[t][k]];
-      visit(e, {e.corner});
+    for (int t = 0; t < a.parts_per_cell(); ++t) {
+      ElementView e = make_view(a, a.regular_cell[r], t, a.regular_material[r]);
+      const CellPart& part = a.lattice.split(a.regular_cell[r]).part[t];
+      for (int k = 0; k < part.nodes; ++k)
+        e.cover.push_back(a.regular_cover[a.nodes_per_cell() * r + part.node[k]]);
+      visit(e, fill(e.node));
     }
   for (Index c = 0; c < a.cut_count(); ++c) {
-    ElementView e{
-        {}, tet_corners(a.lattice, a.element_cell[c], a.element_tet[c]), a.element_material[c]};
-    for (int k = 0; k < 4; ++k) e.cover[k] = a.element_cover[4 * c + k];
-    std::vector<std::array<Vec3, 4>> filling;
+    ElementView e = make_view(a, a.element_cell[c], a.element_part[c], a.element_material[c]);
+    const int nodes = a.nodes_per_part();
+    for (int k = 0; k < nodes; ++k) e.cover.push_back(a.element_cover[nodes * c + k]);
+    std::vector<Tetrahedron> filling;
     const Vec3 centre = a.lattice.cell_centre(a.element_cell[c]);
     auto vertex = [&](Index v) {
       return centre + Vec3{a.vertex_xyz[3 * v], a.vertex_xyz[3 * v + 1], a.vertex_xyz[3 * v + 2]};
@@ -58,104 +78,224 @@ void for_each_element(
   }
 }
 
-Real signed_volume(const std::array<Vec3, 4>& v) {
-  return dot(v[1] - v[0], cross(v[2] - v[0], v[3] - v[0])) / 6;
+/// A function at a point: value and gradient.
+struct Sample {
+  Real value = 0;
+  Vec3 slope{};
+};
+
+Sample times(const Sample& f, const Sample& g) {
+  return {f.value * g.value, g.value * f.slope + f.value * g.slope};
 }
 
-/// Weight of corner k at x: the volume that x makes with the other three over the whole.
-Real weight_at(const std::array<Vec3, 4>& corner, int k, const Vec3& x) {
-  std::array<Vec3, 4> with = corner;
-  with[k] = x;
-  return signed_volume(with) / signed_volume(corner);
-}
-
-/// Gradient of a weight by its values at the corner and at unit steps: it is linear.
-Vec3 gradient(const std::array<Vec3, 4>& corner, int k) {
-  const Real step = norm(corner[1] - corner[0]);
-  Vec3 g{};
+/// The weight of node k at x: by volumes in a tetrahedron, as a product of three linear functions in a hexahedron.
+Sample weight(const ElementView& e, const Mat3& edge, std::size_t k, const Vec3& x) {
+  if (e.node.size() == 1) return {1, {}};
+  if (e.node.size() == 4) {
+    const Vec3 &o = e.node[(k + 1) % 4], &p = e.node[(k + 2) % 4], &q = e.node[(k + 3) % 4];
+    const Vec3 normal = cross(p - o, q - o);
+    const Real height = rockfold::dot(normal, e.node[k] - o);
+    return {rockfold::dot(normal, x - o) / height, (1 / height) * normal};
+  }
+  Sample product{1, {}};
   for (int d = 0; d < 3; ++d) {
-    Vec3 there = corner[0];
-    there[d] += step;
-    g[d] = (weight_at(corner, k, there) - weight_at(corner, k, corner[0])) / step;
+    // 1 at the node, 0 at the opposite face
+    const Vec3 normal = cross(edge[(d + 1) % 3], edge[(d + 2) % 3]);
+    const Real sign = (k >> d & 1) != 0 ? 1 : -1, height = rockfold::dot(normal, edge[d]);
+    product = times(product, {1 + sign * rockfold::dot(normal, x - e.node[k]) / height,
+                              (sign / height) * normal});
   }
-  return g;
+  return product;
 }
 
-using Voigt = std::array<std::array<Real, 6>, 6>;
-
-Voigt elasticity(const ElasticMaterial& m) {
-  const Real e = m.young_modulus, nu = m.poisson_ratio;
-  const Real factor = e / ((1 + nu) * (1 - 2 * nu));
-  Voigt d{};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) d[i][j] = factor * (i == j ? 1 - nu : nu);
-    d[3 + i][3 + i] = factor * (1 - 2 * nu) / 2;
+/// Cover function k about a node, in units of the lattice's edges.
+Sample cover_function(const Mat3& edge, const Vec3& node, int k, const Vec3& x) {
+  std::array<Sample, 3> xi;
+  for (int d = 0; d < 3; ++d) {
+    const Vec3 normal = cross(edge[(d + 1) % 3], edge[(d + 2) % 3]);
+    const Real height = rockfold::dot(normal, edge[d]);
+    xi[d] = {rockfold::dot(normal, x - node) / height, (1 / height) * normal};
   }
-  return d;
+  if (k == 0) return {1, {}};
+  if (k < 4) return xi[k - 1];
+  if (k < 7) return times(xi[k - 4], xi[k - 4]);
+  return times(xi[k - 7], xi[(k - 6) % 3]);
 }
 
-/// Strains xx yy zz xy yz zx of a unit displacement of one corner along `axis`.
-std::array<Real, 6> strain(const Vec3& g, int axis) {
-  std::array<Real, 6> s{};
-  s[axis] = g[axis];
-  if (axis == 0) s[3] = g[1], s[5] = g[2];
-  if (axis == 1) s[3] = g[0], s[4] = g[2];
-  if (axis == 2) s[4] = g[1], s[5] = g[0];
-  return s;
+/// Points and weights of Gauss and Legendre on (0, 1), exact to degree 2n − 1.
+std::vector<std::pair<Real, Real>> gauss(int n) {
+  std::vector<std::pair<Real, Real>> rule;
+  for (int i = 0; i < n; ++i) {
+    Real z = std::cos(std::acos(-1.0) * (i + 0.75) / (n + 0.5)), slope = 1;
+    for (int step = 0; step < 50; ++step) {
+      Real p = 1, before = 0;
+      for (int j = 0; j < n; ++j) {
+        const Real older = before;
+        before = p;
+        p = ((2 * j + 1) * z * before - j * older) / (j + 1);
+      }
+      slope = n * (z * p - before) / (z * z - 1);
+      z -= p / slope;
+    }
+    rule.emplace_back((1 + z) / 2, 1 / ((1 - z * z) * slope * slope));
+  }
+  return rule;
+}
+
+/// Calls at(x, dV) for points of a tetrahedron, exact to degree 2n − 3: a cube with a face and an edge collapsed.
+template <class At>
+void integrate(const Tetrahedron& v, int n, At at) {
+  const Real six_volume = 6 * signed_volume(v);
+  const auto rule = gauss(n);
+  for (const auto& [r, wr] : rule)
+    for (const auto& [s, ws] : rule)
+      for (const auto& [t, wt] : rule) {
+        const Vec3 x = v[0] + r * ((v[1] - v[0]) + s * ((v[2] - v[1]) + t * (v[3] - v[2])));
+        at(x, six_volume * r * r * s * wr * ws * wt);
+      }
+}
+
+/// Calls visit(element, unknowns, functions there, dV) at points that integrate products of two functions exactly.
+template <class Visit>
+void for_each_point(const CoverArrays& a, Visit visit) {
+  const int weights = a.lattice.kind == LatticeKind::hex8    ? 3
+                      : a.lattice.kind == LatticeKind::block ? 0
+                                                             : 1;
+  const int points = weights + a.order + 2, n = a.functions();
+  for_each_element(a, [&](const ElementView& e, const std::vector<Tetrahedron>& filling) {
+    std::vector<Index> unknown;
+    for (const Index p : e.cover)
+      for (int k = 0; k < n; ++k) unknown.push_back(k * a.cover_count() + p);
+    std::vector<Sample> function(unknown.size());
+    for (const auto& tet : filling)
+      integrate(tet, points, [&](const Vec3& x, Real dv) {
+        for (std::size_t f = 0; f < function.size(); ++f)
+          function[f] =
+              times(weight(e, a.lattice.edge, f / n, x),
+                    cover_function(a.lattice.edge, e.node[f / n], static_cast<int>(f) % n, x));
+        visit(e, unknown, function, e.share * dv);
+      });
+  });
+}
+
+/// Calls visit(element, unknowns, each function at the points, dV of the points) for each element.
+template <class Visit>
+void for_each_rule(const CoverArrays& a, Visit visit) {
+  const int weights = a.lattice.kind == LatticeKind::hex8    ? 3
+                      : a.lattice.kind == LatticeKind::block ? 0
+                                                             : 1;
+  const int points = weights + a.order + 2, n = a.functions();
+  for_each_element(a, [&](const ElementView& e, const std::vector<Tetrahedron>& filling) {
+    std::vector<Index> unknown;
+    for (const Index p : e.cover)
+      for (int k = 0; k < n; ++k) unknown.push_back(k * a.cover_count() + p);
+    std::vector<std::vector<Sample>> at(unknown.size());
+    std::vector<Real> volume;
+    for (const auto& tet : filling)
+      integrate(tet, points, [&](const Vec3& x, Real dv) {
+        for (std::size_t f = 0; f < unknown.size(); ++f)
+          at[f].push_back(
+              times(weight(e, a.lattice.edge, f / n, x),
+                    cover_function(a.lattice.edge, e.node[f / n], static_cast<int>(f) % n, x)));
+        volume.push_back(e.share * dv);
+      });
+    visit(e, unknown, at, volume);
+  });
 }
 
 }  // namespace
 
 Dense assemble_stiffness(const CoverArrays& covers, const std::vector<ElasticMaterial>& materials) {
-  Dense k(3 * covers.cover_node.size());
-  for_each_element(covers, [&](const ElementView& e, const auto& filling) {
-    Real volume = 0;
-    for (const auto& tet : filling) volume += signed_volume(tet);
-    const Voigt d = elasticity(materials[e.material]);
-    std::array<std::array<Real, 6>, 12> column{};  // of B
-    for (int a = 0; a < 12; ++a) column[a] = strain(gradient(e.corner, a / 3), a % 3);
-    for (int a = 0; a < 12; ++a)
-      for (int b = 0; b < 12; ++b) {
-        Real sum = 0;
-        for (int i = 0; i < 6; ++i)
-          for (int j = 0; j < 6; ++j) sum += column[a][i] * d[i][j] * column[b][j];
-        k(3 * e.cover[a / 3] + a % 3, 3 * e.cover[b / 3] + b % 3) += volume * sum;
-      }
-  });
+  Dense k(3 * covers.unknown_count());
+  for_each_rule(
+      covers, [&](const ElementView& e, const std::vector<Index>& unknown,
+                  const std::vector<std::vector<Sample>>& at, const std::vector<Real>& volume) {
+        const ElasticMaterial& m = materials[e.material];
+        const Real young = m.young_modulus, nu = m.poisson_ratio;
+        const Real mu = young / (2 * (1 + nu)), lambda = young * nu / ((1 + nu) * (1 - 2 * nu));
+        for (std::size_t f = 0; f < unknown.size(); ++f)
+          for (std::size_t g = 0; g < unknown.size(); ++g) {
+            Real s[3][3] = {};  // ∫ ∂_i φ_f ∂_j φ_g
+            for (std::size_t q = 0; q < volume.size(); ++q)
+              for (int i = 0; i < 3; ++i)
+                for (int j = 0; j < 3; ++j)
+                  s[i][j] += volume[q] * at[f][q].slope[i] * at[g][q].slope[j];
+            // C_iajb = λ δ_ia δ_jb + μ (δ_ij δ_ab + δ_ib δ_aj) with ∂_a φ_f ∂_b φ_g
+            for (int i = 0; i < 3; ++i)
+              for (int j = 0; j < 3; ++j)
+                for (int a = 0; a < 3; ++a)
+                  for (int b = 0; b < 3; ++b) {
+                    const Real c = (i == a && j == b ? lambda : 0) + (i == j && a == b ? mu : 0) +
+                                   (i == b && a == j ? mu : 0);
+                    if (c != 0) k(3 * unknown[f] + i, 3 * unknown[g] + j) += c * s[a][b];
+                  }
+          }
+      });
   return k;
 }
 
 Dense assemble_mass(const CoverArrays& covers, const std::vector<ElasticMaterial>& materials) {
-  Dense m(3 * covers.cover_node.size());
-  // Four points, exact to degree two (Zienkiewicz & Taylor, table of tetrahedral quadrature).
-  const Real near = 0.58541019662496852, far = 0.13819660112501050;
-  for_each_element(covers, [&](const ElementView& e, const auto& filling) {
-    for (const auto& tet : filling)
-      for (int q = 0; q < 4; ++q) {
-        Vec3 x{};
-        for (int k = 0; k < 4; ++k) x += (k == q ? near : far) * tet[k];
-        const Real dm = materials[e.material].density * signed_volume(tet) / 4;
-        Real weight[4];
-        for (int a = 0; a < 4; ++a) weight[a] = weight_at(e.corner, a, x);
-        for (int a = 0; a < 4; ++a)
-          for (int b = 0; b < 4; ++b)
+  Dense m(3 * covers.unknown_count());
+  for_each_rule(
+      covers, [&](const ElementView& e, const std::vector<Index>& unknown,
+                  const std::vector<std::vector<Sample>>& at, const std::vector<Real>& volume) {
+        for (std::size_t f = 0; f < unknown.size(); ++f)
+          for (std::size_t g = 0; g < unknown.size(); ++g) {
+            Real sum = 0;
+            for (std::size_t q = 0; q < volume.size(); ++q)
+              sum += volume[q] * at[f][q].value * at[g][q].value;
             for (int d = 0; d < 3; ++d)
-              m(3 * e.cover[a] + d, 3 * e.cover[b] + d) += dm * weight[a] * weight[b];
-      }
-  });
+              m(3 * unknown[f] + d, 3 * unknown[g] + d) += materials[e.material].density * sum;
+          }
+      });
   return m;
 }
 
 Dense assemble_springs(const CoverArrays& covers, const FixedPoints& fixed) {
-  Dense k(3 * covers.cover_node.size());
-  for (std::size_t n = 0; n < fixed.points.size(); ++n)
-    for (int a = 0; a < 4; ++a)
-      for (int b = 0; b < 4; ++b)
+  Dense k(3 * covers.unknown_count());
+  const MaterialPoints& points = fixed.points;
+  for (std::size_t n = 0; n < points.size(); ++n)
+    for (Index a = points.begin[n]; a < points.begin[n + 1]; ++a)
+      for (Index b = points.begin[n]; b < points.begin[n + 1]; ++b)
         for (int d = 0; d < 3; ++d)
           if (fixed.component[n][d])
-            k(3 * fixed.points.cover[n][a] + d, 3 * fixed.points.cover[n][b] + d) +=
-                fixed.stiffness[n] * fixed.points.weight[n][a] * fixed.points.weight[n][b];
+            k(3 * points.unknown[a] + d, 3 * points.unknown[b] + d) +=
+                fixed.stiffness[n] * points.weight[a] * points.weight[b];
   return k;
+}
+
+std::vector<Real> eigenvalues(Dense a) {
+  const std::size_t n = a.n;
+  for (int sweep = 0; sweep < 30; ++sweep) {
+    Real off = 0, all = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) {
+        all += a(i, j) * a(i, j);
+        if (i != j) off += a(i, j) * a(i, j);
+      }
+    if (off <= 1e-30 * all) break;
+    for (std::size_t p = 0; p < n; ++p)
+      for (std::size_t q = p + 1; q < n; ++q) {
+        if (std::abs(a(p, q)) <= 1e-30 * std::sqrt(all)) continue;
+        const Real theta = (a(q, q) - a(p, p)) / (2 * a(p, q));
+        const Real t = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
+        const Real c = 1 / std::sqrt(t * t + 1), s = t * c;
+        for (std::size_t k = 0; k < n; ++k) {
+          const Real x = a(k, p), y = a(k, q);
+          a(k, p) = c * x - s * y;
+          a(k, q) = s * x + c * y;
+        }
+        for (std::size_t k = 0; k < n; ++k) {
+          const Real x = a(p, k), y = a(q, k);
+          a(p, k) = c * x - s * y;
+          a(q, k) = s * x + c * y;
+        }
+      }
+  }
+  std::vector<Real> values;
+  for (std::size_t i = 0; i < n; ++i) values.push_back(a(i, i));
+  std::sort(values.begin(), values.end());
+  return values;
 }
 
 Dense combine(Real a, const Dense& x, Real b, const Dense& y) {

@@ -1,5 +1,5 @@
-// Stiffness and mass of covers as plain dense matrices, assembled the textbook way: K = ∫ BᵀDB with Voigt matrices, M = ∫ ρ N_a N_b
-// by quadrature. An oracle for the operator; slow and short.
+// Stiffness and mass of covers as plain dense matrices, assembled the textbook way: K = ∫ C ∇φ ∇φ with the tensor of elasticity, M = ∫ ρ φ φ, both
+// by Gauss points in tetrahedra that fill the elements. An oracle for the operator; slow and short.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace rockfold::reference {
 
-/// A square matrix over 3·P unknowns, unknown 3·p + d.
+/// A square matrix over 3·U degrees of freedom, 3·unknown + d.
 struct Dense {
   std::size_t n = 0;
   std::vector<Real> entry;  ///< [n][n]
@@ -23,6 +23,9 @@ Dense assemble_stiffness(const CoverArrays& covers, const std::vector<ElasticMat
 Dense assemble_mass(const CoverArrays& covers, const std::vector<ElasticMaterial>& materials);
 /// Σ k N Nᵀ.
 Dense assemble_springs(const CoverArrays& covers, const FixedPoints& fixed);
+
+/// Of a symmetric matrix, ascending (Jacobi's rotations).
+std::vector<Real> eigenvalues(Dense a);
 
 Dense combine(Real a, const Dense& x, Real b, const Dense& y);
 std::vector<Vec3> multiply(const Dense& a, const std::vector<Vec3>& x);

@@ -21,14 +21,16 @@ struct Case {
   Model model;
   BlockArrays blocks;
   FixedPoints fixed;
-  MaterialPoints monitors, loads, vertices;
+  MaterialPoints monitors, vertices;
+  LoadPoints loads;
+  QuietPoints quiet;
   std::vector<Index> stored;
   std::vector<Real> stored_times;
   Real stored_fall = 0;  ///< z displacement of the first cover in the last stored state
 
   explicit Case(AnalysisType type, bool hold_floor = false) {
     model.gravity = {0, 0, -10};
-    model.materials = {{"rock", 2000, 1e8, 0.25}};
+    model.materials = {{"rock", 2000, 1e8, 0.25, {}}};
     model.analysis = Analysis{};
     model.analysis->type = type;
     model.analysis->time_step = 0.05;
@@ -58,7 +60,7 @@ struct Case {
       EXPECT_EQ(state.element_stress.size(), std::size_t(covered.arrays.element_count()));
       if (state.step == stop_after) interrupt_signal = SIGINT;
     };
-    return run_analysis({model, covered.arrays, blocks, fixed, monitors, loads, vertices}, store,
+    return run_analysis({model, covered.arrays, blocks, fixed, monitors, loads, quiet, vertices}, store,
                         progress);
   }
   Index stop_after = none;

@@ -50,8 +50,10 @@ TEST(MergePoints, AddsUpPointsThatSayTheSame) {
   FixedPoints given;
   given.points.element = {4, 7, 9};
   // The middle of the edge between covers 2 and 5, seen from two tetrahedra; and another point.
-  given.points.cover = {{2, 5, 8, 9}, {11, 5, 3, 2}, {2, 5, 8, 9}};
-  given.points.weight = {{0.5, 0.5, 1e-17, 0}, {0, 0.5 - 1e-16, 0, 0.5}, {0.25, 0.25, 0.25, 0.25}};
+  given.points.local.resize(3);
+  given.points.begin = {0, 4, 8, 12};
+  given.points.unknown = {2, 5, 8, 9, 11, 5, 3, 2, 2, 5, 8, 9};
+  given.points.weight = {0.5, 0.5, 1e-17, 0, 0, 0.5 - 1e-16, 0, 0.5, 0.25, 0.25, 0.25, 0.25};
   given.component = {{1, 0, 1}, {1, 0, 1}, {1, 0, 1}};
   given.value = {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}};
   given.stiffness = {100, 300, 50};

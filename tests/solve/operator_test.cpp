@@ -71,7 +71,7 @@ TEST(Operator, OfOneTetrahedronEqualsTheClosedForm) {
   CoverArrays& a = s.covered.arrays;
   const int kept = 4;
   a.element_cell.resize(1);
-  a.element_tet = {kept};
+  a.element_part = {kept};
   a.element_material.resize(1);
   a.element_cover.assign(a.element_cover.begin() + 4 * kept,
                          a.element_cover.begin() + 4 * kept + 4);

@@ -36,6 +36,19 @@ struct Rock {
   }
 };
 
+/// Constant forces at points.
+inline LoadPoints forces_at(const Rock& rock, const std::vector<Vec3>& points,
+                            const std::vector<Vec3>& forces) {
+  LoadPoints loads;
+  loads.points = reference::locate(rock.covered, points);
+  loads.force = forces;
+  loads.table.assign(points.size(), none);
+  loads.scale.assign(points.size(), 1);
+  loads.area.assign(points.size(), {});
+  loads.pressure.assign(points.size(), 0);
+  return loads;
+}
+
 /// A box that no lattice plane of a lattice turned about two axes meets.
 inline Rock turned_box(const Vec3& low, const Vec3& high, Real spacing) {
   const Vec3 centre{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2};

@@ -86,8 +86,7 @@ TEST(Static, APointLoadMovesOnlyWhatItMust) {
   rock.hold([](const Vec3& x) { return x[2] < 0.03 + 1e-9; }, 1e8, false);
   MotionSetup setup = rock.setup();
   const Vec3 at{2.0, 1.2, 1.1}, force{3e3, -1e3, 2e3};
-  setup.loaded = reference::locate(rock.covered, {at});
-  setup.forces = {force};
+  setup.loads = forces_at(rock, {at}, {force});
   Motion motion(setup);
   ASSERT_TRUE(motion.solve_static().converged);
   const Vec3 u = motion.at(rock.track({at})).displacement[0];

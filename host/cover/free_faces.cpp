@@ -1,0 +1,149 @@
+#include "host/cover/free_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "host/cover/lattice_walk.hpp"
+#include "host/cover/piece_index.hpp"
+#include "host/cut/complex.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+
+namespace {
+
+constexpr Real relative_slack =
+    1e-9;  // of the model's size: corners that close to a box's side lie on it
+
+/// The element of a cell of the complex in a part of a lattice cell; none where the rock there is thinner than rounding.
+Index element_of(const Covering& covering, Index lattice_cell, int part, Index rock) {
+  const CoverArrays& covers = covering.arrays;
+  const Index whole_parts = covers.parts_per_cell() * covers.regular_count();
+  const Index piece = covering.pieces->find_piece(covers, lattice_cell, part, rock);
+  if (piece != none) return whole_parts + covering.pieces->piece_element[piece];
+  const Index r = PieceIndex::find_regular(covers, lattice_cell);
+  return r != none && covering.pieces->regular_rock[r] == rock ? covers.parts_per_cell() * r + part
+                                                               : none;
+}
+
+/// What of a convex polygon lies where sign · x[axis] ≤ limit.
+std::vector<Vec3> clip(const std::vector<Vec3>& corner, int axis, Real sign, Real limit,
+                       Real slack) {
+  std::vector<Vec3> inside;
+  for (std::size_t i = 0; i < corner.size(); ++i) {
+    const Vec3 &a = corner[i], &b = corner[(i + 1) % corner.size()];
+    const Real da = sign * a[axis] - limit, db = sign * b[axis] - limit;
+    if (da <= slack) inside.push_back(a);
+    if ((da > slack && db < -slack) || (da < -slack && db > slack))
+      inside.push_back(a + da / (da - db) * (b - a));
+  }
+  return inside;
+}
+
+class Visitor {
+ public:
+  Visitor(const Cutting& cutting, const Covering& covering, const Region& region,
+          const std::function<void(const FacePolygon&)>& visit)
+      : complex_(*cutting.complex),
+        covering_(covering),
+        region_(region),
+        visit_(visit),
+        walker_(covering.pieces->lattice, covering.pieces->planes),
+        slack_(relative_slack * covering.pieces->planes.model_size()) {}
+
+  void run() {
+    for (const FreePart& part : complex_.free_parts)
+      if (wanted(part.origin)) split(complex_.polygon_of(part), part.cell, part.face);
+    for (const Fragment& fragment : complex_.fragments)
+      for (int side = 0; side < 2; ++side)
+        if (complex_.zone(fragment.cell[1 - side]).stage != 0 && wanted(fragment.joint))
+          split(complex_.polygon_of(fragment), fragment.cell[side], fragment.face[side]);
+  }
+
+ private:
+  bool wanted(Index origin) const {
+    const auto* face = std::get_if<FaceRegion>(&region_);
+    if (!face) return true;
+    if (origin == none) return false;
+    const FaceOrigin& from = complex_.origins[origin];
+    const auto kind =
+        face->of_excavation ? FaceOrigin::Kind::excavation : FaceOrigin::Kind::solid_face;
+    return from.kind == kind && from.solid == face->solid &&
+           std::find(face->faces.begin(), face->faces.end(), from.solid_face) != face->faces.end();
+  }
+
+  /// Splits a face of a cell of the complex over the elements.
+  void split(const Polygon& polygon, Index rock, Index local_face) {
+    if (complex_.zone(rock).stage != 0) return;
+    const HalfSpaceId inside = complex_.cells[rock].faces[local_face].inside;
+    FacePolygon found;
+    found.rock = rock;
+    found.plane = polygon.plane;
+    found.normal = outward(polygon, inside);
+    found.share = cell_split(covering_.arrays.lattice.kind).share;
+    const auto take = [&](Index lattice_cell, int part, const Polygon& within) {
+      found.element = element_of(covering_, lattice_cell, part, rock);
+      if (found.element != none) take_corners(within, found);
+    };
+    if (covering_.arrays.lattice.kind == LatticeKind::block) {
+      take(complex_.cell_block[rock], 0, polygon);
+      return;
+    }
+    walker_.walk(polygon, inside,
+                 [&](const std::array<Index, 3>& ijk, int part, const Polygon& within) {
+                   take(covering_.arrays.lattice.cell_index(ijk[0], ijk[1], ijk[2]), part, within);
+                 });
+  }
+
+  void take_corners(const Polygon& within, FacePolygon& found) const {
+    found.corner.clear();
+    for (const Vertex& v : within.corner) found.corner.push_back(v.x + complex_.planes.centre());
+    if (const auto* plane = std::get_if<PlaneRegion>(&region_)) {
+      const bool out = std::any_of(found.corner.begin(), found.corner.end(), [&](const Vec3& x) {
+        return std::abs(dot(plane->normal, x - plane->point)) > std::max(plane->tolerance, slack_);
+      });
+      if (out) return;
+    }
+    if (const auto* box = std::get_if<BoxRegion>(&region_))
+      for (int d = 0; d < 3; ++d) {
+        found.corner = clip(found.corner, d, 1, box->max[d], slack_);
+        found.corner = clip(found.corner, d, -1, -box->min[d], slack_);
+      }
+    if (found.corner.size() >= 3 && polygon_area(found.corner) > slack_ * slack_) visit_(found);
+  }
+
+  /// Polygons run counter-clockwise seen from above their plane.
+  static Vec3 outward(const Polygon& polygon, HalfSpaceId inside) {
+    Vec3 area{};
+    const Vec3& o = polygon.corner[0].x;
+    for (std::size_t k = 1; k + 1 < polygon.corner.size(); ++k)
+      area += cross(polygon.corner[k].x - o, polygon.corner[k + 1].x - o);
+    return (is_above(inside) ? -1 : 1) * normalized(area);
+  }
+
+  const Complex& complex_;
+  const Covering& covering_;
+  const Region& region_;
+  const std::function<void(const FacePolygon&)>& visit_;
+  LatticeWalker walker_;
+  const Real slack_;
+};
+
+}  // namespace
+
+Real polygon_area(const std::vector<Vec3>& corner) {
+  Vec3 area{};
+  for (std::size_t k = 1; k + 1 < corner.size(); ++k)
+    area += cross(corner[k] - corner[0], corner[k + 1] - corner[0]);
+  return 0.5 * norm(area);
+}
+
+void visit_free_faces(const Cutting& cutting, const Covering& covering, const Region& region,
+                      const std::function<void(const FacePolygon&)>& visit) {
+  if (std::holds_alternative<PointRegion>(region) || std::holds_alternative<BlockRegion>(region))
+    return;
+  Visitor(cutting, covering, region, visit).run();
+}
+
+}  // namespace rockfold

@@ -1,0 +1,21 @@
+// What a model's loads are in terms of the covers: points of the material that forces and dashpots act on.
+#pragma once
+
+#include "host/cover/cover.hpp"
+#include "src/arrays/load_arrays.hpp"
+
+namespace rockfold {
+
+/// The [[point_load]] and [[traction]] of a model: point loads first, in their order. A traction becomes points whose shares of the
+/// area integrate it times the functions of each element exactly, so that the forces of a face sum to its area times the traction.
+/// Throws Error(model): a point that is not in the rock, a traction where no free face is.
+LoadPoints load_points(const Cutting& cutting, const Covering& covering, const Model& model);
+
+/// The dashpots of [[quiet_boundary]], exact for products of two functions of an element. Throws Error(model) where no free face is.
+QuietPoints quiet_points(const Cutting& cutting, const Covering& covering, const Model& model);
+
+/// [[initial_velocity]]. Throws Error(model) where block_at is not in the rock.
+std::vector<RigidVelocity> rigid_velocities(const Covering& covering, Index blocks,
+                                            const Model& model);
+
+}  // namespace rockfold

@@ -1,0 +1,75 @@
+// Elements under finite strain on the device: St. Venant–Kirchhoff elasticity in the undeformed state,
+//   F = I + H,  H = ∂u/∂X,  E = ½ (H + Hᵀ + HᵀH),  S = S₀ + λ tr(E) I + 2μ E,  f_i = ∫ F S ∇φ_i dV.
+// A rotation leaves E = 0 to rounding however far it goes: no strain, no growth of the volume.
+//
+// H is evaluated at the element's quadrature points from differences to the first node's constant: a translation leaves none
+// at all. A step's forces may be taken at its end, or as Simo & Tarnow (Z. angew. Math. Phys. 43 (1992) 757) take them: F in
+// the middle, S as the mean of both ends, which keeps momentum, angular momentum and energy.
+#pragma once
+
+#include "kernels/finite/quadrature.hpp"
+#include "kernels/solve/operator_kernel.hpp"
+#include "src/arrays/load_arrays.hpp"
+
+namespace rockfold::finite {
+
+using device::Array;
+using device::Field;
+
+/// Where in a step forces are taken.
+struct ForceRule {
+  bool middle = false;  ///< energy–momentum; otherwise at the end
+  /// β of Rayleigh damping over the step's length: S += viscosity · C : (E end − E start).
+  Real viscosity = 0;
+  bool geometric = true;  ///< the part of the tangent that the stress makes
+};
+
+struct Deformation {
+  Index elements = 0, covers = 0;
+  int nodes = 0, functions = 0, points = 0;  ///< of an element, of a cover, of an element
+  Array<Real> gradient;                      ///< [kinds][points][nodes·functions][3] 1/m
+  Array<int> kind;                           ///< [elements]
+  Array<Real> weight;                        ///< [elements][points] m³
+  Array<Index> cover;                        ///< [elements][nodes]
+  Array<Index> material;                     ///< [elements]
+  Array<solve::Elastic> elastic;
+  Array<Real> initial;        ///< [elements][points][6] S₀, Pa; empty where there is none
+  Array<Index> begin;         ///< [covers+1]
+  Array<std::int64_t> entry;  ///< nodes·e + a: the elements of each cover
+  Array<Real> start, now;     ///< [elements][points][9] H at the step's start, and now
+  Array<Real> force;          ///< [elements][points][9] weight · F S, by rule
+  int width() const { return nodes * functions; }
+};
+
+Deformation make_deformation(const CoverArrays& covers, const PieceMoments& moments,
+                             const std::vector<ElasticMaterial>& materials,
+                             const InitialStress& initial);
+
+/// H from the unknowns.
+void deform(const Deformation& body, const Field& displacement);
+/// The step is accepted: start = now.
+void keep(const Deformation& body);
+
+/// f = ∫ F S ∇φ over all unknowns, N.
+void internal_forces(const Deformation& body, const ForceRule& rule, const Field& f);
+
+/// Writes the stiffness of all block rows: the derivative of the forces (twice it, by rule `middle`, with F in the middle on both
+/// sides: symmetric, and right where a step turns little).
+void assemble_tangent(const Deformation& body, const ForceRule& rule,
+                      const solve::DeviceBlocks& block);
+
+/// Turns a correction x found with the tangent of rule `middle` from the middle of the step to its end, cover by cover. The exact
+/// derivative is Bᵀ(F middle) C B(F end): not symmetric. With F end = Q · F middle, Q a rotation, B(F end) x is B(F middle) Qᵀx, so
+/// that the symmetric tangent finds Qᵀx. Without this a rotation of the correction would strain, and steps that turn
+/// stiff blocks far would never converge.
+void turn_from_middle(const Deformation& body, const Field& x);
+
+/// J now, beside that of the undeformed state.
+Real strain_energy(const Deformation& body, const Array<Real>& partial, const Array<Real>& sums);
+
+/// Cauchy stress F S Fᵀ / det F now, mean over each element, Pa xx yy zz xy yz zx, [6·elements].
+void mean_stress(const Deformation& body, const Array<Real>& stress);
+/// N: the forces of a strain of one rounding error everywhere. No residual can be asked to be smaller.
+Real rounding_force(const Deformation& body, const Array<Real>& partial, const Array<Real>& sums);
+
+}  // namespace rockfold::finite

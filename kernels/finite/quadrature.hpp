@@ -1,0 +1,31 @@
+// Points and weights at which polynomials over a manifold element of any shape are integrated exactly.
+//
+// An element may be any polyhedron inside its part of a lattice cell. The points are those of the part, the same for all its
+// elements; only the weights are an element's own: those that reproduce its exact moments (weights may be negative).
+// Sources: exact simplex integration, thesis 4.2.3; moment fitting: Mueller, Kummer & Oberlack, Int. J. Numer. Meth. Eng. 96 (2013).
+#pragma once
+
+#include <vector>
+
+#include "src/arrays/cover_arrays.hpp"
+#include "src/arrays/element_arrays.hpp"
+
+namespace rockfold::finite {
+
+/// Splits of a lattice have up to two forms (tet5); "kind" f·parts + t is part t of form f. The rule is exact for the strain energy
+/// of small strain.
+struct Quadrature {
+  int kinds = 0;   ///< forms · parts
+  int points = 0;  ///< Q of each element
+  int functions =
+      0;  ///< of an element: nodes of a part · functions of a cover, node-major: a·n + k
+  std::vector<Vec3> place;     ///< [kinds][Q] η
+  std::vector<Vec3> gradient;  ///< [kinds][Q][functions] ∇φ, 1/m
+  std::vector<int> kind;       ///< [elements] in the numbering of CoverArrays
+  std::vector<Real> weight;    ///< [elements][Q] m³ of rock that the element stands for
+};
+
+/// `moments`: of degree moment_degree(covers) or more.
+Quadrature make_quadrature(const CoverArrays& covers, const PieceMoments& moments);
+
+}  // namespace rockfold::finite

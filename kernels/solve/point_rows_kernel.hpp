@@ -1,0 +1,47 @@
+// Material points on the device, and their transpose: forces at points become forces on unknowns, one writer an unknown.
+#pragma once
+
+#include "kernels/device/device_kernel.hpp"
+#include "src/arrays/cover_arrays.hpp"
+
+namespace rockfold::solve {
+
+using device::Array;
+using device::Field;
+
+/// Material points on the device.
+struct DevicePoints {
+  Index count = 0;
+  Array<Index> begin;    ///< [N+1]
+  Array<Index> unknown;  ///< see MaterialPoints
+  Array<Real> weight;
+};
+DevicePoints upload(const MaterialPoints& points);
+
+/// value(n, d) = Σ weight · x.
+void interpolate(const DevicePoints& points, const Field& x, const Field& value);
+
+KOKKOS_INLINE_FUNCTION Real interpolate_one(const DevicePoints& points, Index n, int d,
+                                            const Field& x) {
+  Real sum = 0;
+  for (Index i = points.begin(n); i < points.begin(n + 1); ++i)
+    sum += points.weight(i) * x(points.unknown(i), d);
+  return sum;
+}
+
+/// Points and which of them act on an unknown.
+struct PointRows {
+  DevicePoints points;
+  Array<Index> row;          ///< [T] unknowns touched, ascending
+  Array<Index> row_begin;    ///< [T+1]
+  Array<Index> row_entry;    ///< into points.unknown
+  Array<Index> entry_point;  ///< the point of each entry
+
+  bool any() const { return points.count > 0; }
+};
+PointRows make_point_rows(const MaterialPoints& points, Index unknowns);
+
+/// y += scale · Nᵀ value.
+void scatter(const PointRows& rows, Real scale, const Field& value, const Field& y);
+
+}  // namespace rockfold::solve

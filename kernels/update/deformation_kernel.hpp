@@ -1,0 +1,52 @@
+// How the rock answers to its deformation: the one thing that small and large kinematics do not share.
+#pragma once
+
+#include <memory>
+
+#include "kernels/solve/held_kernel.hpp"
+#include "kernels/update/motion.hpp"
+
+namespace rockfold {
+
+struct TrackedPoints::Data {
+  solve::DevicePoints points;
+  device::Array<Index> element;
+  device::Field local;         ///< m, from the centre of the element's lattice cell
+  device::Field value;         ///< work space
+  device::Array<Real> stress;  ///< [N][6] work space
+};
+
+namespace update {
+
+using device::Array;
+using device::Field;
+
+class Deformation {
+ public:
+  Deformation() = default;
+  virtual ~Deformation() = default;
+  Deformation(const Deformation&) = delete;
+  Deformation& operator=(const Deformation&) = delete;
+
+  /// Whether the force is linear in d up to a constant: then one solve makes a step.
+  virtual bool linear() const = 0;
+  /// f(d): the internal force of the displacement d, that of the initial stress included, N.
+  virtual void force(const Field& d, const Field& f) const = 0;
+  /// Takes the tangent at d from here on.
+  virtual void linearise(const Field& d) = 0;
+  /// y = (α ∂f/∂d + β M) x and its diagonal blocks.
+  virtual void apply(const solve::Combination& c, const Field& x, const Field& y) const = 0;
+  virtual void diagonal(const solve::Combination& c, const solve::Blocks& d) const = 0;
+  /// J stored by the displacement d, 0 in place.
+  virtual Real energy(const Field& d) const = 0;
+  /// [elements][6] Pa, the mean of each element.
+  virtual void element_stress(const Field& d, const Array<Real>& stress) const = 0;
+  /// Writes at.stress.
+  virtual void point_stress(const Field& d, const TrackedPoints::Data& at) const = 0;
+};
+
+std::unique_ptr<Deformation> make_small_strain(const MotionSetup& setup,
+                                               const solve::HeldSystem& held);
+
+}  // namespace update
+}  // namespace rockfold

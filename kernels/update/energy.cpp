@@ -1,0 +1,90 @@
+// Energies, and the work that changes them.
+//
+// With average acceleration Δd = Δt/2 (v + v') and Δt/2 ((F − C v − f) + (F' − C v' − f')) = M (v' − v), so that
+//   T' − T + ½ (f + f')·Δd + ½ (C v + C v')·Δd = ½ (F + F')·Δd
+// to the last digit: with the mean of forces over a step every work is exact. What other β, γ add or take is `numerical`.
+#include "kernels/update/motion_kernel.hpp"
+
+namespace rockfold {
+namespace update {
+namespace {
+
+using device::Sums;
+
+/// ½ (x + y)·Δd
+Real mean_work(const Motion::Data& m, const Field& x, const Field& y) {
+  return 0.5 * (solve::dot(m.held.work, x, m.increment) + solve::dot(m.held.work, y, m.increment));
+}
+
+/// sum = v + v'.
+void sum_velocities(const Motion::Data& m, const Field& sum) {
+  const auto before = m.velocity_before, v = m.now.velocity;
+  device::for_each(
+      "rockfold::update::sum_velocities", m.unknowns, KOKKOS_LAMBDA(const Index p) {
+        for (int d = 0; d < 3; ++d) sum(p, d) = before(p, d) + v(p, d);
+      });
+}
+
+}  // namespace
+
+void update_reactions(Motion::Data& m) {
+  const solve::Springs s = m.held.springs;
+  if (!s.any()) return;
+  const auto way = m.increment, before = m.now.reaction;
+  const auto out = m.sums;
+  solve::spring_reactions(s, m.held.spring_factor, m.correction, m.goal, s.force);
+  device::sum_then<1>(
+      "rockfold::update::support_work", s.points.count, m.partial,
+      KOKKOS_LAMBDA(const Index n, Sums<1>& sum) {
+        for (int d = 0; d < 3; ++d) {
+          sum.value[0] +=
+              0.5 * (before(n, d) + s.force(n, d)) * solve::interpolate_one(s.points, n, d, way);
+          before(n, d) = s.force(n, d);
+        }
+      },
+      KOKKOS_LAMBDA(const Sums<1>& sum) { out(0) = sum.value[0]; });
+  m.now.work.supports += device::to_host(m.sums)[0];
+}
+
+void count_work(Motion::Data& m) {
+  Work& work = m.now.work;
+  if (m.varying_loads.any()) work.loads += mean_work(m, m.varying_before, m.varying);
+  if (!m.damped()) return;
+  const Field sum = m.right;  // its work is done
+  sum_velocities(m, sum);
+  if (m.damping.mass > 0 || m.damping.stiffness > 0) {
+    m.rock->apply({m.damping.stiffness, m.damping.mass}, sum, m.work);
+    work.damping += 0.5 * solve::dot(m.held.work, m.work, m.increment);
+  }
+  if (m.dashpots.any()) {
+    Kokkos::deep_copy(m.work, 0.0);
+    add_dashpots(m.dashpots, 1, sum, m.work);
+    work.quiet += 0.5 * solve::dot(m.held.work, m.work, m.increment);
+  }
+}
+
+Real kinetic_energy(const Motion::Data& m) {
+  m.rock->apply({0, 1}, m.now.velocity, m.work);
+  return 0.5 * solve::dot(m.held.work, m.now.velocity, m.work);
+}
+
+}  // namespace update
+
+Energy Motion::energy() const {
+  const Data& m = *data_;
+  const update::Work& work = m.now.work;
+  Energy e;
+  e.kinetic = update::kinetic_energy(m);
+  e.strain = m.rock->energy(m.now.displacement);
+  e.potential = -solve::dot(m.held.work, m.load, m.now.displacement);
+  e.loads = work.loads;
+  e.supports = work.supports;
+  e.damping = work.damping;
+  e.quiet = work.quiet;
+  e.ratio = work.ratio;
+  e.dissipated = m.initial_energy + e.loads + e.supports - (e.kinetic + e.strain + e.potential);
+  e.numerical = e.dissipated - (e.damping + e.quiet + e.ratio);
+  return e;
+}
+
+}  // namespace rockfold

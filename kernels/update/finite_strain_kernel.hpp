@@ -1,0 +1,24 @@
+// What large kinematics add to a deformation.
+#pragma once
+
+#include "kernels/finite/deformation_kernel.hpp"
+#include "kernels/update/deformation_kernel.hpp"
+
+namespace rockfold::update {
+
+class LargeDeformation : public Deformation {
+ public:
+  /// A step starts from d; its forces and tangents follow `rule`.
+  virtual void begin_step(const Field& d, const finite::ForceRule& rule) = 0;
+  /// Takes the tangent of the last linearise() again without the part of the stress, which compression may make negative.
+  virtual void soften() = 0;
+  /// Turns a correction to the end of the step, where forces are taken in its middle.
+  virtual void turn(const Field& x) const = 0;
+  /// N: what rounding alone leaves of balanced forces.
+  virtual Real rounding() const = 0;
+};
+
+std::unique_ptr<LargeDeformation> make_finite_strain(const MotionSetup& setup,
+                                                     const solve::HeldSystem& held);
+
+}  // namespace rockfold::update
