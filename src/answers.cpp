@@ -106,6 +106,16 @@ void print_answer(const Answer& answer, Terminal& terminal, const PhaseSeconds& 
     put(answer_text(answer, seconds));
 }
 
+void print_theory(const Options& options, const Model& model, const TheoryReport& report,
+                  Terminal& terminal, const PhaseSeconds& seconds) {
+  const DocumentHead head{command_name(options.command), model.title, options.seed};
+  if (options.json)
+    print_document(theory_document(head, report), terminal.warnings(), seconds);
+  else if (!options.quiet)
+    put((model.title.empty() ? model.path : model.title) + "\n\n" + theory_summary(report) + "\n" +
+        fact("time", fmt::format("{:.2f} s", seconds.back().second)));
+}
+
 void print_check(const Options& options, const Model& model) {
   if (options.json)
     print_document(check_document({"check", model.title, options.seed}, model), {}, {});

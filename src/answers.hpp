@@ -6,6 +6,7 @@
 
 #include "host/cut/cut.hpp"
 #include "host/keyblock/keyblock.hpp"
+#include "host/keyblock/theory.hpp"
 #include "host/measure/measure.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/command_line.hpp"
@@ -32,6 +33,8 @@ struct Answer {
 };
 
 void print_answer(const Answer& answer, Terminal& terminal, const PhaseSeconds& seconds);
+void print_theory(const Options& options, const Model& model, const TheoryReport& report,
+                  Terminal& terminal, const PhaseSeconds& seconds);
 void print_check(const Options& options, const Model& model);
 void print_info(const Options& options, const ResultInfo& info);
 

@@ -8,7 +8,7 @@
 
 namespace rockfold {
 
-enum class Command { demo, check, cut, support, run, info, examples };
+enum class Command { demo, check, cut, support, theory, run, info, examples };
 
 struct Options {
   Command command = Command::demo;

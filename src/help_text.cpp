@@ -8,7 +8,7 @@ namespace rockfold {
 
 namespace {
 
-constexpr std::array<CommandHelp, 7> helps{{
+constexpr std::array<CommandHelp, 8> helps{{
     {Command::demo, "demo", "", "the built-in rock slope: blocks, key blocks, response to gravity",
      "Takes a jointed rock slope that is part of the program through all stages: blocks, key "
      "blocks with\n"
@@ -47,6 +47,16 @@ constexpr std::array<CommandHelp, 7> helps{{
      "and pressure for the target factor of safety. A model without [support] has its defaults.\n",
      "  rockfold support slope.toml --set support.target_factor_of_safety=1.3\n"
      "      the same model for another factor of safety\n"},
+    {Command::theory, "theory", "MODEL.toml",
+     "block theory of the joint sets alone, no rock is cut",
+     "Tells what the model's joint sets make of its [block_theory]: all joint pyramids and how "
+     "their\n"
+     "blocks move, the largest blocks of tunnels and slopes and the support that they need, the "
+     "best\n"
+     "and worst directions of a scan, and the probability of key blocks where joints are drawn at\n"
+     "random. Needs no [[solid]] and writes no result file.\n",
+     "  rockfold theory adit.toml --json > adit.json\n"
+     "      the same tables as one JSON document\n"},
     {Command::run, "run", "MODEL.toml", "covers and analysis; support too where [support] stands",
      "Cuts the rock, lays covers over it and carries out the model's [analysis]; finds key blocks "
      "too\n"

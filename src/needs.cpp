@@ -24,6 +24,7 @@ constexpr Real largest_support_gap = 1e-3;
 
 Purpose purpose_of(Command command) {
   if (command == Command::support) return Purpose::support;
+  if (command == Command::theory) return Purpose::theory;
   return command == Command::run || command == Command::demo ? Purpose::run : Purpose::cut;
 }
 
@@ -44,6 +45,10 @@ void reseed(Model& model, std::uint64_t seed) {
       set.random->seed = seed + s;
       random = true;
     }
+  if (model.theory && model.theory->monte_carlo) {
+    model.theory->monte_carlo->seed = seed;
+    random = true;
+  }
   if (!random) return;
   if (!model.text.empty() && model.text.back() != '\n') model.text += '\n';
   model.text +=
@@ -75,7 +80,8 @@ Model load_model(const Options& options, Terminal& terminal) {
   load_files(model);
   if (options.command == Command::support && !model.support) model.support = SupportSpec{};
   if (wants_support(options, model)) check_for(model, Purpose::support);
-  if (std::filesystem::path(result_path(options)).extension() != ".vtkhdf")
+  if (options.command != Command::theory &&
+      std::filesystem::path(result_path(options)).extension() != ".vtkhdf")
     terminal.warn("ParaView knows result files by their name: let it end in .vtkhdf");
   return model;
 }
@@ -125,6 +131,31 @@ void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& mode
   if (statistics.elongated_blocks > 0)
     terminal.warn(fmt::format("{} blocks are more elongated than cut.max_aspect_ratio = {}",
                               statistics.elongated_blocks, *model.cut.max_aspect_ratio));
+}
+
+void require_candidates(const Options& options, const Model& model, const BlockArrays& blocks,
+                        Terminal& terminal) {
+  bool finite = blocks.block_count() == 0, free = finite;
+  for (Index b = 0; b < blocks.block_count() && !free; ++b) {
+    if (blocks.finite[b] == 0) continue;
+    finite = true;
+    for (Index f = blocks.face_begin[b]; f < blocks.face_begin[b + 1]; ++f)
+      free |= blocks.origins[blocks.face_origin[f]].kind != FaceOrigin::Kind::joint;
+  }
+  if (free) return;
+  const std::string message =
+      finite
+          ? "no finite block has a free face: every one is enclosed by other blocks, so that none "
+            "can move. Leave a face of a solid out of continues, or add an [[excavation]]"
+          : "no block is finite: each touches a face beyond which the rock continues, so that none "
+            "can move. Fewer faces in continues, or more joints, would make finite blocks";
+  if (options.command != Command::support) {
+    terminal.warn(message);
+    return;
+  }
+  const Place& place = model.solids.front().place;
+  throw Error(ErrorKind::model, message,
+              {place.file, place.line, place.column, place.key + ".continues"});
 }
 
 void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal) {

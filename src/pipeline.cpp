@@ -9,6 +9,7 @@
 #include "host/files/load_files.hpp"
 #include "host/flatten/flatten.hpp"
 #include "host/keyblock/keyblock.hpp"
+#include "host/keyblock/theory.hpp"
 #include "host/measure/measure.hpp"
 #include "host/measure/parts.hpp"
 #include "kernels/device/device.hpp"
@@ -108,6 +109,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   std::optional<KeyblockReport> keyblocks;
   std::optional<SupportDesign> design;
   if (wants_support(options, model)) {
+    require_candidates(options, model, blocks, terminal);
     keyblocks = clock.measure("keyblock", "finding key blocks",
                               [&] { return find_keyblocks(blocks, model); });
     design = clock.measure("support", "designing support", [&] {
@@ -166,8 +168,17 @@ int analyse_rock(const Options& options, Terminal& terminal) {
 int check_model(const Options& options) {
   Model model = read_model(options.input, options.overrides, Purpose::check);
   load_files(model);
-  check_cutting(model);
+  if (!model.solids.empty()) check_cutting(model);
   print_check(options, model);
+  return 0;
+}
+
+int tell_theory(const Options& options, Terminal& terminal) {
+  PhaseClock clock(terminal);
+  const Model model = load_model(options, terminal);
+  const TheoryReport report = clock.measure("theory", "joint pyramids and their blocks",
+                                            [&] { return joint_set_theory(model); });
+  print_theory(options, model, report, terminal, clock.seconds());
   return 0;
 }
 
@@ -184,6 +195,8 @@ int run_command(const Options& options, Terminal& terminal) {
   switch (options.command) {
     case Command::check:
       return check_model(options);
+    case Command::theory:
+      return tell_theory(options, terminal);
     case Command::info:
       return tell_info(options);
     case Command::examples:

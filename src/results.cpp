@@ -28,13 +28,14 @@ BlockFields block_fields(const KeyblockReport& report) {
   fields.sliding_force.assign(blocks, 0);
   fields.support_force.assign(blocks, 0);
   fields.direction.assign(blocks, Vec3{});
-  for (const auto& key : report.keyblocks) {
-    fields.mode[key.block] = static_cast<std::uint8_t>(1 + static_cast<int>(key.mode));
-    fields.factor_of_safety[key.block] = key.factor_of_safety;
-    fields.sliding_force[key.block] = key.sliding_force;
-    fields.support_force[key.block] = key.support_force;
-    fields.direction[key.block] = key.direction;
-  }
+  for (const auto& key : report.keyblocks)
+    for (const Index block : key.members) {  // of a group, each block has what the group has
+      fields.mode[block] = static_cast<std::uint8_t>(1 + static_cast<int>(key.mode));
+      fields.factor_of_safety[block] = key.factor_of_safety;
+      fields.sliding_force[block] = key.sliding_force;
+      fields.support_force[block] = key.support_force;
+      fields.direction[block] = key.direction;
+    }
   return fields;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <unordered_map>
 
 #include "host/parallel.hpp"
@@ -26,13 +27,23 @@ BoltsOfBlock bolts_of_blocks(const std::vector<Bolt>& bolts) {
   return of;
 }
 
-/// The blocks that move as one.
-std::vector<Index> members_of(const Keyblock& key) {
-  return {key.block};
+/// The rotation in which a key block fails, where that is how it fails.
+std::optional<Turning> turning_of(const Keyblock& key) {
+  if (!key.rotation) return {};
+  const Rotation& r = *key.rotation;
+  return Turning{r.point, r.axis, r.driving, r.resisting, norm(r.velocity)};
 }
 
 bool is_in(Index block, const std::vector<Index>& members) {
   return std::find(members.begin(), members.end(), block) != members.end();
+}
+
+/// Where a bolt last leaves the blocks, m: there it holds them against the rock behind.
+Vec3 leaving_point(const Bolt& bolt, const std::vector<Index>& members) {
+  Real at = 0;
+  for (const RockSegment& segment : bolt.rock)
+    if (is_in(segment.block, members)) at = std::max(at, segment.to);
+  return bolt.collar + at * bolt.direction;
 }
 
 class SupportJudge {
@@ -114,11 +125,16 @@ BoltCrossing SupportJudge::crossing(Index id, const Keyblock& key) const {
   const Bolt& bolt = report_.bolts[id];
   BoltCrossing crossing;
   crossing.bolt = id;
-  const std::vector<Index> members = members_of(key);
+  const std::vector<Index>& members = key.members;
   crossing.embedment = embedment(bolt, members, key.batch);
   crossing.axial_capacity = axial_left(bolt, members, key.batch, crossing.embedment);
-  crossing.force =
-      bolt_force(type_of(bolt), bolt.direction, crossing.axial_capacity, key.movement.direction);
+  Vec3 motion = key.movement.direction;
+  if (const auto turning = turning_of(key)) {
+    motion = turning->motion(leaving_point(bolt, key.members));
+    if (!(norm(motion) > 0)) return crossing;  // on the axis: it does not move the bolt
+    motion = normalized(motion);
+  }
+  crossing.force = bolt_force(type_of(bolt), bolt.direction, crossing.axial_capacity, motion);
   crossing.capacity = norm(crossing.force.force);
   return crossing;
 }
@@ -153,16 +169,21 @@ BlockSupport SupportJudge::judge(const Keyblock& key) const {
   BlockSupport support;
   support.block = key.block;
   std::vector<SupportElement> elements;
-  for (const Index bolt : bolts_through(members_of(key))) {
+  for (const Index bolt : bolts_through(key.members)) {
     const BoltCrossing& c = support.crossings.emplace_back(crossing(bolt, key));
     const BoltType& type = type_of(report_.bolts[bolt]);
-    elements.push_back({c.force.force, type.action == BoltAction::active, type.stiffness});
+    elements.push_back({c.force.force, type.action == BoltAction::active, type.stiffness,
+                        leaving_point(report_.bolts[bolt], key.members)});
   }
   if (!rock_.shotcrete.empty()) {
     support.shotcrete = rock_.shotcrete[key.block];
-    if (norm(support.shotcrete.force) > 0) elements.push_back({support.shotcrete.force, false, 0});
+    if (norm(support.shotcrete.force) > 0)
+      elements.push_back({support.shotcrete.force, false, 0, rock_.blocks.centroid[key.block]});
   }
-  support.held = hold(key.contact, key.movement, elements, rock_.target);
+  if (const auto turning = turning_of(key))
+    support.held = hold(*turning, elements, rock_.target);
+  else
+    support.held = hold(key.contact, key.movement, elements, rock_.target);
   mobilise(support);
   return support;
 }

@@ -16,15 +16,20 @@ FaceContacts::FaceContacts(const BlockArrays& blocks)
     for (int side = 0; side < 2; ++side) {
       const auto face = static_cast<std::size_t>(interface.face[side]);
       contact_[static_cast<std::size_t>(next[face]++)] = {interface.block[1 - side],
-                                                          interface.area};
+                                                          interface.face[1 - side], interface.area};
     }
 }
 
-Real FaceContacts::area(Index face, const std::vector<Index>& batch) const {
+std::span<const FaceContacts::Contact> FaceContacts::of_face(Index face) const {
   const auto f = static_cast<std::size_t>(face);
+  return std::span(contact_).subspan(
+      static_cast<std::size_t>(contact_begin_[f]),
+      static_cast<std::size_t>(contact_begin_[f + 1] - contact_begin_[f]));
+}
+
+Real FaceContacts::area(Index face, const std::vector<Index>& batch) const {
   Real sum = 0;  // summed anew, not reduced: exactly zero when nothing is left
-  for (Index c = contact_begin_[f]; c < contact_begin_[f + 1]; ++c) {
-    const Contact& contact = contact_[static_cast<std::size_t>(c)];
+  for (const Contact& contact : of_face(face)) {
     if (batch[static_cast<std::size_t>(contact.block)] == 0) sum += contact.area;
   }
   return sum;

@@ -1,6 +1,7 @@
 // Which blocks each face leans on: BlockArrays::interfaces, found by face instead of by block.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "src/arrays/block_arrays.hpp"
@@ -14,6 +15,15 @@ class FaceContacts {
  public:
   explicit FaceContacts(const BlockArrays& blocks);
 
+  struct Contact {
+    Index block = none;  ///< the neighbour
+    Index face = none;   ///< its face
+    Real area = 0;       ///< m²
+  };
+
+  /// All contacts of a face, in the order of `interfaces`.
+  std::span<const Contact> of_face(Index face) const;
+
   /// m² of a face in contact with blocks that are still there: batch[block] == 0.
   Real area(Index face, const std::vector<Index>& batch) const;
 
@@ -22,10 +32,6 @@ class FaceContacts {
                                 const std::vector<Index>& batch) const;
 
  private:
-  struct Contact {
-    Index block = none;  ///< the neighbour
-    Real area = 0;       ///< m²
-  };
   std::vector<Index> face_begin_;     ///< [B+1] faces of each block
   std::vector<Index> contact_begin_;  ///< [F+1]
   std::vector<Contact> contact_;      ///< [2I] ordered by face, then as in `interfaces`

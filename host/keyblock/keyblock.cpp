@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <optional>
+#include <set>
 #include <utility>
-#include <variant>
 
-#include "host/keyblock/face_contacts.hpp"
+#include "host/keyblock/bodies.hpp"
+#include "host/keyblock/groups.hpp"
 #include "host/keyblock/least_support.hpp"
 #include "host/parallel.hpp"
 #include "src/base/vector.hpp"
@@ -16,38 +16,27 @@
 namespace rockfold {
 namespace {
 
-/// What all faces of one origin have in common.
-struct FaceStrength {
-  Real friction = 0;       ///< tan φ
-  Real cohesion = 0;       ///< Pa
-  bool continues = false;  ///< or held: see holds()
-};
-
-/// Whether a `fixed` condition stands on this face of a solid.
-bool holds(const Fixed& fixed, const FaceOrigin& origin) {
-  const auto* region = std::get_if<FaceRegion>(&fixed.where);
-  return region && !region->of_excavation && region->solid == origin.solid &&
-         std::find(region->faces.begin(), region->faces.end(), origin.solid_face) !=
-             region->faces.end();
-}
-
-FaceStrength face_strength(const FaceOrigin& origin, const Model& model, bool joint_faces_only) {
-  FaceStrength strength;
-  strength.continues = origin.continues;
-  if (origin.kind == FaceOrigin::Kind::solid_face) {
-    if (!joint_faces_only)
-      strength.continues |= std::any_of(model.fixed.begin(), model.fixed.end(),
-                                        [&](const Fixed& f) { return holds(f, origin); });
-  } else if (origin.joint_material != none) {
-    const auto& joint = model.joint_materials[static_cast<std::size_t>(origin.joint_material)];
-    strength.friction = std::tan(joint.friction_angle * std::numbers::pi / 180);
-    strength.cohesion = joint.cohesion;
-  }
-  return strength;
-}
-
-/// The batch of blocks that are excavated: gone before the first.
+/// The batch of blocks that are excavated.
 constexpr Index excavated = -1;
+
+/// −0 as 0, so that no report shows a sign that means nothing.
+Vec3 without_negative_zero(const Vec3& v) {
+  return v + Vec3{};
+}
+
+std::vector<Vec3> normals_of(const std::vector<ContactPlane>& planes) {
+  std::vector<Vec3> normals;
+  for (const ContactPlane& p : planes) normals.push_back(p.normal);
+  return normals;
+}
+
+/// The force at the free faces that brings a rotation to the target, against their motion.
+SupportForce rotation_support(const Rotation& rotation, const Vec3& free_centre, Real target) {
+  const Vec3 motion = cross(rotation.axis, free_centre - rotation.point);
+  const Real deficit = target * rotation.driving - rotation.resisting;
+  if (!(norm(motion) > 0)) return {0, -normalized(rotation.velocity)};
+  return {std::max(0.0, deficit / (target * norm(motion))), -normalized(motion)};
+}
 
 /// The state between batches: which blocks are left, and what each of them is.
 class KeyblockSearch {
@@ -56,18 +45,30 @@ class KeyblockSearch {
   KeyblockReport run();
 
  private:
-  std::vector<BlockVerdict> judge(const std::vector<Index>& candidates) const;
-  BlockVerdict judge(Index block) const;
-  Vec3 load(Index block) const;
-  Real weight(Index block) const;
-  Keyblock describe(Index block, const BlockVerdict& verdict) const;
-  const std::string& plane_name(Index block, const ContactPlane& plane) const;
+  struct Judged {
+    Body body;
+    BlockVerdict verdict;
+  };
+  void excavate(Index stage);
+  void find_batches(std::vector<Index> candidates);
+  std::vector<Index> move_single_blocks(const std::vector<Index>& candidates);
+  std::vector<Index> move_groups();
+  std::vector<Judged> judge(const std::vector<Index>& candidates) const;
+  std::vector<Index> left() const;
+  bool stays(Index block) const;
+  Index stage_of(Index block) const;
+  Keyblock describe(const Body& body, const BlockVerdict& verdict) const;
+  void describe_translation(Keyblock& key, const Body& body, const BlockVerdict& verdict) const;
+  void describe_rotation(Keyblock& key, const Body& body, const BlockVerdict& verdict) const;
+  const std::string& plane_name(const Body& body, Index face) const;
+  void start_batch();
 
   const BlockArrays& blocks_;
   const Model& model_;
   SupportSpec spec_;
-  FaceContacts contacts_;
-  std::vector<FaceStrength> strength_;  ///< [origins]
+  Bodies bodies_;
+  Index stage_ = 0;
+  Index batch_ = 0;
   KeyblockReport report_;
   std::vector<std::optional<Keyblock>> stable_;  // of each block, as last looked at
 };
@@ -76,129 +77,202 @@ KeyblockSearch::KeyblockSearch(const BlockArrays& blocks, const Model& model)
     : blocks_(blocks),
       model_(model),
       spec_(model.support.value_or(SupportSpec{})),
-      contacts_(blocks) {
-  for (const FaceOrigin& origin : blocks.origins)
-    strength_.push_back(face_strength(origin, model, spec_.joint_faces_only));
+      bodies_(blocks, model) {
   const auto count = static_cast<std::size_t>(blocks.block_count());
   report_.block_class.assign(count, BlockClass::tapered);
   report_.batch.assign(count, 0);
-  for (std::size_t b = 0; b < blocks.stage.size(); ++b)
-    if (blocks.stage[b] > 0) report_.batch[b] = excavated;
   stable_.resize(count);
 }
 
-Real KeyblockSearch::weight(Index block) const {
-  return blocks_.mass[static_cast<std::size_t>(block)] * norm(model_.gravity);
+/// At which a block is excavated; 0 = never.
+Index KeyblockSearch::stage_of(Index block) const {
+  return blocks_.stage.empty() ? 0 : blocks_.stage[static_cast<std::size_t>(block)];
 }
 
-/// Weight and earthquake: m g + W k.
-Vec3 KeyblockSearch::load(Index block) const {
-  return blocks_.mass[static_cast<std::size_t>(block)] * model_.gravity +
-         weight(block) * spec_.seismic_coefficient;
+/// Rock that is still there and that no stage excavates.
+bool KeyblockSearch::stays(Index block) const {
+  return report_.batch[static_cast<std::size_t>(block)] == 0 && stage_of(block) == 0;
 }
 
-BlockVerdict KeyblockSearch::judge(Index block) const {
-  const auto b = static_cast<std::size_t>(block);
-  BlockVerdict verdict;
-  if (!blocks_.finite[b]) {
-    verdict.block_class = BlockClass::infinite;
-    return verdict;
-  }
-  std::vector<BlockFace> faces;
-  faces.reserve(static_cast<std::size_t>(blocks_.face_begin[b + 1] - blocks_.face_begin[b]));
-  for (Index id = blocks_.face_begin[b]; id < blocks_.face_begin[b + 1]; ++id) {
-    const auto f = static_cast<std::size_t>(id);
-    const FaceStrength& strength = strength_[static_cast<std::size_t>(blocks_.face_origin[f])];
-    faces.push_back({.normal = blocks_.face_normal[f],
-                     .area = blocks_.face_area[f],
-                     .contact_area = contacts_.area(id, report_.batch),
-                     .friction = strength.friction,
-                     .cohesion = strength.cohesion,
-                     .continues = strength.continues});
-  }
-  return judge_block(faces, load(block), spec_.water_pressure);
+std::vector<Index> KeyblockSearch::left() const {
+  std::vector<Index> blocks;
+  for (Index b = 0; b < blocks_.block_count(); ++b)
+    if (stays(b)) blocks.push_back(b);
+  return blocks;
 }
 
 /// Each candidate by itself: the order of the results is that of the candidates, whatever the
 /// threads.
-std::vector<BlockVerdict> KeyblockSearch::judge(const std::vector<Index>& candidates) const {
-  std::vector<BlockVerdict> verdicts(candidates.size());
+std::vector<KeyblockSearch::Judged> KeyblockSearch::judge(
+    const std::vector<Index>& candidates) const {
+  std::vector<Judged> judged(candidates.size());
   const auto judge_one = [&](std::int64_t i) {
-    verdicts[static_cast<std::size_t>(i)] = judge(candidates[static_cast<std::size_t>(i)]);
+    Judged& one = judged[static_cast<std::size_t>(i)];
+    const Index block = candidates[static_cast<std::size_t>(i)];
+    // A closed block without a free face has no removable direction: most are such.
+    if (blocks_.finite[static_cast<std::size_t>(block)] != 0 &&
+        bodies_.is_encased(block, report_.batch))
+      return;
+    Body body = bodies_.body({block}, report_.batch);
+    one.verdict = bodies_.judge(body, report_.batch);
+    const bool removable = one.verdict.movement || one.verdict.rotation;
+    if (removable) one.body = std::move(body);  // what is not described needs no faces
   };
   const auto count = static_cast<std::int64_t>(candidates.size());
   constexpr std::int64_t chunk = 256;  // some 0.1 ms of work: less is not worth waking the threads
-  if (count > chunk) {
-    parallel_for(count, chunk, judge_one);
-  } else {
-    for (std::int64_t i = 0; i < count; ++i) judge_one(i);
-  }
-  return verdicts;
+  parallel_for(count, chunk, judge_one);
+  return judged;
 }
 
-const std::string& KeyblockSearch::plane_name(Index block, const ContactPlane& plane) const {
-  const auto face = static_cast<std::size_t>(blocks_.face_begin[static_cast<std::size_t>(block)]) +
-                    static_cast<std::size_t>(plane.face);
-  return blocks_.origins[static_cast<std::size_t>(blocks_.face_origin[face])].name;
+const std::string& KeyblockSearch::plane_name(const Body& body, Index face) const {
+  return bodies_.origin(body.face_id[static_cast<std::size_t>(face)]).name;
 }
 
-/// −0 as 0, so that no report shows a sign that means nothing.
-Vec3 without_negative_zero(const Vec3& v) {
-  return v + Vec3{};
-}
-
-Keyblock KeyblockSearch::describe(Index block, const BlockVerdict& verdict) const {
+void KeyblockSearch::describe_translation(Keyblock& key, const Body& body,
+                                          const BlockVerdict& verdict) const {
   const Movement& movement = *verdict.movement;
-  const Real target = spec_.target_factor_of_safety;
-  const SupportForce support =
-      spec_.support_direction
-          ? SupportForce{support_force_along(verdict.planes, movement, *spec_.support_direction,
-                                             target),
-                         *spec_.support_direction}
-          : least_support(verdict.planes, movement, target);
-  Keyblock key;
-  key.block = block;
-  key.batch = report_.batch[static_cast<std::size_t>(block)];
-  key.volume = blocks_.volume[static_cast<std::size_t>(block)];
-  key.weight = weight(block);
   key.mode = movement.mode;
-  for (Index plane : movement.planes)
-    if (plane != none)
-      key.planes.push_back(plane_name(block, verdict.planes[static_cast<std::size_t>(plane)]));
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (movement.planes[k] == none) continue;
+    const auto& plane = verdict.planes[static_cast<std::size_t>(movement.planes[k])];
+    key.planes.push_back(plane_name(body, plane.face));
+    key.normal_forces.push_back(movement.normal_force[k]);
+  }
   key.direction = without_negative_zero(movement.direction);
+  key.driving_force = movement.driving;
+  key.resisting_force = movement.resisting;
   key.sliding_force = movement.sliding_force();
   key.factor_of_safety = movement.factor_of_safety();
-  key.free_area = verdict.free_area;
+  const Real target = spec_.target_factor_of_safety;
+  const SupportForce support =
+      spec_.support_direction ? SupportForce{support_force_along(verdict.planes, movement,
+                                                                 *spec_.support_direction, target),
+                                             *spec_.support_direction}
+                              : least_support(verdict.planes, movement, target);
   key.support_force = support.force;
-  key.support_pressure = key.free_area > 0 ? support.force / key.free_area : 0;
   key.support_direction = without_negative_zero(support.direction);
   key.contact = verdict.planes;
   key.movement = movement;
+}
+
+void KeyblockSearch::describe_rotation(Keyblock& key, const Body& body,
+                                       const BlockVerdict& verdict) const {
+  const Rotation& rotation = *verdict.rotation;
+  const Real arm = norm(rotation.velocity);
+  key.mode = SlidingMode::rotation;
+  key.planes.push_back(plane_name(body, rotation.face));
+  key.direction = without_negative_zero(normalized(rotation.velocity));
+  key.driving_force = rotation.driving / arm;
+  key.resisting_force = rotation.resisting / arm;
+  key.sliding_force = rotation.sliding_force();
+  key.factor_of_safety = rotation.factor_of_safety();
+  key.rotation = rotation;
+  const SupportForce support =
+      rotation_support(rotation, bodies_.free_centre(body), spec_.target_factor_of_safety);
+  key.support_force = support.force;
+  key.support_direction = without_negative_zero(support.direction);
+}
+
+Keyblock KeyblockSearch::describe(const Body& body, const BlockVerdict& verdict) const {
+  Keyblock key;
+  key.block = body.members.front();
+  key.members = body.members;
+  key.batch = report_.batch[static_cast<std::size_t>(key.block)];
+  key.stage = stage_;
+  key.volume = body.volume;
+  key.weight = body.mass * norm(model_.gravity);
+  key.free_area = verdict.free_area;
+  key.removable = removable_space(normals_of(verdict.planes));
+  if (verdict.rotates())
+    describe_rotation(key, body, verdict);
+  else
+    describe_translation(key, body, verdict);
+  key.support_pressure = key.free_area > 0 ? key.support_force / key.free_area : 0;
   return key;
 }
 
-KeyblockReport KeyblockSearch::run() {
-  std::vector<Index> candidates;
-  for (Index b = 0; b < blocks_.block_count(); ++b)
-    if (report_.batch[static_cast<std::size_t>(b)] != excavated) candidates.push_back(b);
-  for (Index batch = 1;; ++batch) {
-    const std::vector<BlockVerdict> verdicts = judge(candidates);
-    std::vector<Index> removed;
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const auto b = static_cast<std::size_t>(candidates[i]);
-      report_.block_class[b] = verdicts[i].block_class;
-      stable_[b].reset();
-      if (verdicts[i].block_class == BlockClass::stable && verdicts[i].movement)
-        stable_[b] = describe(candidates[i], verdicts[i]);
-      if (verdicts[i].block_class != BlockClass::key) continue;
-      report_.batch[b] = batch;
-      report_.keyblocks.push_back(describe(candidates[i], verdicts[i]));
-      removed.push_back(candidates[i]);
-    }
-    if (removed.empty()) break;
-    report_.batches.push_back(static_cast<Index>(removed.size()));
-    candidates = contacts_.neighbours(removed, report_.batch);
+void KeyblockSearch::start_batch() {
+  ++batch_;
+  report_.batches.push_back(0);
+  report_.batch_stage.push_back(stage_);
+}
+
+/// The next batch among the candidates; the blocks that it removed.
+std::vector<Index> KeyblockSearch::move_single_blocks(const std::vector<Index>& candidates) {
+  const std::vector<Judged> judged = judge(candidates);
+  std::vector<Index> removed;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const auto b = static_cast<std::size_t>(candidates[i]);
+    const auto& [body, verdict] = judged[i];
+    report_.block_class[b] = verdict.block_class;
+    stable_[b].reset();
+    if (verdict.block_class == BlockClass::stable && (verdict.movement || verdict.rotation))
+      stable_[b] = describe(body, verdict);
+    if (verdict.block_class != BlockClass::key) continue;
+    if (removed.empty()) start_batch();
+    report_.batch[b] = batch_;
+    ++report_.batches.back();
+    report_.keyblocks.push_back(describe(body, verdict));
+    removed.push_back(candidates[i]);
   }
+  return removed;
+}
+
+/// The groups that move now are a batch; the blocks that it removed.
+std::vector<Index> KeyblockSearch::move_groups() {
+  const auto may_move = [&](Index block) {
+    return stays(block) && blocks_.finite[static_cast<std::size_t>(block)] != 0;
+  };
+  auto groups = find_groups(bodies_, left(), report_.batch, spec_.largest_group, may_move);
+  std::vector<Index> removed;
+  if (groups.empty()) return removed;
+  std::sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
+    return a.body.members.front() < b.body.members.front();
+  });
+  start_batch();
+  for (const Group& group : groups) {
+    for (const Index block : group.body.members) {
+      const auto b = static_cast<std::size_t>(block);
+      report_.batch[b] = batch_;
+      report_.block_class[b] = BlockClass::key;
+      stable_[b].reset();
+      removed.push_back(block);
+    }
+    ++report_.batches.back();
+    report_.keyblocks.push_back(describe(group.body, group.verdict));
+  }
+  return removed;
+}
+
+void KeyblockSearch::find_batches(std::vector<Index> candidates) {
+  while (true) {
+    std::vector<Index> removed = move_single_blocks(candidates);
+    if (removed.empty()) removed = move_groups();
+    if (removed.empty()) return;
+    candidates = bodies_.contacts().neighbours(removed, report_.batch);
+    std::erase_if(candidates, [&](Index b) { return !stays(b); });
+  }
+}
+
+/// Takes the rock of a stage out and looks at what leaned on it.
+void KeyblockSearch::excavate(Index stage) {
+  stage_ = stage;
+  std::vector<Index> removed;
+  for (Index b = 0; b < blocks_.block_count(); ++b)
+    if (stage_of(b) == stage && report_.batch[static_cast<std::size_t>(b)] == 0) {
+      report_.batch[static_cast<std::size_t>(b)] = excavated;
+      removed.push_back(b);
+    }
+  std::vector<Index> candidates = bodies_.contacts().neighbours(removed, report_.batch);
+  std::erase_if(candidates, [&](Index b) { return !stays(b); });
+  find_batches(std::move(candidates));
+}
+
+KeyblockReport KeyblockSearch::run() {
+  std::set<Index> stages(blocks_.stage.begin(), blocks_.stage.end());
+  stages.erase(0);
+  find_batches(left());
+  for (const Index stage : stages) excavate(stage);
   for (const auto& block : stable_)
     if (block) report_.stable.push_back(*block);
   for (std::size_t b = 0; b < report_.batch.size(); ++b)

@@ -5,13 +5,20 @@
 //   pyramid.hpp        cones of directions: joint pyramids and their codes, removability
 //   sliding.hpp        the motion that a resultant starts, its driving and resisting forces
 //   least_support.hpp  the force that brings it to a factor of safety
+//   in_situ.hpp        what in-situ normal stress adds to the resistance
+//   rotation.hpp       rotation about an edge or a corner
 //   single_block.hpp   all of this for one block given by its faces
-//   keyblock.hpp       the blocks of a model, batch by batch
+//   face_shape.hpp     polygons of faces: water on them, where they touch, inertia
+//   bodies.hpp         blocks of a model as such blocks, alone or several as one
+//   groups.hpp         blocks that fail together where none can alone
+//   keyblock.hpp       the blocks of a model, stage by stage and batch by batch
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "host/keyblock/pyramid.hpp"
 #include "host/keyblock/single_block.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/base/types.hpp"
@@ -19,23 +26,31 @@
 
 namespace rockfold {
 
+/// A block, or a group of blocks, that moves or would without friction and cohesion.
 struct Keyblock {
-  Index block = none;
-  Index batch = 0;  ///< 1 = moves first
-  Real volume = 0;  ///< m³
-  Real weight = 0;  ///< N
+  Index block = none;          ///< the first of its members
+  std::vector<Index> members;  ///< ascending; more than one: they fail together
+  Index batch = 0;             ///< 1 = moves first
+  Index stage = 0;             ///< of the excavation after which it moves; 0 = before any
+  Real volume = 0;             ///< m³
+  Real weight = 0;             ///< N
   SlidingMode mode = SlidingMode::lifting;
   std::vector<std::string> planes;  ///< names of the joints it slides on: 0, 1 or 2
-  Vec3 direction{};                 ///< unit, of the motion
-  Real sliding_force = 0;           ///< N: driving minus resisting force along `direction`, > 0
-  Real factor_of_safety =
-      0;  ///< resisting over driving; NaN for lifting, which nothing resists (null in JSON)
-  Real free_area = 0;         ///< m² of free faces when its batch moves
-  Real support_force = 0;     ///< N for the target factor of safety, along support_direction
-  Real support_pressure = 0;  ///< Pa = support_force / free_area
-  Vec3 support_direction{};   ///< unit
+  Vec3 direction{};                 ///< unit, of the motion (of the centroid, in rotation)
+  Real driving_force = 0;           ///< N, along `direction`
+  Real resisting_force = 0;         ///< N
+  std::vector<Real> normal_forces;  ///< N, on each of `planes`; empty in rotation
+  Real sliding_force = 0;           ///< N: driving minus resisting force, > 0
+  /// Resisting over driving; NaN where nothing resists (null in JSON).
+  Real factor_of_safety = 0;
+  RemovableSpace removable;          ///< translations that no neighbour prevents
+  std::optional<Rotation> rotation;  ///< where it governs: mode rotation
+  Real free_area = 0;                ///< m² of free faces when its batch moves
+  Real support_force = 0;            ///< N for the target factor of safety, along support_direction
+  Real support_pressure = 0;         ///< Pa = support_force / free_area
+  Vec3 support_direction{};          ///< unit
   std::vector<ContactPlane> contact;  ///< the planes that it leans on
-  Movement movement;                  ///< into `contact`
+  Movement movement;                  ///< into `contact`; of a translation
 };
 
 struct KeyblockReport {
@@ -43,7 +58,8 @@ struct KeyblockReport {
       block_class;           ///< [B] key, excavated, or the class once all key blocks are gone
   std::vector<Index> batch;  ///< [B] 0 = not a key block
   std::vector<Keyblock> keyblocks;  ///< ordered by batch, then block
-  std::vector<Index> batches;       ///< key blocks in each batch
+  std::vector<Index> batches;       ///< key blocks in each batch (a group counts as one)
+  std::vector<Index> batch_stage;   ///< [batches] the excavation stage that it follows
   /// Blocks that would move without friction and cohesion but are held, once all key blocks are
   /// gone; by block. Their sliding_force is ≤ 0, their batch 0; support_force > 0 where the factor
   /// of safety is below the target.
@@ -52,9 +68,10 @@ struct KeyblockReport {
 
 /// Finds the key blocks in batches: remove the first batch, renew the free faces, look again, until
 /// none. A batch is all blocks that move with the same rock still around them: it depends on
-/// neither ids nor threads. Blocks of all excavation stages are gone before the first batch: what bounds them is free.
-/// Cost: one look at each block with a free face, then one at each
-/// neighbour of a removed block.
+/// neither ids nor threads. Where no block moves alone, groups that fail together are a batch.
+/// Excavations follow in the order of their stages, each when nothing moves any more; rock that a
+/// later stage excavates stays until then.
+/// Cost: one look at each block with a free face, then one at each neighbour of a removed block.
 KeyblockReport find_keyblocks(const BlockArrays& blocks, const Model& model);
 
 }  // namespace rockfold

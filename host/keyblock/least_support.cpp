@@ -1,5 +1,6 @@
 #include "host/keyblock/least_support.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -83,7 +84,8 @@ Vec3 shortest_support(const SupportProblem& problem, const Movement& movement, R
 SupportForce least_support(std::span<const ContactPlane> planes, const Movement& movement,
                            Real target) {
   if (movement.mode == SlidingMode::lifting)
-    return {target * movement.driving, Vec3{} - movement.direction};
+    return {std::max(0.0, target * movement.driving - movement.resisting),
+            Vec3{} - movement.direction};
   const SupportProblem problem = support_problem(planes, movement, target);
   if (problem.deficit <= 0) return {0, normalized(problem.gain)};
   const Vec3 p = shortest_support(problem, movement, target);
@@ -95,7 +97,9 @@ Real support_force_along(std::span<const ContactPlane> planes, const Movement& m
   constexpr Real impossible = std::numeric_limits<Real>::infinity();
   if (movement.mode == SlidingMode::lifting) {
     const Real share = -dot(direction, movement.direction);
-    return share > 0 ? target * movement.driving / share : impossible;
+    const Real deficit = target * movement.driving - movement.resisting;
+    if (deficit <= 0) return 0;
+    return share > 0 ? deficit / share : impossible;
   }
   const SupportProblem problem = support_problem(planes, movement, target);
   if (problem.deficit <= 0) return 0;

@@ -26,6 +26,18 @@ constexpr Real direction_tolerance = 1e-9;
 /// directions for m normals, each refused by the first normal or two in most cases.
 std::optional<Vec3> removable_direction(std::span<const Vec3> normals);
 
+/// All directions in which a block may leave: what removable_direction() finds one of.
+struct RemovableSpace {
+  /// Unit, in order around the space: its extreme directions. Two opposite ones are the line of a
+  /// wedge (or of a channel between parallel joints); none: all of space, a half-space or a plane.
+  std::vector<Vec3> edges;
+  Real solid_angle = 0;  ///< sr: 4π = anywhere, 2π = a half-space, 0 = only along a plane or line
+};
+
+/// The space of removable directions of a cone that is not empty (else: no edges, 0 sr). Cost: O(m³)
+/// for m normals.
+RemovableSpace removable_space(std::span<const Vec3> normals);
+
 /// The joint pyramid of Goodman & Shi's code, one digit for each joint: 0 the block lies above the
 /// joint, 1 below, 2 the joint is no face of the block, 3 the block lies between two joints of that
 /// set. `upward` are the joints' upward normals. Throws std::invalid_argument for a code that does

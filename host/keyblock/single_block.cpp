@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/keyblock/in_situ.hpp"
 #include "host/keyblock/pyramid.hpp"
 #include "src/base/vector.hpp"
 
@@ -50,8 +51,9 @@ Vec3 resultant(std::span<const ContactPlane> planes, const Vec3& load, Real wate
   Vec3 r = load;
   Real size = norm(load);
   for (const ContactPlane& p : planes) {
-    r -= (water_pressure * p.area) * p.normal;
-    size += water_pressure * p.area;
+    const Real push = water_pressure * p.area + p.water;
+    r -= push * p.normal;
+    size += push;
   }
   return norm(r) <= 1e-12 * size ? Vec3{} : r;
 }
@@ -71,6 +73,10 @@ std::vector<ContactPlane> contact_planes(std::span<const BlockFace> faces) {
     plane.area += face.contact_area;
     plane.friction += face.contact_area * face.friction;  // divided by the area below
     plane.cohesion += face.contact_area * face.cohesion;
+    plane.water += face.water;
+    plane.clamping += face.clamping;
+    plane.normal_stiffness += face.contact_area * face.normal_stiffness;
+    plane.shear_stiffness += face.contact_area * face.shear_stiffness;
   }
   for (ContactPlane& plane : planes) plane.friction /= plane.area;
   return planes;
@@ -93,10 +99,26 @@ BlockVerdict judge_block(std::span<const BlockFace> faces, const Vec3& load, Rea
   verdict.resultant = resultant(verdict.planes, load, water_pressure);
   verdict.free_area = free_area(faces);
   verdict.movement = find_movement(verdict.planes, verdict.resultant);
+  if (verdict.movement)
+    verdict.movement = with_in_situ_stress(verdict.planes, *verdict.movement, verdict.resultant);
   const bool moves = verdict.movement && verdict.movement->sliding_force() >
                                              equilibrium_tolerance * norm(verdict.resultant);
   verdict.block_class = moves ? BlockClass::key : BlockClass::stable;
   return verdict;
+}
+
+bool BlockVerdict::rotates() const {
+  if (!rotation) return false;
+  if (!movement) return true;
+  if (movement->mode == SlidingMode::lifting && movement->resisting == 0) return false;
+  return rotation->resisting * movement->driving < movement->resisting * rotation->driving;
+}
+
+void add_rotation(BlockVerdict& verdict, const std::optional<Rotation>& rotation) {
+  verdict.rotation = rotation;
+  if (rotation &&
+      rotation->driving - rotation->resisting > equilibrium_tolerance * rotation->driving)
+    verdict.block_class = BlockClass::key;
 }
 
 }  // namespace rockfold

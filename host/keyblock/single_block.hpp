@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "host/keyblock/rotation.hpp"
 #include "host/keyblock/sliding.hpp"
 #include "src/base/types.hpp"
 
@@ -22,12 +23,16 @@ enum class BlockClass {
 
 /// A face of a block as block theory sees it.
 struct BlockFace {
-  Vec3 normal{};           ///< unit, outward
-  Real area = 0;           ///< m²
-  Real contact_area = 0;   ///< m², against rock that stays: 0 = a free face, otherwise ≤ area
-  Real friction = 0;       ///< tan φ of the joint
-  Real cohesion = 0;       ///< Pa
-  bool continues = false;  ///< the rock goes on beyond
+  Vec3 normal{};              ///< unit, outward
+  Real area = 0;              ///< m²
+  Real contact_area = 0;      ///< m², against rock that stays: 0 = a free face, otherwise ≤ area
+  Real friction = 0;          ///< tan φ of the joint
+  Real cohesion = 0;          ///< Pa
+  Real water = 0;             ///< N, of water on the part in contact, beside a uniform pressure
+  Real clamping = 0;          ///< N, in-situ normal force on the part in contact
+  Real normal_stiffness = 0;  ///< Pa/m of the joint; only with clamping
+  Real shear_stiffness = 0;   ///< Pa/m
+  bool continues = false;     ///< the rock goes on beyond
 };
 
 struct BlockVerdict {
@@ -36,11 +41,19 @@ struct BlockVerdict {
   Real free_area = 0;                ///< m²; zero unless removable
   std::vector<ContactPlane> planes;  ///< empty unless removable
   std::optional<Movement> movement;  ///< of a removable block that r would move without friction
+  std::optional<Rotation>
+      rotation;  ///< the least safe one, of a removable block whose shape is known
+
+  /// Whether it is the rotation, not the translation, that governs: the lower factor of safety.
+  bool rotates() const;
 };
 
+/// Completes a removable block's verdict by its rotation.
+void add_rotation(BlockVerdict& verdict, const std::optional<Rotation>& rotation);
+
 /// The class and motion of a block under `load` (weight, earthquake, …; N) and a water pressure
-/// (Pa, ≥ 0) on the faces in contact, which pushes the block off them: r = load − Σ p A n. Any
-/// shape: the faces are taken as they are (docs/block_theory.md, "Concave blocks").
+/// (Pa, ≥ 0) on the faces in contact, which, with the faces' own water, pushes the block off them:
+/// r = load − Σ p A n. Translation alone. Any shape: the faces are taken as they are (docs/block_theory.md, "Concave blocks").
 BlockVerdict judge_block(std::span<const BlockFace> faces, const Vec3& load, Real water_pressure);
 
 /// The faces in contact, those with one outward normal (to direction_tolerance) together. A face

@@ -91,8 +91,8 @@ void keep_worse(std::optional<Movement>& worst, const std::optional<Movement>& m
 }  // namespace
 
 Real Movement::factor_of_safety() const {
-  return mode == SlidingMode::lifting ? std::numeric_limits<Real>::quiet_NaN()
-                                      : resisting / driving;
+  const bool unresisted = mode == SlidingMode::lifting && resisting == 0;
+  return unresisted ? std::numeric_limits<Real>::quiet_NaN() : resisting / driving;
 }
 
 Vec3 reciprocal_normal(const Vec3& n_i, const Vec3& n_j) {

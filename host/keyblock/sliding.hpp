@@ -11,7 +11,8 @@
 
 namespace rockfold {
 
-enum class SlidingMode { lifting, single_plane, two_planes };
+/// How a block moves; rotation is found by rotation.hpp.
+enum class SlidingMode { lifting, single_plane, two_planes, rotation };
 
 /// All faces of one block that lie against rock that stays and share one outward normal.
 struct ContactPlane {
@@ -19,7 +20,11 @@ struct ContactPlane {
   Real area = 0;      ///< m², in contact
   Real friction = 0;  ///< tan φ; weighted by area where parallel faces have several joint materials
   Real cohesion = 0;  ///< N: Σ c A
-  Index face = none;  ///< the face with the largest contact, to name the plane after
+  Real water = 0;     ///< N: Σ ∫ p dA, that pushes the block off
+  Real clamping = 0;  ///< N: Σ of the in-situ normal force, compression positive (in_situ.hpp)
+  Real normal_stiffness = 0;  ///< N/m: Σ k_n A
+  Real shear_stiffness = 0;   ///< N/m: Σ k_s A
+  Index face = none;          ///< the face with the largest contact, to name the plane after
 };
 
 /// The motion that a resultant r starts: r = T s + Σ N n with T > 0, N ≥ 0, s in the joint pyramid,
@@ -30,10 +35,10 @@ struct Movement {
   Vec3 direction{};                         ///< s, unit
   Real driving = 0;                         ///< T = r·s, N
   std::array<Real, 2> normal_force{0, 0};   ///< N of each plane, compression positive, N
-  Real resisting = 0;                       ///< Σ (N tan φ + c A), N
+  Real resisting = 0;  ///< Σ (N tan φ + c A), N; and what in-situ stress adds
 
   Real sliding_force() const { return driving - resisting; }
-  /// Resisting over driving; NaN for lifting, which nothing resists.
+  /// Resisting over driving; NaN where nothing resists lifting.
   Real factor_of_safety() const;
 };
 

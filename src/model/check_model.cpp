@@ -6,6 +6,9 @@ namespace rockfold {
 
 namespace {
 
+/// 2^n joint pyramids are told of.
+constexpr std::size_t largest_theory_sets = 10;
+
 /// Collects what is missing; the parts below read as the list of needs.
 class Needs {
  public:
@@ -42,8 +45,24 @@ class Needs {
   }
 
   void driving_force() {
-    if (model_.gravity == Vec3{} && (!model_.support || model_.support->water_pressure == 0))
-      missing("gravity", "is zero and there is no water_pressure: nothing drives the blocks");
+    const bool water =
+        (model_.support && model_.support->water_pressure > 0) || !model_.waters.empty();
+    if (model_.gravity == Vec3{} && !water && model_.point_loads.empty())
+      missing("gravity",
+              "is zero and there is neither water_pressure nor a [[water]] or [[point_load]]: "
+              "nothing drives the blocks");
+  }
+
+  /// In-situ stress clamps joints by how stiff they are.
+  void joint_stiffness() {
+    if (!model_.initial_stress.any) return;
+    for (const auto& joint : model_.joint_materials)
+      if (!joint.normal_stiffness || !joint.shear_stiffness)
+        missing("joint_material",
+                ("\"" + joint.name +
+                 "\" has no normal_stiffness and shear_stiffness (Pa/m), which block theory under "
+                 "[initial_stress] needs")
+                    .c_str());
   }
 
   void cover() {
@@ -53,6 +72,21 @@ class Needs {
   void analysis() {
     if (!model_.analysis)
       missing("analysis", "the model has no [analysis], which this command needs");
+  }
+
+  void theory() {
+    if (!model_.theory) {
+      missing("block_theory", "the model has no [block_theory], which this command needs");
+      return;
+    }
+    if (model_.joint_sets.empty())
+      missing("joint_set", "the model has no [[joint_set]]: there is no block to speak of");
+    if (model_.joint_sets.size() > largest_theory_sets)
+      missing("joint_set", "there are more than 10 joint sets: too many joint pyramids to tell");
+    if (model_.materials.empty())
+      missing("material", "the model has no [[material]], which this command needs");
+    else if (model_.materials[model_.theory->material].density <= 0)
+      of_material(model_.theory->material, "density", "must be > 0 (kg/m3)");
   }
 
   void something_fixed() {
@@ -107,6 +141,12 @@ void add_support_needs(Needs& needs) {
   needs.driving_force();
 }
 
+void add_theory_needs(Needs& needs) {
+  needs.theory();
+  needs.joint_materials();
+  needs.driving_force();
+}
+
 void add_run_needs(Needs& needs) {
   needs.elastic_constants();
   needs.cover();
@@ -123,9 +163,18 @@ std::vector<Diagnostic> missing_for(const Model& model, Purpose purpose) {
   const bool support =
       purpose == Purpose::support || (purpose != Purpose::cut && model.support.has_value());
   Needs needs(model);
+  if (purpose == Purpose::theory) {
+    add_theory_needs(needs);
+    return std::move(needs).found();
+  }
+  if (purpose == Purpose::check && model.theory) {
+    add_theory_needs(needs);
+    if (model.solids.empty()) return std::move(needs).found();
+  }
   needs.solid();
   if (support || run) add_rock_needs(needs);
   if (support) add_support_needs(needs);
+  if (purpose == Purpose::support) needs.joint_stiffness();
   if (run) add_run_needs(needs);
   return std::move(needs).found();
 }

@@ -13,6 +13,7 @@ enum class Purpose {
   support,  ///< and densities, joint materials for joints, something that drives blocks
   run,      ///< and [cover], [analysis], densities, elastic constants; for "static" a [[fixed]];
             ///< what support needs too where the model has [support]
+  theory,   ///< [block_theory], joint sets and their materials, a density; no solid
   check,    ///< cut, and support or run where the model has [support] or [analysis]
 };
 

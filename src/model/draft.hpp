@@ -24,8 +24,8 @@ struct Draft {
   Names excavations{"excavation", "excavation"};
   Names scanlines{"scanline", "scanline"};
   Names bolt_types{"bolt type", "bolt_type"};
-  Names bolts{"bolt", "bolt"};  ///< single ones and patterns together: reports name bolts by them
-  std::vector<bool> has_shape{};             ///< [solids] its shape could be read
+  Names bolts{"bolt", "bolt"};    ///< single ones and patterns together: reports name bolts by them
+  std::vector<bool> has_shape{};  ///< [solids] its shape could be read
   std::vector<bool> excavation_has_shape{};  ///< [excavations] likewise
 };
 
@@ -69,6 +69,8 @@ void read_pattern_search(Draft& draft);  // needs bolt types, solids and excavat
 void read_classification(Draft& draft);
 void read_drawings(Draft& draft);  // needs solids and excavations
 void read_tables(Draft& draft);
+void read_waters(Draft& draft);        // needs joints of all kinds
+void read_block_theory(Draft& draft);  // needs materials
 
 /// "dip" and "dip_direction" of a table.
 bool read_dip(TableReader& in, DipOrientation& target, Need need = Need::required);

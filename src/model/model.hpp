@@ -435,6 +435,28 @@ struct Monitor {
   Place place = {};
 };
 
+/// How high water stands in joints.
+struct WaterPressure {
+  Real value = 0;  ///< Pa, everywhere
+};
+/// Hydrostatic below a plane, by the depth along gravity.
+struct WaterTable {
+  Vec3 point{}, normal{};
+};
+/// Up to where the water would rise: m from (0, 0, 0) against gravity.
+struct WaterHead {
+  Real elevation = 0;
+};
+
+/// [[water]]: water in joints. Pressures below zero are none.
+struct Water {
+  std::vector<std::string>
+      joints;           ///< names of joints of any kind; empty = all that no other names
+  Real density = 1000;  ///< kg/m³, > 0
+  std::variant<WaterPressure, WaterTable, WaterHead> level;
+  Place place = {};
+};
+
 struct SupportSpec {
   /// Only joints hold a block; if false, solid faces under a [[fixed]] face region hold it too.
   bool joint_faces_only = true;
@@ -443,6 +465,57 @@ struct SupportSpec {
   Real target_factor_of_safety = 1.5;  ///< > 0
   /// Unit, of the support force on every block; none = the direction that needs the least force.
   std::optional<Vec3> support_direction;
+  bool rotation = true;  ///< look for rotations about edges and corners too
+  /// Blocks that may fail together where none of them can alone, ≥ 1.
+  Index largest_group = 8;
+};
+
+/// [[block_theory.tunnel]]: a long, straight tunnel.
+struct TheoryTunnel {
+  std::string name;
+  Real trend = 0;                            ///< deg of the axis, clockwise from north, [0, 360]
+  Real plunge = 0;                           ///< deg below the horizontal, [0, 90)
+  std::vector<std::array<Real, 2>> section;  ///< as TunnelShape's, seen along the axis
+  Place place = {};
+};
+
+/// [[block_theory.slope]]: a long slope with a bench of its height.
+struct TheorySlope {
+  std::string name;
+  DipOrientation face;
+  DipOrientation upper;  ///< the ground behind the crest
+  Real height = 0;       ///< m, from toe to crest, > 0
+  Place place = {};
+};
+
+/// [block_theory.scan]: the same tunnels and slopes, turned.
+struct TheoryScan {
+  Real step = 10;                ///< deg, (0, 90]
+  std::vector<Real> plunges{0};  ///< deg, of the tunnel axes
+};
+
+/// [block_theory.monte_carlo]: tunnels in rock whose joints are drawn at random.
+struct MonteCarloSpec {
+  Index realisations = 1000;
+  std::uint64_t seed = 1;
+  Real length = 10;  ///< m of tunnel looked at in each
+  /// m to the sides, up and down from the section's origin within which apexes are looked for;
+  /// default five times the section's extent.
+  std::optional<Real> reach;
+  Real friction_deviation = 0;  ///< deg, standard deviation of each set's friction angle
+  Real cohesion_variation = 0;  ///< coefficient of variation of each set's cohesion
+  Real confidence = 0.95;       ///< of the bounds, (0, 1)
+  Place place = {};
+};
+
+/// [block_theory]: what the joint sets alone say, without a cut model.
+struct TheorySpec {
+  Index material = 0;  ///< into Model::materials
+  std::vector<TheoryTunnel> tunnels;
+  std::vector<TheorySlope> slopes;
+  std::optional<TheoryScan> scan;
+  std::optional<MonteCarloSpec> monte_carlo;
+  Place place = {};
 };
 
 struct Model {
@@ -480,6 +553,8 @@ struct Model {
   std::optional<ClassificationSpec> classification;
   std::vector<Drawing> drawings;
   std::vector<TableFile> tables;
+  std::vector<Water> waters;
+  std::optional<TheorySpec> theory;
 
   std::string
       text;  ///< the model file as read, with overrides appended as comments; stored in results

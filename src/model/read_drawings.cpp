@@ -12,7 +12,8 @@ void read_output_name(TableReader& in, const std::string& ending, std::string& t
   if (!in.read("output", name)) return;
   if (name.size() <= ending.size() || !name.ends_with(ending) ||
       name.find('\0') != std::string::npos)
-    in.wrong("output", "found " + described({name, {}}) + ", must be a name that ends in " + ending);
+    in.wrong("output",
+             "found " + described({name, {}}) + ", must be a name that ends in " + ending);
   target = name;
 }
 

@@ -84,7 +84,9 @@ void read_top_level(Draft& draft, const Value& root) {
                           "pattern_search",
                           "classification",
                           "drawing",
-                          "table"})
+                          "table",
+                          "water",
+                          "block_theory"})
     in.has(key);
   in.not_yet("contact");
 }
@@ -122,6 +124,8 @@ void read_sections(Draft& draft) {
   read_classification(draft);
   read_drawings(draft);
   read_tables(draft);
+  read_waters(draft);
+  read_block_theory(draft);
 }
 
 void add_missing(Draft& draft, Purpose purpose) {

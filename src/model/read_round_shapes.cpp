@@ -176,6 +176,10 @@ std::optional<Shape> read_sphere(TableReader& in) {
   return center && radius ? std::optional<Shape>(sphere) : std::nullopt;
 }
 
+Section read_tunnel_section(TableReader& in) {
+  return read_section_points(in);
+}
+
 std::optional<Shape> read_tunnel(TableReader& in) {
   const auto* value = in.find("path", "must be 2 or more points [x, y, z] (m)");
   const auto path = value ? points_from(*value, in.path_of("path"), 2, in.out()) : std::nullopt;

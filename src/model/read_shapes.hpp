@@ -21,6 +21,8 @@ std::optional<Shape> read_frustum(TableReader& in);
 std::optional<Shape> read_cylinder(TableReader& in);
 std::optional<Shape> read_sphere(TableReader& in);
 std::optional<Shape> read_tunnel(TableReader& in);
+/// "section" of a tunnel and the keys that belong to it; empty if anything is wrong.
+std::vector<std::array<Real, 2>> read_tunnel_section(TableReader& in);
 std::optional<Shape> read_mesh(TableReader& in, const std::string& model_path);
 std::optional<Shape> read_terrain(TableReader& in, const std::string& model_path);
 

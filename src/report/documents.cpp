@@ -56,6 +56,7 @@ Json check_document(const DocumentHead& head, const Model& model) {
                         {"monitors", model.monitors.size()}};
   document["commands"] = {{"cut", missing_for(model, Purpose::cut).empty()},
                           {"support", missing_for(model, Purpose::support).empty()},
+                          {"theory", missing_for(model, Purpose::theory).empty()},
                           {"run", missing_for(model, Purpose::run).empty()}};
   return document;
 }

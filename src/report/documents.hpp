@@ -13,6 +13,7 @@
 
 #include "host/cut/cut.hpp"
 #include "host/keyblock/keyblock.hpp"
+#include "host/keyblock/theory.hpp"
 #include "host/measure/measure.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/arrays/cover_arrays.hpp"
@@ -58,6 +59,7 @@ Json block_json(const Model& model, const BlockArrays& blocks, const BlockStatis
                 Index b);
 Json support_document(const DocumentHead& head, const Model& model, const BlockArrays& blocks,
                       const KeyblockReport& report, const SupportDesign& design);
+Json theory_document(const DocumentHead& head, const TheoryReport& report);
 /// With "support", as support_document has it, where there are key blocks to tell of.
 Json run_document(const DocumentHead& head, const RunReport& report);
 Json check_document(const DocumentHead& head, const Model& model);

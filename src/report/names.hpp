@@ -16,6 +16,8 @@ constexpr const char* mode_name(SlidingMode mode) {
       return "single_plane";
     case SlidingMode::two_planes:
       return "two_planes";
+    case SlidingMode::rotation:
+      return "rotation";
   }
   return "";
 }

@@ -60,6 +60,8 @@ const char* mode_words(SlidingMode mode) {
       return "slides";
     case SlidingMode::two_planes:
       return "slides on two";
+    case SlidingMode::rotation:
+      return "turns";
   }
   return "";
 }
@@ -70,8 +72,16 @@ std::string joined_names(const std::vector<std::string>& names) {
   return text.empty() ? "-" : text;
 }
 
+/// "12", of a group "12+15".
+std::string block_ids(const Keyblock& key) {
+  std::string text;
+  for (const Index block : key.members)
+    text += (text.empty() ? "" : "+") + std::to_string(block + 1);
+  return text;
+}
+
 std::vector<std::string> keyblock_row(const Keyblock& key) {
-  return {std::to_string(key.block + 1),
+  return {block_ids(key),
           std::to_string(key.batch),
           fmt::format("{:.2f}", key.volume),
           fmt::format("{:.1f}", key.weight / 1e3),

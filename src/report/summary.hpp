@@ -24,6 +24,8 @@ std::string measure_summary(const RockMeasures& measures);
 /// The key blocks that need the greatest support force, `most` of them, and the batches.
 std::string support_summary(const KeyblockReport& report, const BlockArrays& blocks,
                             std::size_t most = all_keyblocks);
+/// Joint pyramids, the largest blocks of tunnels and slopes, scans, probabilities.
+std::string theory_summary(const TheoryReport& report);
 std::string run_summary(const RunReport& report);
 std::string info_summary(const ResultInfo& info, const std::string& path);
 

@@ -1,3 +1,4 @@
+#include "src/base/vector.hpp"
 #include "src/report/document_parts.hpp"
 #include "src/report/names.hpp"
 
@@ -5,33 +6,65 @@ namespace rockfold {
 
 namespace {
 
+Json rotation_json(const Rotation& rotation) {
+  return {{"about", rotation.about == Rotation::About::edge ? "edge" : "corner"},
+          {"point", rotation.point},
+          {"axis", rotation.axis},
+          {"driving_moment", rotation.driving},
+          {"resisting_moment", rotation.resisting}};
+}
+
+/// Block ids as users count them.
+Json ids_json(const std::vector<Index>& blocks) {
+  Json ids = Json::array();
+  for (const Index b : blocks) ids.push_back(b + 1);
+  return ids;
+}
+
+/// Of a group: of its volume.
+Vec3 centroid(const Keyblock& key, const BlockArrays& blocks) {
+  if (key.members.size() < 2) return blocks.centroid[static_cast<std::size_t>(key.block)];
+  Vec3 sum{};
+  for (const Index b : key.members)
+    sum += (blocks.volume[static_cast<std::size_t>(b)] / key.volume) *
+           blocks.centroid[static_cast<std::size_t>(b)];
+  return sum;
+}
+
 Json keyblock_json(const Keyblock& key, const BlockArrays& blocks) {
-  return {{"block", key.block + 1},
-          {"batch", key.batch},
-          {"volume", key.volume},
-          {"weight", key.weight},
-          {"mode", mode_name(key.mode)},
-          {"planes", key.planes},
-          {"direction", key.direction},
-          {"sliding_force", key.sliding_force},
-          {"factor_of_safety", key.factor_of_safety},  // NaN is written as null
-          {"free_area", key.free_area},
-          {"support_force", key.support_force},
-          {"support_pressure", key.support_pressure},
-          {"support_direction", key.support_direction},
-          {"bolts", Json::array()},
-          {"mobilisation", {{"force", 0.0}, {"displacement", 0.0}}},
-          {"centroid", blocks.centroid[key.block]}};
+  Json json{
+      {"block", key.block + 1},
+      {"batch", key.batch},
+      {"volume", key.volume},
+      {"weight", key.weight},
+      {"mode", mode_name(key.mode)},
+      {"planes", key.planes},
+      {"direction", key.direction},
+      {"sliding_force", key.sliding_force},
+      {"factor_of_safety", key.factor_of_safety},  // NaN is written as null
+      {"free_area", key.free_area},
+      {"support_force", key.support_force},
+      {"support_pressure", key.support_pressure},
+      {"support_direction", key.support_direction},
+      {"bolts", Json::array()},
+      {"mobilisation", {{"force", 0.0}, {"displacement", 0.0}}},
+      {"centroid", centroid(key, blocks)},
+      {"blocks", ids_json(key.members)},
+      {"stage", key.stage},
+      {"driving_force", key.driving_force},
+      {"resisting_force", key.resisting_force},
+      {"normal_forces", key.normal_forces},
+      {"removable", {{"edges", key.removable.edges}, {"solid_angle", key.removable.solid_angle}}}};
+  if (key.rotation) json["rotation"] = rotation_json(*key.rotation);
+  return json;
 }
 
 Json support_totals_json(const BlockArrays& blocks, const KeyblockReport& report) {
   Real volume = 0, force = 0;
   for (const auto& key : report.keyblocks) volume += key.volume, force += key.support_force;
-  return {{"blocks", blocks.block_count()},
-          {"keyblocks", report.keyblocks.size()},
-          {"batches", report.batches},
-          {"keyblock_volume", volume},
-          {"support_force", force}};
+  return {{"blocks", blocks.block_count()}, {"keyblocks", report.keyblocks.size()},
+          {"batches", report.batches},      {"batch_stages", report.batch_stage},
+          {"keyblock_volume", volume},      {"support_force", force}};
 }
 
 }  // namespace

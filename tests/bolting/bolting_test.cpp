@@ -316,6 +316,7 @@ class SharedBolt : public testing::Test {
     for (const Index b : {0, 1}) {
       Keyblock key;
       key.block = b, key.batch = 1;
+      key.members = {b};
       key.movement = *find_movement({}, {0, 0, -60e3});
       keys.keyblocks.push_back(key);
     }

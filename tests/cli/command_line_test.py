@@ -7,7 +7,7 @@ import unittest
 
 from program import BINARY, CASES, ProgramTest, files_of_case
 
-COMMANDS = ["demo", "check", "cut", "support", "run", "info", "examples"]
+COMMANDS = ["demo", "check", "cut", "support", "theory", "run", "info", "examples"]
 
 
 class Help(ProgramTest):

@@ -122,7 +122,7 @@ inline ConvexBlock convex_block(const std::vector<Side>& sides) {
   return block;
 }
 
-/// Blocks as BlockArrays, without vertices and loops, which block theory does not read.
+/// Blocks as BlockArrays; each face has vertices of its own.
 class BlockArraysBuilder {
  public:
   Index origin(const FaceOrigin& origin) {
@@ -145,14 +145,14 @@ class BlockArraysBuilder {
   Index block(const ConvexBlock& block) {
     const Index id = add(block.volume, block.centroid, true);
     for (const Polygon& face : block.faces) {
-      const Index f = add_face(face.side.normal, face.area, face.side.origin);
+      const Index f = add_face(face.side.normal, face.area, face.side.origin, face.corners);
       if (!is_joint(face.side.origin)) continue;
       for (const Waiting& other : waiting_)
         if (norm(other.centroid - face.centroid) < 1e-9 && std::abs(other.area - face.area) < 1e-9)
           touch({other.block, other.face}, {id, f}, face.area);
       waiting_.push_back({id, f, face.area, face.centroid});
     }
-    blocks.face_begin.back() = static_cast<Index>(blocks.face_area.size());
+    finish_block();
     return id;
   }
 
@@ -161,7 +161,7 @@ class BlockArraysBuilder {
   Index rock() {
     const Index id = add(1, {}, false);
     const Index beyond = solid_face("rock.beyond", 99, true);
-    add_face({0, 0, -1}, 1, beyond);
+    add_face({0, 0, -1}, 1, beyond, {});
     const std::vector<Waiting> all = waiting_;
     for (const Waiting& face : all) {
       const bool taken = std::any_of(
@@ -169,10 +169,11 @@ class BlockArraysBuilder {
           [&](const auto& i) { return i.face[0] == face.face || i.face[1] == face.face; });
       if (taken) continue;
       const auto f = static_cast<std::size_t>(face.face);
-      const Index mine = add_face(-blocks.face_normal[f], face.area, blocks.face_origin[f]);
+      const Index mine = add_face(-blocks.face_normal[f], face.area, blocks.face_origin[f],
+                                  reversed(corners(face.face)));
       touch({face.block, face.face}, {id, mine}, face.area);
     }
-    blocks.face_begin.back() = static_cast<Index>(blocks.face_area.size());
+    finish_block();
     return id;
   }
 
@@ -192,8 +193,10 @@ class BlockArraysBuilder {
     return blocks.origins[static_cast<std::size_t>(origin)].kind == FaceOrigin::Kind::joint;
   }
   Index add(Real volume, const Vec3& centroid, bool finite) {
-    if (blocks.face_begin.empty()) blocks.face_begin.push_back(0);
+    if (blocks.face_begin.empty())
+      blocks.face_begin = blocks.vertex_begin = blocks.loop_begin = blocks.corner_begin = {0};
     blocks.face_begin.push_back(blocks.face_begin.back());
+    blocks.vertex_begin.push_back(blocks.vertex_begin.back());
     blocks.volume.push_back(volume);
     blocks.mass.push_back(2000 * volume);  // the density of model_with_joints
     blocks.centroid.push_back(centroid);
@@ -202,7 +205,28 @@ class BlockArraysBuilder {
     blocks.material.push_back(0);
     return blocks.block_count() - 1;
   }
-  Index add_face(const Vec3& normal, Real area, Index origin) {
+  std::vector<Vec3> corners(Index face) const {
+    std::vector<Vec3> found;
+    const auto f = static_cast<std::size_t>(face);
+    for (Index c = blocks.corner_begin[f]; c < blocks.corner_begin[f + 1]; ++c)
+      found.push_back(blocks.vertex[static_cast<std::size_t>(c)]);
+    return found;
+  }
+  static std::vector<Vec3> reversed(std::vector<Vec3> corners) {
+    std::reverse(corners.begin(), corners.end());
+    return corners;
+  }
+  void finish_block() {
+    blocks.face_begin.back() = static_cast<Index>(blocks.face_area.size());
+    blocks.vertex_begin.back() = static_cast<Index>(blocks.vertex.size());
+  }
+  Index add_face(const Vec3& normal, Real area, Index origin, const std::vector<Vec3>& corners) {
+    for (const Vec3& x : corners) {
+      blocks.corner_vertex.push_back(static_cast<Index>(blocks.vertex.size()));
+      blocks.vertex.push_back(x);
+    }
+    blocks.corner_begin.push_back(static_cast<Index>(blocks.vertex.size()));
+    blocks.loop_begin.push_back(blocks.loop_begin.back() + 1);
     blocks.face_normal.push_back(normal);
     blocks.face_area.push_back(area);
     blocks.face_origin.push_back(origin);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -282,6 +283,7 @@ TEST(Batches, APartlyFreedFaceHoldsByWhatIsLeft) {
   blocks.face_origin = {0, 2, 0, 1, 2, 0, 1, 3};
   blocks.volume = {1, 1, 1};
   blocks.mass = {2000, 2000, 2000};
+  blocks.centroid = {{}, {}, {}};
   blocks.finite = {1, 1, 0};
   blocks.material = {0, 0, 0};
   blocks.interfaces = {{.block = {0, 1}, .face = {0, 2}, .area = 1},
@@ -297,33 +299,79 @@ TEST(Batches, APartlyFreedFaceHoldsByWhatIsLeft) {
   EXPECT_NEAR(report.keyblocks[1].free_area, 3, 1e-12);
 }
 
-TEST(Keyblocks, OfATurnedModelAreTheSame) {
-  const BlockArrays blocks = wedge_in_a_slope();
-  Model model = model_with_joints(20, 2000);
+/// The whole model turned about the origin: geometry and every load.
+void turn(BlockArrays& blocks, Model& model, const Vec3& axis, Real angle) {
+  const auto turned = [&](const Vec3& x) { return test::rotated(x, axis, angle); };
+  for (auto* vectors : {&blocks.face_normal, &blocks.vertex, &blocks.centroid})
+    for (Vec3& x : *vectors) x = turned(x);
+  model.gravity = turned(model.gravity);
+  model.support->seismic_coefficient = turned(model.support->seismic_coefficient);
+  for (PointLoad& load : model.point_loads) {
+    load.point = turned(load.point);
+    load.force = turned(load.force);
+  }
+  for (Water& water : model.waters)
+    if (auto* table = std::get_if<WaterTable>(&water.level))
+      *table = {turned(table->point), turned(table->normal)};
+  // Q σ Qᵀ of xx yy zz xy yz zx.
+  auto& [xx, yy, zz, xy, yz, zx] = model.initial_stress.at;
+  Mat3 half{{turned({xx, xy, zx}), turned({xy, yy, yz}), turned({zx, yz, zz})}};  // (Q σ)ᵀ
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < i; ++k) std::swap(half[i][k], half[k][i]);
+  const Vec3 x = turned(half[0]), y = turned(half[1]), z = turned(half[2]);
+  model.initial_stress.at = {x[0], y[1], z[2], x[1], y[2], z[0]};
+}
+
+/// A model in which every load acts.
+Model loaded_model(Real friction_angle) {
+  Model model = model_with_joints(friction_angle, 2000);
+  model.joint_materials[0].normal_stiffness = 2e9;
+  model.joint_materials[0].shear_stiffness = 1e9;
   model.support->water_pressure = 1500;
   model.support->seismic_coefficient = {0.05, -0.1, 0.02};
-  const Keyblock before = find_keyblocks(blocks, model).keyblocks.at(0);
+  PointLoad load;
+  load.force = {2e4, -1e4, 1e4};
+  model.point_loads.push_back(load);
+  Water water;
+  water.joints = {"J1"};
+  water.level = WaterTable{{0, 0, 6}, upward(20, 40)};
+  model.waters.push_back(water);
+  model.initial_stress.any = true;
+  model.initial_stress.at = {-3e4, -2e4, -6e4, 5e3, -4e3, 0};
+  return model;
+}
+
+// Lifting, sliding and rotation of the wedge, and its support, whichever way the model looks.
+TEST(Keyblocks, OfATurnedModelAreTheSame) {
+  std::set<SlidingMode> modes;
   std::mt19937_64 random(29);
   std::normal_distribution<Real> normal;
-  for (int trial = 0; trial < 100; ++trial) {
-    const Vec3 axis = normalized({normal(random), normal(random), normal(random)});
-    const Real angle = 180 * normal(random);
-    BlockArrays turned = blocks;
-    Model other = model;
-    for (Vec3& n : turned.face_normal) n = test::rotated(n, axis, angle);
-    other.gravity = test::rotated(model.gravity, axis, angle);
-    other.support->seismic_coefficient =
-        test::rotated(model.support->seismic_coefficient, axis, angle);
-    const Keyblock after = find_keyblocks(turned, other).keyblocks.at(0);
-    EXPECT_EQ(after.mode, before.mode);
-    EXPECT_EQ(after.planes, before.planes);
-    EXPECT_NEAR(after.sliding_force, before.sliding_force, 1e-10 * before.weight);
-    EXPECT_NEAR(after.factor_of_safety, before.factor_of_safety, 1e-10);
-    EXPECT_NEAR(after.support_force, before.support_force, 1e-10 * before.weight);
-    EXPECT_LT(norm(after.direction - test::rotated(before.direction, axis, angle)), 1e-10);
-    EXPECT_LT(norm(after.support_direction - test::rotated(before.support_direction, axis, angle)),
-              1e-10);
-  }
+  for (const bool rotation : {false, true})
+    for (int trial = 0; trial < 100; ++trial) {
+      BlockArrays blocks = wedge_in_a_slope();
+      Model model = loaded_model(20);
+      model.point_loads[0].point = blocks.centroid[0] + Vec3{0.2, -0.1, 0.1};
+      model.support->rotation = rotation;
+      if (trial % 3 == 0) model.support->water_pressure = 2e5;
+      const Keyblock before = find_keyblocks(blocks, model).keyblocks.at(0);
+      const Vec3 axis = normalized({normal(random), normal(random), normal(random)});
+      const Real angle = 180 * normal(random);
+      turn(blocks, model, axis, angle);
+      const Keyblock after = find_keyblocks(blocks, model).keyblocks.at(0);
+      modes.insert(before.mode);
+      EXPECT_EQ(after.mode, before.mode);
+      EXPECT_EQ(after.planes, before.planes);
+      EXPECT_NEAR(after.sliding_force, before.sliding_force, 1e-10 * before.weight);
+      if (std::isfinite(before.factor_of_safety)) {
+        EXPECT_NEAR(after.factor_of_safety, before.factor_of_safety, 1e-10);
+      }
+      EXPECT_NEAR(after.support_force, before.support_force, 1e-10 * before.weight);
+      EXPECT_LT(norm(after.direction - test::rotated(before.direction, axis, angle)), 1e-10);
+      EXPECT_LT(
+          norm(after.support_direction - test::rotated(before.support_direction, axis, angle)),
+          1e-10);
+    }
+  EXPECT_GE(modes.size(), 2u);
 }
 
 /// A cube in the open that stands on nothing but a face of the solid.

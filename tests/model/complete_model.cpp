@@ -343,6 +343,8 @@ water_pressure = 1e4
 seismic_coefficient = [0.1, 0, 0]
 target_factor_of_safety = 1.3
 support_direction = [0, 3, -4]
+rotation = false
+largest_group = 3
 
 [[bolt_type]]
 name = "rebar"
@@ -446,6 +448,40 @@ on = "excavation2"
 [[table]]
 output = "keys.csv"
 kind = "keyblocks"
+
+[[water]]
+joints = ["J1", "bedding"]
+density = 1025
+table = {point = [0, 0, 7], dip = 5, dip_direction = 90}
+[[water]]
+head = 4
+[block_theory]
+material = "granite"
+[[block_theory.tunnel]]
+name = "adit"
+trend = 20
+plunge = 3
+section = "horseshoe"
+width = 5
+height = 5
+[[block_theory.slope]]
+name = "portal"
+dip = 75
+dip_direction = 200
+height = 12
+upper_dip = 15
+upper_dip_direction = 190
+[block_theory.scan]
+step = 20
+plunges = [0, 10]
+[block_theory.monte_carlo]
+realisations = 50
+seed = 3
+length = 8
+reach = 20
+friction_angle_deviation = 2
+cohesion_variation = 0.2
+confidence = 0.9
 )";
 
 }  // namespace rockfold

@@ -1,0 +1,292 @@
+#include "host/keyblock/bodies.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "host/refuse.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+namespace {
+
+std::size_t at(Index i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Whether a `fixed` condition stands on this face of a solid.
+bool holds(const Fixed& fixed, const FaceOrigin& origin) {
+  const auto* region = std::get_if<FaceRegion>(&fixed.where);
+  return region && !region->of_excavation && region->solid == origin.solid &&
+         std::find(region->faces.begin(), region->faces.end(), origin.solid_face) !=
+             region->faces.end();
+}
+
+/// The entry that names the joint, else the one that names none.
+const Water* water_of(const std::vector<Water>& waters, const std::string& joint) {
+  const Water* for_all = nullptr;
+  for (const Water& water : waters) {
+    if (water.joints.empty()) for_all = &water;
+    if (std::find(water.joints.begin(), water.joints.end(), joint) != water.joints.end())
+      return &water;
+  }
+  return for_all;
+}
+
+/// In-situ normal stress on a plane, compression positive; no tension.
+Real normal_stress(const InitialStress& stress, const Vec3& x, const Vec3& n) {
+  std::array<Real, 6> s{};  // xx yy zz xy yz zx
+  for (std::size_t k = 0; k < 6; ++k)
+    s[k] = stress.at[k] + (stress.reference_z - x[2]) * stress.gradient[k];
+  return std::max(0.0, -(s[0] * n[0] * n[0] + s[1] * n[1] * n[1] + s[2] * n[2] * n[2] +
+                         2 * (s[3] * n[0] * n[1] + s[4] * n[1] * n[2] + s[5] * n[2] * n[0])));
+}
+
+}  // namespace
+
+Bodies::Bodies(const BlockArrays& blocks, const Model& model)
+    : blocks_(blocks),
+      gravity_(model.gravity),
+      spec_(model.support.value_or(SupportSpec{})),
+      stress_(model.initial_stress),
+      contacts_(blocks),
+      has_polygons_(has_polygons(blocks)) {
+  for (const FaceOrigin& origin : blocks.origins) nature_.push_back(nature(origin, model));
+  for (const PointLoad& load : model.point_loads) {
+    const Index block = block_at(blocks, load.point);
+    if (block == none)
+      refuse(load.place, load.place.key + ".point",
+             fmt::format("({:g}, {:g}, {:g}) is not in the rock", load.point[0], load.point[1],
+                         load.point[2]));
+    forces_.push_back({block, load.point, load.force});
+  }
+  std::stable_sort(forces_.begin(), forces_.end(),
+                   [](const auto& a, const auto& b) { return a.block < b.block; });
+}
+
+Bodies::FaceNature Bodies::nature(const FaceOrigin& origin, const Model& model) const {
+  FaceNature nature;
+  nature.continues = origin.continues;
+  if (origin.kind == FaceOrigin::Kind::solid_face) {
+    if (!spec_.joint_faces_only)
+      nature.continues |= std::any_of(model.fixed.begin(), model.fixed.end(),
+                                      [&](const Fixed& f) { return holds(f, origin); });
+    return nature;
+  }
+  nature.water = water_of(model.waters, origin.name);
+  if (origin.joint_material == none) return nature;
+  const auto& joint = model.joint_materials[at(origin.joint_material)];
+  nature.friction = std::tan(joint.friction_angle * std::numbers::pi / 180);
+  nature.cohesion = joint.cohesion;
+  nature.normal_stiffness = joint.normal_stiffness.value_or(0);
+  nature.shear_stiffness = joint.shear_stiffness.value_or(0);
+  return nature;
+}
+
+Body Bodies::body(std::vector<Index> members, const std::vector<Index>& batch) const {
+  Body body;
+  body.members = std::move(members);
+  for (const Index block : body.members) {
+    const Real mass = blocks_.mass[at(block)];
+    body.volume += blocks_.volume[at(block)];
+    body.mass += mass;
+    body.centroid += mass * blocks_.centroid[at(block)];
+    body.finite &= blocks_.finite[at(block)] != 0;
+  }
+  body.centroid = body.members.size() == 1 ? blocks_.centroid[at(body.members[0])]
+                                           : (1 / body.mass) * body.centroid;
+  if (!body.finite) return body;
+  body.load = body.mass * gravity_ + (body.mass * norm(gravity_)) * spec_.seismic_coefficient;
+  add_point_loads(body);
+  for (const Index block : body.members) add_block(body, block, batch);
+  return body;
+}
+
+bool Bodies::is_encased(Index block, const std::vector<Index>& batch) const {
+  for (Index id = blocks_.face_begin[at(block)]; id < blocks_.face_begin[at(block) + 1]; ++id) {
+    const auto contacts = contacts_.of_face(id);
+    if (std::none_of(contacts.begin(), contacts.end(), [&](const FaceContacts::Contact& c) {
+          return batch[at(c.block)] == 0 && c.area > 0;
+        }))
+      return false;
+  }
+  return true;
+}
+
+void Bodies::add_point_loads(Body& body) const {
+  for (const Index block : body.members) {
+    auto force = std::lower_bound(forces_.begin(), forces_.end(), block,
+                                  [](const PointForce& f, Index b) { return f.block < b; });
+    for (; force != forces_.end() && force->block == block; ++force) {
+      body.load += force->force;
+      body.moment += cross(force->point - body.centroid, force->force);
+    }
+  }
+}
+
+void Bodies::add_block(Body& body, Index block, const std::vector<Index>& batch) const {
+  const bool alone = body.members.size() == 1;
+  for (Index id = blocks_.face_begin[at(block)]; id < blocks_.face_begin[at(block) + 1]; ++id) {
+    const FaceNature& nature = nature_[at(blocks_.face_origin[at(id)])];
+    Real contact = 0, internal = 0;
+    for (const auto& c : contacts_.of_face(id)) {
+      if (batch[at(c.block)] != 0) continue;
+      const bool inside =
+          !alone && std::binary_search(body.members.begin(), body.members.end(), c.block);
+      (inside ? internal : contact) += c.area;
+    }
+    const Real area = blocks_.face_area[at(id)] - internal;
+    if (internal > 0 && contact == 0 && area <= 1e-9 * internal) continue;
+    body.faces.push_back({.normal = blocks_.face_normal[at(id)],
+                          .area = area,
+                          .contact_area = contact,
+                          .friction = nature.friction,
+                          .cohesion = nature.cohesion,
+                          .continues = nature.continues});
+    body.face_id.push_back(id);
+    if (contact > 0) press(body.faces.back(), id, body);
+  }
+}
+
+/// Water and in-situ stress on the part in contact.
+void Bodies::press(BlockFace& face, Index id, Body& body) const {
+  const FaceNature& nature = nature_[at(blocks_.face_origin[at(id)])];
+  if (!nature.water && spec_.water_pressure == 0 && !stress_.any) return;
+  const Real share = std::min(1.0, face.contact_area / blocks_.face_area[at(id)]);
+  press_by_water(face, id, nature, share, body);
+  if (stress_.any && has_polygons_) {
+    face.clamping =
+        face.contact_area * normal_stress(stress_, face_centre(blocks_, id), face.normal);
+    face.normal_stiffness = nature.normal_stiffness;
+    face.shear_stiffness = nature.shear_stiffness;
+  }
+}
+
+void Bodies::press_by_water(BlockFace& face, Index id, const FaceNature& nature, Real share,
+                            Body& body) const {
+  const LinearPressure p = nature.water
+                               ? pressure(*nature.water)
+                               : LinearPressure{.at_origin = spec_.water_pressure, .gradient = {}};
+  if (!has_polygons_) {
+    face.water = share * blocks_.face_area[at(id)] * p.at_origin;
+    return;
+  }
+  if (p.at_origin == 0 && p.gradient == Vec3{}) return;
+  const PressureForce push = pressure_force(blocks_, id, p);
+  face.water = share * push.force;
+  const Vec3 arm = push.first_moment - push.force * body.centroid;
+  body.moment -= share * cross(arm, face.normal);
+}
+
+LinearPressure Bodies::pressure(const Water& water) const {
+  if (const auto* constant = std::get_if<WaterPressure>(&water.level))
+    return {.at_origin = constant->value, .gradient = {}};
+  const Real weight = water.density * norm(gravity_);
+  const Vec3 up = -normalized(gravity_);
+  if (const auto* head = std::get_if<WaterHead>(&water.level))
+    return {.at_origin = weight * head->elevation, .gradient = -weight * up};
+  const auto& table = std::get<WaterTable>(water.level);
+  const Real rise = weight / dot(table.normal, up);  // per m along the normal, below the table
+  return {.at_origin = rise * dot(table.point, table.normal), .gradient = -rise * table.normal};
+}
+
+std::vector<ContactPatch> Bodies::patches(const Body& body, const std::vector<Index>& batch) const {
+  std::vector<ContactPatch> patches;
+  std::vector<std::vector<Vec3>> points;
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    const BlockFace& face = body.faces[f];
+    if (!(face.contact_area > 0) || std::abs(norm(face.normal) - 1) > 1e-6) continue;
+    const Index id = body.face_id[f];
+    std::vector<Vec3> corners;
+    if (face.contact_area >= (1 - 1e-9) * face.area) {
+      corners = outer_loop(blocks_, id);
+    } else {
+      for (const auto& c : contacts_.of_face(id))
+        if (batch[at(c.block)] == 0)
+          for (const Vec3& x : overlap_points(blocks_, id, c.face)) corners.push_back(x);
+    }
+    // Faces of one plane are one patch: the block cannot turn about an edge inside it.
+    const auto same = std::find_if(patches.begin(), patches.end(), [&](const ContactPatch& p) {
+      const Index other = body.face_id[at(p.face)];
+      return blocks_.face_plane[at(other)] == blocks_.face_plane[at(id)] &&
+             dot(p.normal, face.normal) > 0;
+    });
+    if (same == patches.end()) {
+      patches.push_back({face.normal, {}, static_cast<Index>(f)});
+      points.push_back(corners);
+    } else {
+      auto& all = points[static_cast<std::size_t>(same - patches.begin())];
+      all.insert(all.end(), corners.begin(), corners.end());
+    }
+  }
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    patches[p].corners = hull_in_plane(patches[p].normal, points[p]);
+  return patches;
+}
+
+BlockVerdict Bodies::judge(const Body& body, const std::vector<Index>& batch) const {
+  BlockVerdict verdict;
+  if (!body.finite) {
+    verdict.block_class = BlockClass::infinite;
+    return verdict;
+  }
+  verdict = judge_block(body.faces, body.load, 0);
+  const bool removable =
+      verdict.block_class == BlockClass::key || verdict.block_class == BlockClass::stable;
+  const bool falls = verdict.movement && verdict.movement->mode == SlidingMode::lifting &&
+                     verdict.movement->resisting == 0;  // nothing is less safe
+  if (!removable || falls || !spec_.rotation || !has_polygons_ || body.members.size() != 1)
+    return verdict;
+  add_rotation(verdict, find_rotation(patches(body, batch),
+                                      {.centroid = body.centroid,
+                                       .inertia = inertia_tensor(blocks_, body.members[0]),
+                                       .mass = body.mass,
+                                       .force = verdict.resultant,
+                                       .moment = body.moment}));
+  return verdict;
+}
+
+Vec3 Bodies::free_centre(const Body& body) const {
+  Vec3 sum{};
+  Real area = 0;
+  if (has_polygons_)
+    for (std::size_t f = 0; f < body.faces.size(); ++f) {
+      const Real open = body.faces[f].area - body.faces[f].contact_area;
+      if (open <= 1e-9 * body.faces[f].area) continue;
+      sum += open * face_centre(blocks_, body.face_id[f]);
+      area += open;
+    }
+  return area > 0 ? (1 / area) * sum : body.centroid;
+}
+
+Index block_at(const BlockArrays& blocks, const Vec3& point) {
+  if (!has_polygons(blocks)) return none;
+  Index best = none;
+  Real largest = 0.05;  // in units of the whole sphere: a corner of a block holds about 1/8
+  for (Index b = 0; b < blocks.block_count(); ++b) {
+    Vec3 low = blocks.vertex[at(blocks.vertex_begin[at(b)])], high = low;
+    for (Index v = blocks.vertex_begin[at(b)]; v < blocks.vertex_begin[at(b) + 1]; ++v)
+      for (std::size_t d = 0; d < 3; ++d) {
+        low[d] = std::min(low[d], blocks.vertex[at(v)][d]);
+        high[d] = std::max(high[d], blocks.vertex[at(v)][d]);
+      }
+    bool near = true;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const Real slack = 1e-9 * (norm(high - low) + std::abs(point[d]));
+      near &= point[d] >= low[d] - slack && point[d] <= high[d] + slack;
+    }
+    if (!near) continue;
+    const Real winding = winding_number(blocks, b, point);
+    if (winding > largest + 1e-6) {
+      largest = winding;
+      best = b;
+    }
+  }
+  return best;
+}
+
+}  // namespace rockfold

@@ -1,0 +1,87 @@
+// Blocks, alone or several as one rigid body, as block theory sees them: faces, loads, contacts.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host/keyblock/face_contacts.hpp"
+#include "host/keyblock/face_shape.hpp"
+#include "host/keyblock/single_block.hpp"
+#include "src/arrays/block_arrays.hpp"
+#include "src/model/model.hpp"
+
+namespace rockfold {
+
+/// Some blocks as one body, with the faces between them left out.
+struct Body {
+  std::vector<Index> members;    ///< blocks, ascending
+  std::vector<BlockFace> faces;  ///< not those without any area left
+  std::vector<Index> face_id;    ///< [faces] into the arrays
+  Real volume = 0;               ///< m³
+  Real mass = 0;                 ///< kg
+  Vec3 centroid{};               ///< m, of the mass
+  Vec3 load{};                   ///< N: weight, earthquake, external forces
+  Vec3 moment{};                 ///< N m about the centroid: external forces, water
+  bool finite = true;
+};
+
+class Bodies {
+ public:
+  /// Throws Error(model) for a point load that is not in the rock.
+  Bodies(const BlockArrays& blocks, const Model& model);
+
+  /// `batch`: of every block; those that are 0 are still there.
+  Body body(std::vector<Index> members, const std::vector<Index>& batch) const;
+  /// Its class and motion; rotation for a single block.
+  BlockVerdict judge(const Body& body, const std::vector<Index>& batch) const;
+
+  const BlockArrays& blocks() const { return blocks_; }
+  /// Whether every face of a block leans on a block that is still there.
+  bool is_encased(Index block, const std::vector<Index>& batch) const;
+  const FaceContacts& contacts() const { return contacts_; }
+  const FaceOrigin& origin(Index face) const {
+    return blocks_
+        .origins[static_cast<std::size_t>(blocks_.face_origin[static_cast<std::size_t>(face)])];
+  }
+  /// Area-weighted centre of the free faces; the body's centroid where no polygon is known.
+  Vec3 free_centre(const Body& body) const;
+
+ private:
+  /// What all faces of one origin have in common.
+  struct FaceNature {
+    Real friction = 0;          ///< tan φ
+    Real cohesion = 0;          ///< Pa
+    Real normal_stiffness = 0;  ///< Pa/m
+    Real shear_stiffness = 0;   ///< Pa/m
+    bool continues = false;     ///< or held by a [[fixed]]
+    const Water* water = nullptr;
+  };
+  struct PointForce {
+    Index block;
+    Vec3 point, force;
+  };
+
+  FaceNature nature(const FaceOrigin& origin, const Model& model) const;
+  void add_block(Body& body, Index block, const std::vector<Index>& batch) const;
+  void add_point_loads(Body& body) const;
+  void press(BlockFace& face, Index id, Body& body) const;
+  void press_by_water(BlockFace& face, Index id, const FaceNature& nature, Real share,
+                      Body& body) const;
+  LinearPressure pressure(const Water& water) const;
+  std::vector<ContactPatch> patches(const Body& body, const std::vector<Index>& batch) const;
+
+  const BlockArrays& blocks_;
+  Vec3 gravity_;
+  SupportSpec spec_;
+  InitialStress stress_;
+  FaceContacts contacts_;
+  std::vector<FaceNature> nature_;  ///< [origins]
+  std::vector<PointForce> forces_;  ///< ordered by block
+  bool has_polygons_;
+};
+
+/// The block that holds a point, or none: the first of those with the largest winding number.
+Index block_at(const BlockArrays& blocks, const Vec3& point);
+
+}  // namespace rockfold

@@ -1,0 +1,104 @@
+#include "host/keyblock/in_situ.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "host/keyblock/pyramid.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+namespace {
+
+/// A clamped joint that the block does not slide on.
+struct ClampedJoint {
+  const ContactPlane* plane;
+  Real opening;     ///< a = −s·n, ≥ 0; exactly 0 where the block shears along the joint
+  Real tangential;  ///< t
+
+  /// N after a way d; infinite d: all that opens has opened.
+  Real normal_force(Real d) const {
+    if (opening == 0) return plane->clamping;
+    return std::isinf(d) ? 0
+                         : std::max(0.0, plane->clamping - plane->normal_stiffness * opening * d);
+  }
+  Real shear_force(Real d) const {
+    const Real normal = normal_force(d);
+    if (normal <= 0 || tangential == 0) return 0;
+    const Real strength = normal * plane->friction + plane->cohesion;
+    return std::isinf(d) ? strength : std::min(strength, plane->shear_stiffness * tangential * d);
+  }
+  /// Where it yields and where it has opened.
+  void add_events(std::vector<Real>& ways) const {
+    const Real opening_stiffness = plane->normal_stiffness * opening;
+    ways.push_back((plane->clamping * plane->friction + plane->cohesion) /
+                   (plane->shear_stiffness * tangential + opening_stiffness * plane->friction));
+    if (opening > 0) ways.push_back(plane->clamping / opening_stiffness);
+  }
+};
+
+std::vector<ClampedJoint> clamped_joints(std::span<const ContactPlane> planes,
+                                         const Movement& movement) {
+  std::vector<ClampedJoint> clamped;
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const bool slides = std::find(movement.planes.begin(), movement.planes.end(),
+                                  static_cast<Index>(p)) != movement.planes.end();
+    if (slides || planes[p].clamping <= 0 || planes[p].normal_stiffness <= 0 ||
+        planes[p].shear_stiffness <= 0)
+      continue;
+    Real opening = -dot(movement.direction, planes[p].normal);
+    if (opening <= direction_tolerance) opening = 0;
+    clamped.push_back({&planes[p], opening, std::sqrt(std::max(0.0, 1 - opening * opening))});
+  }
+  return clamped;
+}
+
+/// The movement after a way d.
+Movement after(std::span<const ContactPlane> planes, const Movement& movement, const Vec3& r,
+               std::span<const ClampedJoint> clamped, Real d) {
+  Movement m = movement;
+  Vec3 pushed = r;
+  Real resisting = 0;
+  for (const ClampedJoint& joint : clamped) {
+    pushed -= joint.normal_force(d) * joint.plane->normal;
+    resisting += joint.shear_force(d) * joint.tangential;
+  }
+  // What the clamping pushes along s is no load of the block's own: it counts against the resistance.
+  resisting -= dot(pushed - r, movement.direction);
+  const auto plane = [&](std::size_t k) -> const ContactPlane& {
+    return planes[static_cast<std::size_t>(movement.planes[k])];
+  };
+  if (movement.mode == SlidingMode::single_plane) {
+    m.normal_force[0] = std::max(0.0, dot(pushed, plane(0).normal));
+  } else if (movement.mode == SlidingMode::two_planes) {
+    m.normal_force = {
+        std::max(0.0, dot(pushed, reciprocal_normal(plane(0).normal, plane(1).normal))),
+        std::max(0.0, dot(pushed, reciprocal_normal(plane(1).normal, plane(0).normal)))};
+  }
+  for (std::size_t k = 0; k < 2; ++k)
+    if (movement.planes[k] != none)
+      resisting += m.normal_force[k] * plane(k).friction + plane(k).cohesion;
+  m.resisting = resisting;
+  return m;
+}
+
+}  // namespace
+
+Movement with_in_situ_stress(std::span<const ContactPlane> planes, const Movement& movement,
+                             const Vec3& r) {
+  const auto clamped = clamped_joints(planes, movement);
+  if (clamped.empty()) return movement;
+  // The sliding force is piecewise linear in d (and where a plane that is slid on opens, convex):
+  // its least value is at an event or at the end.
+  std::vector<Real> ways{0, std::numeric_limits<Real>::infinity()};
+  for (const ClampedJoint& joint : clamped) joint.add_events(ways);
+  Movement best = after(planes, movement, r, clamped, ways[1]);
+  for (const Real d : ways) {
+    const Movement m = after(planes, movement, r, clamped, d);
+    if (m.sliding_force() < best.sliding_force()) best = m;
+  }
+  return best;
+}
+
+}  // namespace rockfold

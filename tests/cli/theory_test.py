@@ -1,0 +1,164 @@
+"""`rockfold theory`: joint sets alone, and the loads of block theory, end to end."""
+import unittest
+
+from program import ProgramTest
+
+THEORY = """title = "Adit"
+[[material]]
+name = "granite"
+density = 2700
+[[joint_material]]
+name = "clean"
+friction_angle = 20
+"""
+for number, direction in enumerate((30, 150, 270), 1):
+    THEORY += f'[[joint_set]]\nname = "J{number}"\ndip = 60\ndip_direction = {direction}\nspacing = 1.5\n'
+    THEORY += "" if number > 1 else "origin = [0, 0, 0]\n"
+THEORY += """[block_theory]
+[[block_theory.tunnel]]
+name = "adit"
+trend = 20
+plunge = 10
+section = "circle"
+radius = 2
+[[block_theory.slope]]
+name = "portal"
+dip = 75
+dip_direction = 200
+height = 8
+[block_theory.scan]
+step = 30
+[block_theory.monte_carlo]
+realisations = 200
+"""
+
+CUBE_ON_A_FLOOR = """gravity = [0, 0, -10]
+[[material]]
+density = 2000
+[[joint_material]]
+name = "rough"
+friction_angle = 45
+normal_stiffness = 1e9
+shear_stiffness = 1e9
+[[solid]]
+name = "rock"
+shape = "box"
+min = [0, 0, -1]
+max = [2, 3, 4]
+continues = ["zmin"]
+[[joint]]
+name = "floor"
+dip = 0
+dip_direction = 0
+point = [0, 0, 0]
+"""
+
+
+class Theory(ProgramTest):
+    def test_tells_all_tables(self):
+        self.write("adit.toml", THEORY)
+        document = self.json_of("theory", "adit.toml")
+        self.assertEqual([p["code"] for p in document["pyramids"]],
+                         ["000", "001", "010", "011", "100", "101", "110", "111"])
+        held = [p["code"] for p in document["pyramids"] if "adit" not in p["removable_from"]]
+        self.assertEqual(held, ["011", "100"])
+        falling = document["pyramids"][7]
+        self.assertEqual((falling["mode"], falling["factor_of_safety"]), ("lifting", None))
+        self.assertAlmostEqual(document["pyramids"][3]["sliding_force"], 0.68404, delta=5e-6)
+        (tunnel,), (slope,) = document["tunnels"], document["slopes"]
+        self.assertEqual(len(tunnel["blocks"]), 6)
+        self.assertEqual(len(tunnel["scan"]["entries"]), 12)
+        self.assertIn("dip_direction", slope["scan"]["best"])
+        simulation = tunnel["monte_carlo"]
+        chance = simulation["probability_of_key_block"]
+        self.assertTrue(0 <= chance["low"] <= chance["value"] <= chance["high"] <= 1)
+        largest = {block["code"]: block["volume"] for block in tunnel["blocks"]}
+        for pyramid in simulation["pyramids"]:
+            self.assertLessEqual(pyramid["volume"]["greatest"], largest[pyramid["code"]] * (1 + 1e-9))
+        self.assertEqual(self.files(), ["adit.toml"])  # no result file
+
+    def test_is_the_same_on_any_number_of_threads_and_goes_by_the_seed(self):
+        self.write("adit.toml", THEORY)
+        answers = []
+        for more in (("--threads", 1), ("--threads", 3), ("--threads", 1, "--seed", 5)):
+            document = self.json_of("theory", "adit.toml", *more)
+            del document["seconds"]
+            answers.append(document)
+        self.assertEqual(answers[0], answers[1])
+        self.assertEqual(answers[2]["tunnels"][0]["monte_carlo"]["seed"], 5)
+        self.assertNotEqual(answers[0]["tunnels"][0]["monte_carlo"]["largest_volume"],
+                            answers[2]["tunnels"][0]["monte_carlo"]["largest_volume"])
+
+    def test_is_told_in_words(self):
+        self.write("adit.toml", THEORY)
+        text = self.run_program("theory", "adit.toml").stdout
+        for words in ("Tunnel adit", "Slope portal", "worst direction", "key block in", "falls"):
+            self.assertIn(words, text)
+
+    def test_of_a_model_without_it_is_an_error(self):
+        self.write("bare.toml", THEORY.split("[block_theory]")[0])
+        done = self.run_program("theory", "bare.toml", status=2)
+        self.assertIn("the model has no [block_theory]", done.stderr)
+
+    def test_of_a_section_with_inward_corners_is_an_error_with_its_place(self):
+        notched = "section = [[-2, 0], [2, 0], [2, 3], [0, 1], [-2, 3]]"
+        self.write("adit.toml", THEORY.replace('section = "circle"\nradius = 2', notched))
+        error = self.json_of("theory", "adit.toml", status=2)["error"]
+        self.assertEqual(error["key"], "block_theory.tunnel[1].section")
+        self.assertGreater(error["line"], 0)
+
+
+class Loads(ProgramTest):
+    """A box of 2 × 3 × 4 m, 480 kN, on a rough floor."""
+
+    def keys(self, more):
+        self.write("cube.toml", CUBE_ON_A_FLOOR + more)
+        return self.json_of("support", "cube.toml")["keyblocks"]
+
+    def test_stands_without_any(self):
+        self.assertEqual(self.keys(""), [])
+
+    def test_an_earthquake_turns_it_before_it_slides(self):
+        (key,) = self.keys("[support]\nseismic_coefficient = [0.6, 0, 0]\n")
+        self.assertEqual((key["mode"], key["planes"]), ("rotation", ["floor"]))
+        self.assertAlmostEqual(key["factor_of_safety"], (480 * 1) / (0.6 * 480 * 2), delta=1e-9)
+        self.assertEqual(key["rotation"]["about"], "edge")
+
+    def test_a_point_load_pushes_it(self):
+        (key,) = self.keys("[[point_load]]\npoint = [2, 1.5, 0.5]\nforce = [-500e3, 0, 0]\n")
+        self.assertEqual(key["mode"], "single_plane")
+        self.assertAlmostEqual(key["driving_force"], 500e3, delta=1e-6)
+        self.assertAlmostEqual(key["resisting_force"], 480e3, delta=1e-6)
+
+    def test_water_under_it_carries_a_part(self):
+        water = "[[water]]\njoints = ['floor']\nhead = 5\n[support]\nrotation = false\nseismic_coefficient = [0.5, 0, 0]\n"
+        (key,) = self.keys(water)
+        self.assertAlmostEqual(key["normal_forces"][0], 480e3 - 1000 * 10 * 5 * 6, delta=1e-6)
+
+    def test_a_point_load_beside_the_rock_is_an_error(self):
+        self.write("cube.toml", CUBE_ON_A_FLOOR + "[[point_load]]\npoint = [5, 5, 5]\nforce = [1, 0, 0]\n")
+        error = self.json_of("support", "cube.toml", status=2)["error"]
+        self.assertEqual(error["key"], "point_load[1].point")
+        self.assertIn("is not in the rock", error["message"])
+
+    def test_without_a_finite_block_is_an_error(self):
+        self.write("cube.toml", CUBE_ON_A_FLOOR.replace('["zmin"]', '["xmin", "zmin"]'))
+        error = self.json_of("support", "cube.toml", status=2)["error"]
+        self.assertEqual(error["key"], "solid[1].continues")
+        self.assertIn("no block is finite", error["message"])
+
+    def test_without_a_free_face_is_an_error(self):
+        text = CUBE_ON_A_FLOOR.replace('["zmin"]', '["xmin", "xmax", "ymin", "ymax", "zmin", "zmax"]')
+        text = text.split("[[joint]]")[0]
+        for axis, (dip, direction) in enumerate(((90, 90), (90, 0), (0, 0))):
+            for at in (0.5, 1.5):
+                point = [1, 1, 1]
+                point[axis] = at
+                text += f"[[joint]]\ndip = {dip}\ndip_direction = {direction}\npoint = {point}\n"
+        self.write("inside.toml", text)
+        error = self.json_of("support", "inside.toml", status=2)["error"]
+        self.assertIn("no finite block has a free face", error["message"])
+
+
+if __name__ == "__main__":
+    unittest.main()
