@@ -52,7 +52,7 @@ void read_slopes(TableReader& in, TheorySpec& theory) {
                between(0, 360, "deg clockwise from north"), Need::optional);
     if (face && slope.face.dip == 0)
       entry.wrong("dip", "found 0, must be > 0 (deg): a slope face is not level");
-    if (face && slope.upper.dip >= slope.face.dip)
+    else if (face && slope.upper.dip >= slope.face.dip)
       entry.wrong("upper_dip", "found " + number_text(slope.upper.dip) + ", must be < dip's " +
                                    number_text(slope.face.dip) +
                                    " (deg): the ground behind the crest is flatter than the face");

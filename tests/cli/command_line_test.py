@@ -39,7 +39,7 @@ class UsageErrors(ProgramTest):
     CASES = [
         ([], "no command given"),
         (["ctu", "m.toml"], 'did you mean "cut"?'),
-        (["view", "m.vtkhdf"], "the commands are: demo, check, cut, support, run, info, examples"),
+        (["view", "m.vtkhdf"], "the commands are: demo, check, cut, support, theory, run, info, examples"),
         (["resume", "m.vtkhdf"], "unknown command 'resume'"),
         (["sweep", "m.toml"], "unknown command 'sweep'"),
         (["cut"], "no file given: rockfold cut MODEL.toml"),

@@ -25,7 +25,7 @@ TEST(Override, ReachesEveryKindOfPlace) {
           .keep_above);
   EXPECT_EQ(with({"analysis.type=static"}).analysis->steps, 1);
   EXPECT_EQ(with({"analysis.newmark.beta=0.25"}).analysis->newmark_beta, 0.25);
-  EXPECT_TRUE(with({"joint_set=[]"}).joint_sets.empty());
+  EXPECT_TRUE(with({"joint_set=[]", "water=[]"}).joint_sets.empty());
 }
 
 TEST(Override, TakesTextWithoutQuotes) {

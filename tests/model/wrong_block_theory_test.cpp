@@ -18,17 +18,17 @@ namespace {
 
 TEST(WrongWater, IsRefused) {
   const Wrong cases[] = {
-      {WATER, 6, 3, "water[1]", "must have one of pressure, table or head"},
+      {WATER, 6, 1, "water[1].pressure", "must have one of pressure, table or head"},
       {WATER "pressure = 1\nhead = 2", 8, 8, "water[1].head", "has both pressure and head"},
       {WATER "pressure = -1", 7, 12, "water[1].pressure", "must be >= 0 (Pa)"},
       {WATER "head = 'high'", 7, 8, "water[1].head", "must be a number"},
       {WATER "head = 1\ndensity = 0", 8, 11, "water[1].density", "must be > 0"},
       {WATER "table = 5", 7, 9, "water[1].table", "must be a table of keys"},
-      {WATER "table = {dip = 3}", 7, 9, "water[1].table.dip_direction", "is missing"},
+      {WATER "table = {dip = 3, point = [0, 0, 0]}", 7, 9, "water[1].table.dip_direction", "is missing"},
       {WATER "head = 1\njoints = ['K']", 8, 11, "water[1].joints[1]", "there is no joint named \"K\""},
       {JOINT "[[water]]\nhead = 1\njoints = ['J', 'J']", 13, 16, "water[1].joints[2]", "already given"},
-      {WATER "head = 1\n[[water]]\nhead = 2", 8, 3, "water[2]", "without joints was given before"},
-      {"gravity = [0, 0, 0]\n" WATER "head = 1", 7, 3, "water[1]", "gravity is zero"},
+      {WATER "head = 1\n[[water]]\nhead = 2", 8, 1, "water[2]", "without joints was given before"},
+      {"gravity = [0, 0, 0]\n" WATER "head = 1", 7, 1, "water[1]", "gravity is zero"},
   };
   for (const auto& wrong : cases) expect_error(wrong);
 }
