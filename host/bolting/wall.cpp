@@ -147,7 +147,8 @@ void Wall::lay_sides(const Shape& shape, const std::string& name) {
 /// A panel of one strip for faces that look along `normal`; its grid covers them all.
 void Wall::add_panel_for(const std::vector<std::size_t>& members, const Vec3& normal, Real reach,
                          std::string name) {
-  const auto [u, v] = face_axes(normal);
+  const auto axes = face_axes(normal);
+  const Vec3 u = axes.first, v = axes.second;
   const Real u0 = panels_.empty() ? 0 : panels_.back().u[1] + 1;
   WallStrip strip;
   strip.along_u = u, strip.along_v = v, strip.across = normal;

@@ -86,7 +86,7 @@ Array<Real> local_vertices(const CoverArrays& covers) {
   Kokkos::Array<Real, 9> reciprocal;
   for (int d = 0; d < 3; ++d)
     for (int e = 0; e < 3; ++e) reciprocal[3 * d + e] = rows[d][e];
-  const auto eta = device::allocate<Real>("integrate::vertex_eta", covers.vertex_xyz.size());
+  auto eta = device::allocate<Real>("integrate::vertex_eta", covers.vertex_xyz.size());
   device::for_each(
       "rockfold::integrate::local_vertices", static_cast<Index>(covers.vertex_xyz.size() / 3),
       KOKKOS_LAMBDA(const Index v) {

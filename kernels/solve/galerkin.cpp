@@ -104,7 +104,7 @@ KOKKOS_INLINE_FUNCTION void add_row(const Products& g, const ProductRow& row, In
       add_column(g, row, s.neighbour(s.neighbour_begin(run) + o) + along, weight, block, 1);
       for (int m = 0; m < 9; ++m) diagonal[m] -= block[m];
     }
-    for (int d = 0; d < 3; ++d) sum[d] = *block;
+    for (float& entry : sum) entry = *block;
   } else {
     const SingleBlocks& b = g.fine.block;
     const Index slice = place / slice_lanes;
@@ -183,7 +183,7 @@ void multiply_slices(Products& g, const std::vector<Index>& slice_begin, Index b
 
 Array<Index> find_spring_rows(const LevelMatrix& fine) {
   if (fine.springs.points.count == 0) return {};
-  const Array<Index> found = device::allocate<Index>("solve::spring_row_of", fine.rows);
+  Array<Index> found = device::allocate<Index>("solve::spring_row_of", fine.rows);
   Kokkos::deep_copy(found, none);
   const auto row = fine.springs.row;
   device::for_each(
