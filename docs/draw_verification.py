@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+"""Draws the figures of docs/verification.md and fills its table, from docs/verification.json.
+
+    tests/verification/verify.py --store     runs the cases and writes docs/verification.json
+    docs/draw_verification.py                docs/images/verification_NAME.png and the table
+    docs/draw_verification.py cook kirsch    only these figures, and the table
+
+It needs matplotlib (Debian, Ubuntu: apt install python3-matplotlib).
+"""
+import argparse
+import json
+import math
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+DOCS = Path(__file__).resolve().parent
+SIZE = (4.0, 3.2)   # inches a panel
+COLOURS = ["#1f5a96", "#c8553d", "#4b8f52", "#7a5195", "#d08c1f", "#4f9da6"]
+OF_ORDER = {"constant covers": "#8a8a8a", "linear covers": "#1f5a96", "quadratic covers": "#c8553d"}
+MARKS = ["o", "s", "^", "D", "v", "P"]
+REFERENCE = ["#222222", "#4b8f52", "#7a5195"]
+
+plt.rcParams.update({"font.size": 9, "axes.titlesize": 10, "axes.grid": True, "grid.color": "#e4e4e4", "grid.linewidth": 0.7,
+                     "axes.edgecolor": "#777777", "axes.axisbelow": True, "legend.fontsize": 8, "legend.frameon": False,
+                     "font.family": "DejaVu Sans", "lines.linewidth": 1.4, "lines.markersize": 5})
+
+
+def colour(label, number):
+    """An order of covers has the same colour in every figure; other lines take the next of the list."""
+    return next((c for order, c in OF_ORDER.items() if label.endswith(order)), COLOURS[number % len(COLOURS)])
+
+
+def draw_line(axes, line, number, references):
+    label = None if line["label"].startswith("_") else line["label"]
+    x, y = line["x"], line["y"]
+    if line["style"] == "reference":
+        axes.plot(x, y, color=REFERENCE[references % len(REFERENCE)], linestyle="--", linewidth=1.1, label=label, zorder=1)
+    elif line["style"] == "marks":
+        hollow = not line["label"].startswith(("ours", "displacement"))
+        c = colour(line["label"], number)
+        axes.plot(x, y, linestyle="none", marker=MARKS[number % len(MARKS)], color=c, label=label,
+                  markerfacecolor="white" if hollow else c, zorder=3)
+    elif line["style"] == "curve":
+        axes.plot(x, y, color=colour(line["label"], number), linewidth=1.1, label=label)
+    else:
+        axes.plot(x, y, color=colour(line["label"], number), marker=MARKS[number % len(MARKS)], label=label, zorder=3)
+
+
+def draw_slopes(axes, panel):
+    """Lines of the theoretical slopes below the points, each with its exponent."""
+    points = [(x, y) for line in panel["lines"] if line["style"] == "ours" for x, y in zip(line["x"], line["y"]) if y > 0]
+    if not panel["slopes"] or not points:
+        return
+    left, right = min(x for x, _ in points), max(x for x, _ in points)
+    low = min(y for _, y in points)
+    for exponent in panel["slopes"]:
+        start = low / 2
+        x0, x1 = left * (right / left) ** 0.45, right
+        axes.plot([x0, x1], [start, start * (x1 / x0) ** exponent], color="#555555", linewidth=0.9, linestyle=":", zorder=1)
+        axes.annotate(f"{exponent:g}", (x1, start * (x1 / x0) ** exponent), xytext=(4, 0), textcoords="offset points", color="#555555",
+                      va="center")
+
+
+def draw_panel(axes, panel):
+    references = 0
+    number = 0
+    for line in panel["lines"]:
+        draw_line(axes, line, number, references)
+        if line["style"] == "reference":
+            references += not line["label"].startswith("_") and panel["ticks"] == []
+        else:
+            number += 1
+    axes.set_title(panel["title"])
+    axes.set_xlabel(panel["x"])
+    axes.set_ylabel(panel["y"])
+    if "x" in panel["log"]:
+        axes.set_xscale("log")
+    if "y" in panel["log"]:
+        axes.set_yscale("log")
+    if panel["log"] == "xy":
+        draw_slopes(axes, panel)
+        spacings = sorted({x for line in panel["lines"] if line["style"] in ("ours", "marks") for x in line["x"]})
+        axes.set_xticks(spacings, [f"{x:g}" for x in spacings])
+        axes.minorticks_off()
+        axes.margins(x=0.12)
+    elif not panel["log"] and panel["x"].startswith("spacing"):
+        axes.set_xlim(left=0)
+    if panel["ticks"]:
+        axes.set_xticks(range(len(panel["ticks"])), panel["ticks"], rotation=30, ha="right")
+        axes.set_ylim(1e-17, 1e-7)
+    axes.legend(loc="best")
+
+
+def draw(case):
+    panels = case["panels"]
+    figure, axes = plt.subplots(1, len(panels), figsize=(SIZE[0] * max(len(panels), 1.35), SIZE[1]), squeeze=False)
+    for one, panel in zip(axes[0], panels):
+        draw_panel(one, panel)
+    figure.tight_layout()
+    figure.savefig(DOCS / "images" / f"verification_{case['name']}.png", dpi=120, metadata={"Software": None})
+    plt.close(figure)
+
+
+def number(value):
+    if value == 0:
+        return "0"
+    digits = 4 if abs(value) < 1e5 else 0
+    text = f"{value:.{max(digits - 1 - math.floor(math.log10(abs(value))), 0)}f}" if 1e-3 <= abs(value) < 1e5 else f"{value:.3e}"
+    return text.replace("-", "−")
+
+
+def table(cases):
+    lines = ["| case | quantity | reference | ours | difference |", "|---|---|---|---|---|"]
+    for name, case in cases.items():
+        for row in case["rows"]:
+            reference, ours, unit = row["reference"], row["ours"], row["unit"]
+            unit = "" if unit in ("", "relative") else f" {unit}"
+            difference = f"{100 * (ours / reference - 1):+.2f} %".replace("-", "−") if reference else "–"
+            if reference and abs(ours / reference - 1) < 5e-5:
+                difference = f"{abs(ours / reference - 1):.0e}".replace("e-0", "e-")
+            lines.append(f"| [{name}](#{name.replace('_', '-')}) | {row['quantity']} | {number(reference)}{unit} | {number(ours)}{unit} "
+                         f"| {difference} |")
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("names", nargs="*", metavar="NAME")
+    options = parser.parse_args()
+    cases = json.loads((DOCS / "verification.json").read_text(encoding="utf-8"))
+    for name, case in cases.items():
+        if (not options.names or name in options.names) and case["panels"]:
+            draw(case)
+    page = DOCS / "verification.md"
+    if page.exists():
+        head, rest = page.read_text(encoding="utf-8").split("<!-- table -->\n", 1)
+        page.write_text(f"{head}<!-- table -->\n{table(cases)}\n<!-- end of the table -->{rest.split('<!-- end of the table -->', 1)[1]}",
+                        encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,30 @@
+"""Every verification case with the few runs that take a second: all numbers lie within their tolerances."""
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from runner import Rockfold  # noqa: E402
+from verify import CASES, report  # noqa: E402
+
+FULL = False
+
+
+class Verification(unittest.TestCase):
+    pass
+
+
+def test_of(case):
+    def test(self):
+        found = case(Rockfold(), FULL)
+        report(found)
+        self.assertTrue(found.rows, "the case compares nothing")
+        self.assertEqual([], [f"{row.quantity}: {row.ours!r}, must be {row.reference!r} within {row.tolerance:g}" for row in found.bad()])
+    return test
+
+
+for name, one in CASES.items():
+    setattr(Verification, f"test_{name}", test_of(one))
+
+if __name__ == "__main__":
+    unittest.main()

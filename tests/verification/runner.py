@@ -1,0 +1,105 @@
+"""Runs an example model with changed values, and the words in which a case tells what it found."""
+import json
+import os
+import re
+import subprocess
+import tempfile
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+CASES = ROOT / "tests" / "cases"
+
+
+class Rockfold:
+    """The program, with the number of threads and the time limit of every run."""
+
+    def __init__(self, program=None, threads=2, timeout=900):
+        self.program = program or os.environ.get("ROCKFOLD_BINARY") or ROOT / "build" / "release" / "rockfold"
+        self.threads, self.timeout = threads, timeout
+
+    def run(self, case, changes=None, edit=None):
+        """The JSON document of `rockfold run` for an example. `changes`: {key path: value}; `edit`: changes the model's text."""
+        with tempfile.TemporaryDirectory(prefix="rockfold-") as folder:
+            text = (CASES / case / "model.toml").read_text(encoding="utf-8")
+            model = Path(folder) / f"{case}.toml"
+            model.write_text(edit(text) if edit else text, encoding="utf-8")
+            sets = [word for key, value in (changes or {}).items() for word in ("--set", f"{key}={json.dumps(value)}")]
+            done = subprocess.run([self.program, "run", model, "--json", "-q", "--threads", str(self.threads), *sets],
+                                  cwd=folder, capture_output=True, text=True, timeout=self.timeout, check=False,
+                                  env=dict(os.environ, OMP_PROC_BIND="false"))
+            if done.returncode:
+                raise RuntimeError(f"{case} {' '.join(sets)}: exit status {done.returncode}\n{done.stderr}{done.stdout[:600]}")
+            return json.loads(done.stdout)
+
+
+def without(*keys):
+    """An edit that takes `key = …` lines out of a model."""
+    pattern = re.compile(rf"^(?:{'|'.join(map(re.escape, keys))}) *=.*\n", re.M)
+    return lambda text: pattern.sub("", text)
+
+
+def monitor(document, name):
+    return next(entry for entry in document["monitors"] if entry["name"] == name)
+
+
+def last(document, name, what, component):
+    """Value at the end of a run. `component`: x, y, z of vectors; xx, yy, zz, xy, yz, zx of stress."""
+    index = (["xx", "yy", "zz", "xy", "yz", "zx"] if what == "stress" else ["x", "y", "z"]).index(component)
+    return monitor(document, name)[what][-1][index]
+
+
+@dataclass
+class Row:
+    """One number beside its reference. `tolerance` is relative, or absolute where the reference is 0."""
+    quantity: str
+    unit: str
+    reference: float
+    ours: float
+    tolerance: float
+    origin: str
+
+    def difference(self):
+        return abs(self.ours - self.reference) / (abs(self.reference) or 1.0)
+
+    def good(self):
+        return self.difference() <= self.tolerance  # false for NaN
+
+
+@dataclass
+class Line:
+    """One line of a figure. `style`: "ours" (marks and a line), "marks", "reference" (dashed) or "curve"."""
+    label: str
+    x: list
+    y: list
+    style: str = "ours"
+
+
+@dataclass
+class Panel:
+    """One diagram. `slopes`: exponents whose triangles are drawn beside a double logarithmic diagram."""
+    title: str
+    x: str
+    y: str
+    lines: list = field(default_factory=list)
+    log: str = ""            # "", "y" or "xy"
+    slopes: list = field(default_factory=list)
+    ticks: list = field(default_factory=list)  # names of the places 0, 1, … along x
+
+
+@dataclass
+class Findings:
+    """What a case found: rows for the table, panels of its figure."""
+    name: str
+    title: str
+    rows: list = field(default_factory=list)
+    panels: list = field(default_factory=list)
+
+    def row(self, *row):
+        self.rows.append(Row(*row))
+
+    def bad(self):
+        return [row for row in self.rows if not row.good()]
+
+    def document(self):
+        return asdict(self)

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""Verification: runs the models of tests/cases that have a known answer, and compares.
+
+    tests/verification/verify.py                         all cases, with all their lattices, orders and spacings (minutes)
+    tests/verification/verify.py --fast                  a few seconds
+    tests/verification/verify.py cook kirsch             these cases
+    tests/verification/verify.py --store                 writes what was found to docs/verification.json, from which
+                                                         docs/draw_verification.py makes the page's table and figures
+    tests/verification/verify.py --rockfold PROGRAM …    another program than build/release/rockfold
+
+It needs numpy. The exit status is 1 if a number is farther from its reference than it may be.
+"""
+import argparse
+import json
+import sys
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import dynamics  # noqa: E402
+import statics  # noqa: E402
+from runner import ROOT, Rockfold  # noqa: E402
+
+CASES = {case.__name__: case for case in (
+    statics.patch, statics.bending_patch, statics.column, statics.cantilever, statics.cook, statics.le10, statics.kirsch,
+    statics.hollow_cylinder, statics.hollow_sphere, statics.spherical_cavity, statics.plate, statics.plate_large,
+    dynamics.plate_peak, dynamics.wave, dynamics.vibration, dynamics.simply_supported, dynamics.oscillator, dynamics.quasi_static)}
+STORE = ROOT / "docs" / "verification.json"
+
+
+def report(found):
+    for row in found.rows:
+        print(f"{'  ' if row.good() else '! '}{found.name:18} {row.quantity:70} {row.reference:12.6g} {row.ours:12.6g} {row.unit:8} "
+              f"{row.difference():9.2e} (may be {row.tolerance:g})")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("names", nargs="*", metavar="NAME", help="cases: " + ", ".join(CASES))
+    parser.add_argument("--fast", action="store_true")
+    parser.add_argument("--store", action="store_true")
+    parser.add_argument("--rockfold", type=Path)
+    parser.add_argument("--threads", type=int, default=2)
+    options = parser.parse_args()
+    if unknown := set(options.names) - set(CASES):
+        parser.error(f"no such case: {', '.join(sorted(unknown))}; there are {', '.join(CASES)}")
+
+    program = Rockfold(options.rockfold, options.threads)
+    stored = json.loads(STORE.read_text(encoding="utf-8")) if options.store and STORE.exists() else {}
+    failed = 0
+    for name in options.names or CASES:
+        start = time.monotonic()
+        try:
+            found = CASES[name](program, not options.fast)
+        except RuntimeError as error:
+            print(f"! {error}")
+            failed += 1
+            continue
+        report(found)
+        print(f"  {name}: {time.monotonic() - start:.1f} s", flush=True)
+        failed += len(found.bad())
+        stored[name] = found.document()
+        if options.store:
+            STORE.write_text(json.dumps({key: stored[key] for key in CASES if key in stored}, indent=1) + "\n", encoding="utf-8")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
