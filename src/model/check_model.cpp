@@ -83,10 +83,11 @@ class Needs {
       missing("joint_set", "the model has no [[joint_set]]: there is no block to speak of");
     if (model_.joint_sets.size() > largest_theory_sets)
       missing("joint_set", "there are more than 10 joint sets: too many joint pyramids to tell");
+    const Index material = model_.theory->material;
     if (model_.materials.empty())
       missing("material", "the model has no [[material]], which this command needs");
-    else if (model_.materials[model_.theory->material].density <= 0)
-      of_material(model_.theory->material, "density", "must be > 0 (kg/m3)");
+    else if (material != none && model_.materials[material].density <= 0)
+      of_material(material, "density", "must be > 0 (kg/m3)");
   }
 
   void something_fixed() {
