@@ -24,7 +24,7 @@ class Rockfold:
             text = (CASES / case / "model.toml").read_text(encoding="utf-8")
             model = Path(folder) / f"{case}.toml"
             model.write_text(edit(text) if edit else text, encoding="utf-8")
-            sets = [word for key, value in (changes or {}).items() for word in ("--set", f"{key}={json.dumps(value)}")]
+            sets = [word for key, value in {"solver.max_iterations": 50000, **(changes or {})}.items() for word in ("--set", f"{key}={json.dumps(value)}")]
             done = subprocess.run([self.program, "run", model, "--json", "-q", "--threads", str(self.threads), *sets],
                                   cwd=folder, capture_output=True, text=True, timeout=self.timeout, check=False,
                                   env=dict(os.environ, OMP_PROC_BIND="false"))
