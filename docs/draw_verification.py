@@ -51,18 +51,15 @@ def draw_line(axes, line, number, references):
 
 
 def draw_slopes(axes, panel):
-    """Lines of the theoretical slopes below the points, each with its exponent."""
-    points = [(x, y) for line in panel["lines"] if line["style"] == "ours" for x, y in zip(line["x"], line["y"]) if y > 0]
-    if not panel["slopes"] or not points:
-        return
-    left, right = min(x for x, _ in points), max(x for x, _ in points)
-    low = min(y for _, y in points)
-    for exponent in panel["slopes"]:
-        start = low / 2
-        x0, x1 = left * (right / left) ** 0.45, right
-        axes.plot([x0, x1], [start, start * (x1 / x0) ** exponent], color="#555555", linewidth=0.9, linestyle=":", zorder=1)
-        axes.annotate(f"{exponent:g}", (x1, start * (x1 / x0) ** exponent), xytext=(4, 0), textcoords="offset points", color="#555555",
-                      va="center")
+    """A dotted line of the theoretical slope from the finest point of each line (one slope each, or one for all), with its exponent."""
+    lines = [line for line in panel["lines"] if line["style"] == "ours"]
+    slopes = panel["slopes"] * (len(lines) if len(panel["slopes"]) == 1 else 1)
+    for number, (line, exponent) in enumerate(zip(lines, slopes)):
+        (x0, y0), (x1, _) = min(zip(line["x"], line["y"])), max(zip(line["x"], line["y"]))
+        y1 = y0 * (x1 / x0) ** exponent
+        c = colour(line["label"], number)
+        axes.plot([x0, x1], [y0, y1], color=c, linewidth=1.0, linestyle=":", zorder=1)
+        axes.annotate(f"{exponent:g}", (x1, y1), xytext=(7, 0), textcoords="offset points", color=c, va="center")
 
 
 def draw_panel(axes, panel):
@@ -91,8 +88,10 @@ def draw_panel(axes, panel):
         axes.set_xlim(left=0)
     if panel["ticks"]:
         axes.set_xticks(range(len(panel["ticks"])), panel["ticks"], rotation=30, ha="right")
-        axes.set_ylim(1e-17, 1e-7)
-    axes.legend(loc="best")
+        axes.set_ylim(1e-16, 1e-7)
+        axes.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    else:
+        axes.legend(loc="best")
 
 
 def draw(case):

@@ -90,11 +90,11 @@ def bending_patch(program, full):
 
 def column(program, full):
     found = Findings("column", "Column under its own weight")
-    height = np.linspace(0.25, 9.75, 20)
+    height = np.linspace(0.1, 9.9, 26)
     panel = Panel("Vertical stress", "stress zz, kPa", "height, m")
     for order in (0, 1, 2) if full else (0, 1):
         spacing = 0.5 if order < 2 else 1.0
-        document = program.run("column", {"cover.order": order, "cover.spacing": spacing}, probes([(0.5, 0.5, z) for z in height]))
+        document = program.run("column", {"cover.order": order, "cover.spacing": spacing, "solver.tolerance": 1e-10}, probes([(0.5, 0.5, z) for z in height]))
         top, base = last(document, "top", "displacement", "z"), last(document, "base", "stress", "zz")
         found.row(f"settlement of the top, {ORDER[order]}", "m", 0.0098, -top, 2e-3 if order == 0 else 1e-6, "closed form")
         if order:
@@ -146,7 +146,7 @@ def cantilever(program, full):
         bending = program.run("cantilever", {"cover.order": 2, "cover.spacing": 0.5})
         found.row("bending stress half way, quadratic covers", "Pa", 30, last(bending, "middle", "stress", "xx"), 0.01, "beam theory")
     found.panels += [value_panel(series, 0.0040015, "Tip deflection under 1 N", "deflection, m", "finite elements, extrapolated"),
-                     error_panel(series, 0.0040015, "Its error", "relative error", (2, 4))]
+                     error_panel(series, 0.0040015, "Its error", "relative error", (2,))]
     return found
 
 
@@ -172,10 +172,10 @@ def le10(program, full):
     def stress(document):
         return last(document, "D", "stress", "yy") / 1e6
 
-    orders = {1: (0.5, 0.3, 0.2), 2: (0.5, 0.3)} if full else {1: (0.5,)}
+    orders = {1: (0.5, 0.3, 0.2, 0.15), 2: (0.5, 0.3, 0.25)} if full else {1: (0.5,)}
     series = convergence(program, "le10", orders, stress, lambda h: {"cover.spacing": [0.3, h, h]})
     if full:
-        for order, at in ((1, 0.2), (2, 0.3)):
+        for order, at in ((1, 0.15), (2, 0.25)):
             found.row(f"stress yy at D, {ORDER[order]}, spacing {at} m", "MPa", -5.38, dict(series[order])[at], 0.03, "NAFEMS")
     else:
         found.row("stress yy at D, linear covers, spacing 0.5 m", "MPa", -5.38, series[1][0][1], 0.1, "NAFEMS")
@@ -322,7 +322,7 @@ def plate_large(program, full):
     """Table 4-2: the deflection under a load of 5 N, in the deformed state; one layer of cells."""
     found = Findings("plate_large", "Plate of the thesis under a point load (Table 4-2)")
     panel = Panel("Deflection of the centre", "spacing, m", "deflection, m")
-    series = convergence(program, "plate_large", {1: (0.2, 0.1, 0.0625), 2: (0.5, 0.25, 0.2)} if full else {1: (0.2,)},
+    series = convergence(program, "plate_large", {1: (0.5, 0.25, 0.2, 0.1, 0.0625), 2: (0.5, 0.25, 0.2)} if full else {1: (0.2,)},
                          lambda document: -last(document, "centre", "displacement", "z"), lambda h: {"cover.spacing": [0.1, h, h]})
     for order, points in series.items():
         panel.lines.append(Line(f"ours, {ORDER[order]}", [h for h, _ in points], [v for _, v in points]))

@@ -12,6 +12,7 @@ It needs numpy. The exit status is 1 if a number is farther from its reference t
 """
 import argparse
 import json
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -51,7 +52,7 @@ def main():
         start = time.monotonic()
         try:
             found = CASES[name](program, not options.fast)
-        except RuntimeError as error:
+        except (RuntimeError, subprocess.TimeoutExpired) as error:
             print(f"! {error}")
             failed += 1
             continue
