@@ -79,7 +79,8 @@ def draw_panel(axes, panel, alone):
     references = 0
     number = 0
     for line in panel["lines"]:
-        draw_line(axes, line, number, references)
+        same = references - (line["label"].startswith("_") and references > 0)  # unnamed lines look like the one before
+        draw_line(axes, line, number, same)
         if line["style"] == "reference":
             references += not line["label"].startswith("_") and panel["ticks"] == []
         else:
