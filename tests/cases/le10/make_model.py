@@ -22,7 +22,7 @@ def main():
     points = "\n".join(f"    [{x:.15g}, {y:.15g}, 0]," for x, y in base)
     faces = "\n".join(f'    {{where = {{face = "plate.{side}"}}, components = ["x", "y"], method = "penalty"}},' for side in range(OUTER))
     middle = [point for a, b in zip(outer, outer[1:]) for point in (a, tuple((p + q) / 2 for p, q in zip(a, b)))] + outer[-1:]
-    line = "\n".join(f'    {{where = {{point = [{x:.15g}, {y:.15g}, {HALF_HEIGHT}]}}, components = ["z"]}},' for x, y in middle)
+    line = "\n".join(f'    {{where = {{point = [{x:.15g}, {y:.15g}, {HALF_HEIGHT}]}}, components = ["z"], method = "penalty"}},' for x, y in middle)
     symmetry = "\n".join(f'    {{where = {{face = "plate.{side}"}}, components = ["{axis}"], method = "penalty"}},'
                          for side, axis in ((OUTER, "x"), (len(base) - 1, "y")))
     path = Path(__file__).resolve().parent / "model.toml"
