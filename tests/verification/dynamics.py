@@ -39,10 +39,11 @@ def nearest(found, expected, step):
 
 
 def spectrum(signal, step):
-    """Amplitude over frequency, with a Hann window, zero-padded."""
+    """Amplitude over frequency, with a Hann window, zero-padded; frequencies freed from the period error of average acceleration."""
     n = len(signal)
     padded = np.abs(np.fft.rfft((signal - signal.mean()) * np.hanning(n), 8 * n))
-    return np.fft.rfftfreq(8 * n, step), padded / padded.max()
+    seen = np.fft.rfftfreq(8 * n, step)[:-1]  # without that of Nyquist, which stands for infinity
+    return np.tan(math.pi * seen * step) / (math.pi * step), padded[:-1] / padded.max()
 
 
 def spectrum_panel(title, channels, step, highest, marks):
