@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -30,12 +31,18 @@ std::vector<Vec3> normals_of(const std::vector<ContactPlane>& planes) {
   return normals;
 }
 
-/// The force at the free faces that brings a rotation to the target, against their motion.
-SupportForce rotation_support(const Rotation& rotation, const Vec3& free_centre, Real target) {
+/// The force at the free faces that brings a rotation to the target: F (M_d − P a) = M_r, a the arm.
+/// Along a direction, or against the motion there; +inf where no force suffices.
+SupportForce rotation_support(const Rotation& rotation, const Vec3& free_centre,
+                              const std::optional<Vec3>& along, Real target) {
   const Vec3 motion = cross(rotation.axis, free_centre - rotation.point);
+  const Vec3 direction = along               ? *along
+                         : norm(motion) > 0 ? -normalized(motion)
+                                            : -normalized(rotation.velocity);
   const Real deficit = target * rotation.driving - rotation.resisting;
-  if (!(norm(motion) > 0)) return {0, -normalized(rotation.velocity)};
-  return {std::max(0.0, deficit / (target * norm(motion))), -normalized(motion)};
+  const Real arm = -dot(motion, direction);
+  if (deficit <= 0) return {0, direction};
+  return {arm > 0 ? deficit / (target * arm) : std::numeric_limits<Real>::infinity(), direction};
 }
 
 /// The state between batches: which blocks are left, and what each of them is.
@@ -60,6 +67,7 @@ class KeyblockSearch {
   Keyblock describe(const Body& body, const BlockVerdict& verdict) const;
   void describe_translation(Keyblock& key, const Body& body, const BlockVerdict& verdict) const;
   void describe_rotation(Keyblock& key, const Body& body, const BlockVerdict& verdict) const;
+  SupportForce support_of(const Body& body, const BlockVerdict& verdict) const;
   const std::string& plane_name(const Body& body, Index face) const;
   void start_batch();
 
@@ -143,16 +151,6 @@ void KeyblockSearch::describe_translation(Keyblock& key, const Body& body,
   key.resisting_force = movement.resisting;
   key.sliding_force = movement.sliding_force();
   key.factor_of_safety = movement.factor_of_safety();
-  const Real target = spec_.target_factor_of_safety;
-  const SupportForce support =
-      spec_.support_direction ? SupportForce{support_force_along(verdict.planes, movement,
-                                                                 *spec_.support_direction, target),
-                                             *spec_.support_direction}
-                              : least_support(verdict.planes, movement, target);
-  key.support_force = support.force;
-  key.support_direction = without_negative_zero(support.direction);
-  key.contact = verdict.planes;
-  key.movement = movement;
 }
 
 void KeyblockSearch::describe_rotation(Keyblock& key, const Body& body,
@@ -166,11 +164,23 @@ void KeyblockSearch::describe_rotation(Keyblock& key, const Body& body,
   key.resisting_force = rotation.resisting / arm;
   key.sliding_force = rotation.sliding_force();
   key.factor_of_safety = rotation.factor_of_safety();
-  key.rotation = rotation;
-  const SupportForce support =
-      rotation_support(rotation, bodies_.free_centre(body), spec_.target_factor_of_safety);
-  key.support_force = support.force;
-  key.support_direction = without_negative_zero(support.direction);
+}
+
+/// Of the translation and the rotation that may start, whichever governs, the one that asks for more.
+SupportForce KeyblockSearch::support_of(const Body& body, const BlockVerdict& verdict) const {
+  const Real target = spec_.target_factor_of_safety;
+  const auto& along = spec_.support_direction;
+  SupportForce translation, rotation;
+  if (verdict.rotation)
+    rotation = rotation_support(*verdict.rotation, bodies_.free_centre(body), along, target);
+  if (!verdict.movement) return rotation;
+  translation = along ? SupportForce{support_force_along(verdict.planes, *verdict.movement, *along,
+                                                         target),
+                                     *along}
+                      : least_support(verdict.planes, *verdict.movement, target);
+  const bool more = verdict.rotation && (verdict.rotates() ? rotation.force >= translation.force
+                                                           : rotation.force > translation.force);
+  return more ? rotation : translation;
 }
 
 Keyblock KeyblockSearch::describe(const Body& body, const BlockVerdict& verdict) const {
@@ -187,6 +197,12 @@ Keyblock KeyblockSearch::describe(const Body& body, const BlockVerdict& verdict)
     describe_rotation(key, body, verdict);
   else
     describe_translation(key, body, verdict);
+  key.contact = verdict.planes;
+  key.movement = verdict.movement;
+  key.rotation = verdict.rotation;
+  const SupportForce support = support_of(body, verdict);
+  key.support_force = support.force;
+  key.support_direction = without_negative_zero(support.direction);
   key.support_pressure = key.free_area > 0 ? key.support_force / key.free_area : 0;
   return key;
 }

@@ -86,19 +86,6 @@ void keep_worse(std::optional<Rotation>& worst, const Rotation& rotation, const 
     worst = rotation;
 }
 
-/// Edge k of a patch as an axis, in the sense that lifts the patch's inside.
-Rotation about_edge(const ContactPatch& patch, std::size_t k) {
-  const Vec3 &from = patch.corners[k], &to = patch.corners[(k + 1) % patch.corners.size()];
-  Rotation rotation;
-  rotation.point = from;
-  rotation.axis = normalized(to - from);
-  Vec3 middle{};
-  for (const Vec3& x : patch.corners)
-    middle += (1.0 / static_cast<Real>(patch.corners.size())) * (x - from);
-  if (dot(cross(rotation.axis, middle), patch.normal) > 0) rotation.axis = -rotation.axis;
-  return rotation;
-}
-
 /// The free rotation about a corner; only where it turns the block at all.
 std::optional<Rotation> about_corner(const ContactPatch& patch, const Vec3& corner,
                                      const RigidBody& body) {
@@ -116,6 +103,18 @@ std::optional<Rotation> about_corner(const ContactPatch& patch, const Vec3& corn
 }
 
 }  // namespace
+
+Rotation about_edge(const ContactPatch& patch, std::size_t k) {
+  const Vec3 &from = patch.corners[k], &to = patch.corners[(k + 1) % patch.corners.size()];
+  Rotation rotation;
+  rotation.point = from;
+  rotation.axis = normalized(to - from);
+  Vec3 middle{};
+  for (const Vec3& x : patch.corners)
+    middle += (1.0 / static_cast<Real>(patch.corners.size())) * (x - from);
+  if (dot(cross(rotation.axis, middle), patch.normal) > 0) rotation.axis = -rotation.axis;
+  return rotation;
+}
 
 Real Rotation::factor_of_safety() const {
   return resisting > 0 ? resisting / driving : std::numeric_limits<Real>::quiet_NaN();

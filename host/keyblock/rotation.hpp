@@ -46,6 +46,9 @@ struct Rotation {
   Real sliding_force() const;
 };
 
+/// The turn about edge k of a patch (from corner k to the next) that lifts the patch's inside; without its moments.
+Rotation about_edge(const ContactPatch& patch, std::size_t k);
+
 /// The least safe rotation of a block with these contacts, or nothing where none is both possible
 /// (no corner of a contact moves into the rock) and driven. About an edge of a contact, the block
 /// may turn as soon as the net moment lifts it; about a corner, where the free motion that the loads

@@ -114,6 +114,10 @@ bool BlockVerdict::rotates() const {
   return rotation->resisting * movement->driving < movement->resisting * rotation->driving;
 }
 
+Real BlockVerdict::sliding_force() const {
+  return rotates() ? rotation->sliding_force() : movement->sliding_force();
+}
+
 void add_rotation(BlockVerdict& verdict, const std::optional<Rotation>& rotation) {
   verdict.rotation = rotation;
   if (rotation &&

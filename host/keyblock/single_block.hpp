@@ -46,6 +46,8 @@ struct BlockVerdict {
 
   /// Whether it is the rotation, not the translation, that governs: the lower factor of safety.
   bool rotates() const;
+  /// Of the motion that governs, N; there must be one.
+  Real sliding_force() const;
 };
 
 /// Completes a removable block's verdict by its rotation.
