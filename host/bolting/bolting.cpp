@@ -173,12 +173,12 @@ std::vector<Index> SupportJudge::bolts_through(const std::vector<Index>& members
   return bolts;
 }
 
-/// Support may hold one motion and not the other: the one that is less safe with it counts.
+/// Support may hold one motion and not another: the one that is least safe with it counts.
 BlockSupport SupportJudge::judge(const Keyblock& key) const {
   std::optional<BlockSupport> worst;
   if (key.movement) worst = in_motion(key, {});
-  if (key.rotation) {
-    BlockSupport turned = in_motion(key, turning_of(*key.rotation));
+  for (const Rotation& rotation : key.rotations) {
+    BlockSupport turned = in_motion(key, turning_of(rotation));
     if (!worst || is_less_safe(turned, *worst)) worst = std::move(turned);
   }
   return worst ? *std::move(worst) : BlockSupport{};

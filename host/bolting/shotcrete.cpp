@@ -21,7 +21,9 @@ bool is_sprayed(const FaceOrigin& origin, const std::vector<WallFaces>& walls) {
 }  // namespace
 
 ShotcreteCover::ShotcreteCover(const BlockArrays& blocks, const Shotcrete& shotcrete)
-    : blocks_(blocks), contacts_(blocks), strength_(shotcrete.shear_strength * shotcrete.thickness) {
+    : blocks_(blocks),
+      contacts_(blocks),
+      strength_(shotcrete.shear_strength * shotcrete.thickness) {
   if (shotcrete.adhesion_strength)
     strength_ = std::min(strength_, *shotcrete.adhesion_strength * shotcrete.bond_width);
   for (const FaceOrigin& origin : blocks.origins)

@@ -219,7 +219,7 @@ std::vector<ContactPatch> Bodies::patches(const Body& body, const std::vector<In
              dot(p.normal, face.normal) > 0;
     });
     if (same == patches.end()) {
-      patches.push_back({face.normal, {}, static_cast<Index>(f)});
+      patches.push_back({face.normal, {}, static_cast<Index>(f), face.friction});
       points.push_back(corners);
     } else {
       auto& all = points[static_cast<std::size_t>(same - patches.begin())];
@@ -256,12 +256,11 @@ BlockVerdict Bodies::judge(const Body& body, const std::vector<Index>& batch) co
   const bool falls = verdict.movement && verdict.movement->mode == SlidingMode::lifting &&
                      verdict.movement->resisting == 0;  // nothing is less safe
   if (!removable || falls || !looks_at_rotation()) return verdict;
-  add_rotation(verdict, find_rotation(patches(body, batch),
-                                      {.centroid = body.centroid,
-                                       .inertia = inertia(body),
-                                       .mass = body.mass,
-                                       .force = verdict.resultant,
-                                       .moment = body.moment}));
+  add_rotations(verdict, find_rotations(patches(body, batch), {.centroid = body.centroid,
+                                                               .inertia = inertia(body),
+                                                               .mass = body.mass,
+                                                               .force = verdict.resultant,
+                                                               .moment = body.moment}));
   return verdict;
 }
 

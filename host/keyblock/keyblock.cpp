@@ -36,7 +36,7 @@ std::vector<Vec3> normals_of(const std::vector<ContactPlane>& planes) {
 SupportForce rotation_support(const Rotation& rotation, const Vec3& free_centre,
                               const std::optional<Vec3>& along, Real target) {
   const Vec3 motion = cross(rotation.axis, free_centre - rotation.point);
-  const Vec3 direction = along               ? *along
+  const Vec3 direction = along              ? *along
                          : norm(motion) > 0 ? -normalized(motion)
                                             : -normalized(rotation.velocity);
   const Real deficit = target * rotation.driving - rotation.resisting;
@@ -123,7 +123,7 @@ std::vector<KeyblockSearch::Judged> KeyblockSearch::judge(
       return;
     Body body = bodies_.body({block}, report_.batch);
     one.verdict = bodies_.judge(body, report_.batch);
-    const bool removable = one.verdict.movement || one.verdict.rotation;
+    const bool removable = one.verdict.movement || !one.verdict.rotations.empty();
     if (removable) one.body = std::move(body);  // what is not described needs no faces
   };
   const auto count = static_cast<std::int64_t>(candidates.size());
@@ -155,7 +155,7 @@ void KeyblockSearch::describe_translation(Keyblock& key, const Body& body,
 
 void KeyblockSearch::describe_rotation(Keyblock& key, const Body& body,
                                        const BlockVerdict& verdict) const {
-  const Rotation& rotation = *verdict.rotation;
+  const Rotation& rotation = verdict.rotations[0];
   const Real arm = norm(rotation.velocity);
   key.mode = SlidingMode::rotation;
   key.planes.push_back(plane_name(body, rotation.face));
@@ -171,15 +171,16 @@ SupportForce KeyblockSearch::support_of(const Body& body, const BlockVerdict& ve
   const Real target = spec_.target_factor_of_safety;
   const auto& along = spec_.support_direction;
   SupportForce translation, rotation;
-  if (verdict.rotation)
-    rotation = rotation_support(*verdict.rotation, bodies_.free_centre(body), along, target);
+  if (!verdict.rotations.empty())
+    rotation = rotation_support(verdict.rotations[0], bodies_.free_centre(body), along, target);
   if (!verdict.movement) return rotation;
-  translation = along ? SupportForce{support_force_along(verdict.planes, *verdict.movement, *along,
-                                                         target),
-                                     *along}
-                      : least_support(verdict.planes, *verdict.movement, target);
-  const bool more = verdict.rotation && (verdict.rotates() ? rotation.force >= translation.force
-                                                           : rotation.force > translation.force);
+  translation =
+      along ? SupportForce{support_force_along(verdict.planes, *verdict.movement, *along, target),
+                           *along}
+            : least_support(verdict.planes, *verdict.movement, target);
+  const bool more =
+      !verdict.rotations.empty() && (verdict.rotates() ? rotation.force >= translation.force
+                                                       : rotation.force > translation.force);
   return more ? rotation : translation;
 }
 
@@ -199,7 +200,7 @@ Keyblock KeyblockSearch::describe(const Body& body, const BlockVerdict& verdict)
     describe_translation(key, body, verdict);
   key.contact = verdict.planes;
   key.movement = verdict.movement;
-  key.rotation = verdict.rotation;
+  key.rotations = verdict.rotations;
   const SupportForce support = support_of(body, verdict);
   key.support_force = support.force;
   key.support_direction = without_negative_zero(support.direction);
@@ -222,7 +223,8 @@ std::vector<Index> KeyblockSearch::move_single_blocks(const std::vector<Index>& 
     const auto& [body, verdict] = judged[i];
     report_.block_class[b] = verdict.block_class;
     stable_[b].reset();
-    if (verdict.block_class == BlockClass::stable && (verdict.movement || verdict.rotation))
+    if (verdict.block_class == BlockClass::stable &&
+        (verdict.movement || !verdict.rotations.empty()))
       stable_[b] = describe(body, verdict);
     if (verdict.block_class != BlockClass::key) continue;
     if (removed.empty()) start_batch();

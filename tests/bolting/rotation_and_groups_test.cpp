@@ -143,7 +143,8 @@ TEST(BoltsOnRotations, TheSupportForceIsAlongTheGivenDirection) {
 TEST(BoltsOnRotations, DoNotHideThatTheBlockMaySlideInstead) {
   std::string model = column();
   model.replace(model.find("friction_angle = 80"), 19, "friction_angle = 20");
-  const CutRock rock = cut_rock(model + bolt("collar = [0.7, 0.6, 3.4]\ndirection = [-1, 0, 0]\nlength = 4", ""));
+  const CutRock rock =
+      cut_rock(model + bolt("collar = [0.7, 0.6, 3.4]\ndirection = [-1, 0, 0]\nlength = 4", ""));
   const Keyblock& key = rock.keyblocks.keyblocks.at(0);
   EXPECT_EQ(key.mode, SlidingMode::rotation);
   const Real driving = column_weight * std::sin(25 * degree),
@@ -162,8 +163,8 @@ TEST(ShotcreteOnRotations, WorksAtTheMiddleOfItsEdge) {
   const BlockSupport support = supported(rock).keyblocks.at(0);
   EXPECT_NEAR(support.shotcrete.edge, 2 * (1.3 + 3.5), 1e-12);
   EXPECT_LT(norm(support.shotcrete.point - Vec3{0.7, 0.65, 1.75}), 1e-12);
-  EXPECT_NEAR(support.held.factor_of_safety,
-              (righting + 0.01 * 2e5 * 2 * 4.8 * 1.75) / overturning, 1e-9);
+  EXPECT_NEAR(support.held.factor_of_safety, (righting + 0.01 * 2e5 * 2 * 4.8 * 1.75) / overturning,
+              1e-9);
 }
 
 /// Two unit cubes in a row on a bed of dip 40°: the one in front (x from 0 to 1) rough below, the one behind slick.
@@ -225,8 +226,7 @@ TEST(BoltsOnGroups, HoldBothBlocksByOneBalance) {
   ASSERT_EQ(rock.keyblocks.keyblocks.size(), 1u);
   const Keyblock& key = rock.keyblocks.keyblocks[0];
   EXPECT_EQ(key.members.size(), 2u);
-  const Real driving = 2 * cube_weight * std::sin(40 * degree),
-             friction = mean_friction(55),
+  const Real driving = 2 * cube_weight * std::sin(40 * degree), friction = mean_friction(55),
              resisting = 2 * cube_weight * std::cos(40 * degree) * friction;
   EXPECT_NEAR(key.factor_of_safety, resisting / driving, 1e-9);
   const BoltingReport report = supported(rock);

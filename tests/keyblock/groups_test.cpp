@@ -99,12 +99,13 @@ BlockArrays stack(const std::vector<int>& ids, Real height) {
   const Vec3 x{c, 0, -s}, z{s, 0, c}, y{0, 1, 0};
   const auto top = static_cast<int>(ids.size()) - 1;
   for (const int layer : ids)
-    builder.block(test::convex_block({{x, 0.7 * x, free},
-                                      {-x, {}, free},
-                                      {y, y, free},
-                                      {-y, {}, free},
-                                      {-z, (layer * height) * z, layer == 0 ? bed : cross},
-                                      {z, ((layer + 1) * height) * z, layer == top ? free : cross}}));
+    builder.block(
+        test::convex_block({{x, 0.7 * x, free},
+                            {-x, {}, free},
+                            {y, y, free},
+                            {-y, {}, free},
+                            {-z, (layer * height) * z, layer == 0 ? bed : cross},
+                            {z, ((layer + 1) * height) * z, layer == top ? free : cross}}));
   builder.rock();
   return builder.blocks;
 }
@@ -119,7 +120,7 @@ TEST(Groups, ThatToppleAsOneAreFound) {
     EXPECT_EQ(key.mode, SlidingMode::rotation);
     EXPECT_EQ(key.planes, std::vector<std::string>{"bed"});
     EXPECT_NEAR(key.factor_of_safety, 0.7 / (2.4 * std::tan(radians(25))), 1e-9);
-    EXPECT_NEAR(key.rotation->driving, key.weight * std::sin(radians(25)) * 1.2, 1e-6);
+    EXPECT_NEAR(key.rotations[0].driving, key.weight * std::sin(radians(25)) * 1.2, 1e-6);
   }
   EXPECT_TRUE(find_keyblocks(stack({0, 1}, 0.7), model_with_joints(80)).keyblocks.empty());
 }
