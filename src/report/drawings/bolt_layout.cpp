@@ -97,10 +97,10 @@ class Layout {
 void Layout::find_looks(const KeyblockReport& keyblocks) {
   const auto& bolting = design_.bolting;
   for (std::size_t i = 0; i < keyblocks.keyblocks.size(); ++i) {
-    const Index block = keyblocks.keyblocks[i].block;
-    look_[block] = !bolting                              ? &unsupported
-                   : bolting->keyblocks[i].held.adequate ? &held
-                                                         : &not_held;
+    for (const Index block : keyblocks.keyblocks[i].members)
+      look_[block] = !bolting                              ? &unsupported
+                     : bolting->keyblocks[i].held.adequate ? &held
+                                                           : &not_held;
   }
   for (std::size_t i = 0; i < keyblocks.stable.size(); ++i) {
     const Keyblock& stable = keyblocks.stable[i];
