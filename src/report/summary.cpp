@@ -208,7 +208,7 @@ std::string run_summary(const RunReport& report) {
   std::string text = fact(
       "covers", fmt::format("{} of {} elements, {} unknowns", grouped(report.covers.cover_count()),
                             grouped(report.covers.element_count()),
-                            grouped(3 * std::int64_t{report.covers.cover_count()})));
+                            grouped(3 * std::int64_t{report.covers.unknown_count()})));
   text += fact("steps", fmt::format("{} to t = {:.6g} s, {} solver iterations ({})",
                                     grouped(run.steps), run.time, grouped(run.iterations.pcg),
                                     preconditioner_name(run.preconditioner)));
