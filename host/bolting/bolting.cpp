@@ -27,11 +27,14 @@ BoltsOfBlock bolts_of_blocks(const std::vector<Bolt>& bolts) {
   return of;
 }
 
-/// The rotation in which a key block fails, where that is how it fails.
-std::optional<Turning> turning_of(const Keyblock& key) {
-  if (!key.rotation) return {};
-  const Rotation& r = *key.rotation;
-  return Turning{r.point, r.axis, r.driving, r.resisting, norm(r.velocity)};
+Turning turning_of(const Rotation& r) {
+  return {r.point, r.axis, r.driving, r.resisting, norm(r.velocity)};
+}
+
+/// NaN: nothing resists.
+bool is_less_safe(const BlockSupport& a, const BlockSupport& b) {
+  const auto safety = [](Real f) { return std::isnan(f) ? -std::numeric_limits<Real>::max() : f; };
+  return safety(a.held.factor_of_safety) < safety(b.held.factor_of_safety);
 }
 
 bool is_in(Index block, const std::vector<Index>& members) {
@@ -64,7 +67,9 @@ class SupportJudge {
   Real axial_left(const Bolt& bolt, const std::vector<Index>& members, Index with,
                   const Embedment& own) const;
   std::vector<Index> bolts_through(const std::vector<Index>& members) const;
-  BoltCrossing crossing(Index bolt, const Keyblock& key) const;
+  BlockSupport in_motion(const Keyblock& key, const std::optional<Turning>& turning) const;
+  BoltCrossing crossing(Index bolt, const Keyblock& key,
+                        const std::optional<Turning>& turning) const;
   void mobilise(BlockSupport& support) const;
 
   const SupportedRock& rock_;
@@ -121,18 +126,21 @@ Real SupportJudge::axial_left(const Bolt& bolt, const std::vector<Index>& member
   return std::max(axial_capacity(type_of(bolt), own) - taken, Real{0});
 }
 
-BoltCrossing SupportJudge::crossing(Index id, const Keyblock& key) const {
+BoltCrossing SupportJudge::crossing(Index id, const Keyblock& key,
+                                    const std::optional<Turning>& turning) const {
   const Bolt& bolt = report_.bolts[id];
   BoltCrossing crossing;
   crossing.bolt = id;
   const std::vector<Index>& members = key.members;
   crossing.embedment = embedment(bolt, members, key.batch);
   crossing.axial_capacity = axial_left(bolt, members, key.batch, crossing.embedment);
-  Vec3 motion = key.movement.direction;
-  if (const auto turning = turning_of(key)) {
+  Vec3 motion = key.direction;
+  if (turning) {
     motion = turning->motion(leaving_point(bolt, key.members));
     if (!(norm(motion) > 0)) return crossing;  // on the axis: it does not move the bolt
     motion = normalized(motion);
+  } else if (key.movement) {
+    motion = key.movement->direction;
   }
   crossing.force = bolt_force(type_of(bolt), bolt.direction, crossing.axial_capacity, motion);
   crossing.capacity = norm(crossing.force.force);
@@ -165,12 +173,26 @@ std::vector<Index> SupportJudge::bolts_through(const std::vector<Index>& members
   return bolts;
 }
 
+/// Support may hold one motion and not another: the one that is least safe with it counts.
 BlockSupport SupportJudge::judge(const Keyblock& key) const {
+  std::optional<BlockSupport> worst;
+  if (key.movement) worst = in_motion(key, {});
+  for (const Rotation& rotation : key.rotations) {
+    BlockSupport turned = in_motion(key, turning_of(rotation));
+    if (!worst || is_less_safe(turned, *worst)) worst = std::move(turned);
+  }
+  return worst ? *std::move(worst) : BlockSupport{};
+}
+
+BlockSupport SupportJudge::in_motion(const Keyblock& key,
+                                     const std::optional<Turning>& turning) const {
   BlockSupport support;
   support.block = key.block;
+  support.members = key.members;
+  support.mode = turning ? SlidingMode::rotation : key.movement->mode;
   std::vector<SupportElement> elements;
   for (const Index bolt : bolts_through(key.members)) {
-    const BoltCrossing& c = support.crossings.emplace_back(crossing(bolt, key));
+    const BoltCrossing& c = support.crossings.emplace_back(crossing(bolt, key, turning));
     const BoltType& type = type_of(report_.bolts[bolt]);
     elements.push_back({c.force.force, type.action == BoltAction::active, type.stiffness,
                         leaving_point(report_.bolts[bolt], key.members)});
@@ -178,12 +200,10 @@ BlockSupport SupportJudge::judge(const Keyblock& key) const {
   if (!rock_.shotcrete.empty()) {
     support.shotcrete = rock_.shotcrete[key.block];
     if (norm(support.shotcrete.force) > 0)
-      elements.push_back({support.shotcrete.force, false, 0, rock_.blocks.centroid[key.block]});
+      elements.push_back({support.shotcrete.force, false, 0, support.shotcrete.point});
   }
-  if (const auto turning = turning_of(key))
-    support.held = hold(*turning, elements, rock_.target);
-  else
-    support.held = hold(key.contact, key.movement, elements, rock_.target);
+  support.held = turning ? hold(*turning, elements, rock_.target)
+                         : hold(key.contact, *key.movement, elements, rock_.target);
   mobilise(support);
   return support;
 }
@@ -233,7 +253,7 @@ std::vector<ShotcreteHold> shotcrete_on(const BlockArrays& blocks, const Keybloc
   const ShotcreteCover cover(blocks, *model.shotcrete);
   std::vector<ShotcreteHold> holds(static_cast<std::size_t>(blocks.block_count()));
   for (const auto* list : {&keyblocks.keyblocks, &keyblocks.stable})
-    for (const Keyblock& key : *list) holds[key.block] = cover.hold(key.block);
+    for (const Keyblock& key : *list) holds[key.block] = cover.hold(key.members);
   return holds;
 }
 

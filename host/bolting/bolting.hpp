@@ -35,6 +35,8 @@ struct BoltCrossing {
 /// The support of one block.
 struct BlockSupport {
   Index block = none;
+  std::vector<Index> members;               ///< of a group that fails together: all of them
+  SlidingMode mode = SlidingMode::lifting;  ///< of the motion that governs with the support
   std::vector<BoltCrossing> crossings;
   ShotcreteHold shotcrete;
   HeldBlock held;

@@ -73,7 +73,9 @@ TEST(InSituStress, WithFrictionUpToTheHalfAngleOfTheWedgeHoldsNothing) {
 }
 
 TEST(InSituStress, HoldsTheWedgeFromTheCriticalFrictionAngleOn) {
-  const std::pair<Real, Real> critical[] = {{1, 35.8603}, {0.1, 59.0726}, {10, 34.3738}};
+  // The last one stands for rigid shear stiffness, ks/kn → ∞.
+  const std::pair<Real, Real> critical[] = {
+      {1, 35.8603}, {0.1, 59.0726}, {10, 34.3738}, {1e9, 34.2153}};
   for (const auto& [ratio, angle] : critical) {
     const auto held = [&, k = ratio](Real phi) {
       return find_keyblocks(roof_wedge(), stressed_model(phi, k)).keyblocks.empty();
