@@ -46,6 +46,7 @@ class KeyblockSearch {
   void find_batches(std::vector<Index> candidates);
   std::vector<Index> move_single_blocks(const std::vector<Index>& candidates);
   std::vector<Index> move_groups();
+  std::vector<Index> group_seeds() const;
   std::vector<Judged> judge(const std::vector<Index>& candidates) const;
   std::vector<Index> left() const;
   bool stays(Index block) const;
@@ -65,6 +66,8 @@ class KeyblockSearch {
   Index batch_ = 0;
   KeyblockReport report_;
   std::vector<std::optional<Keyblock>> stable_;  // of each block, as last looked at
+  bool groups_searched_ = false;                 // once, everywhere
+  std::vector<Index> gone_since_;                // what has left since groups were searched
 };
 
 KeyblockSearch::KeyblockSearch(const BlockArrays& blocks, const Model& model)
@@ -219,12 +222,31 @@ std::vector<Index> KeyblockSearch::move_single_blocks(const std::vector<Index>& 
   return removed;
 }
 
+/// Where groups may be that were not found before: what a block takes with it is known by the blocks that
+/// chains of `largest_group` contacts reach.
+std::vector<Index> KeyblockSearch::group_seeds() const {
+  if (!groups_searched_) return left();
+  std::vector<std::uint8_t> seen(report_.batch.size(), 0);
+  std::vector<Index> front = gone_since_, seeds;
+  for (Index step = 0; step < spec_.largest_group && !front.empty(); ++step) {
+    std::erase_if(front = bodies_.contacts().neighbours(front, report_.batch), [&](Index b) {
+      return std::exchange(seen[static_cast<std::size_t>(b)], std::uint8_t{1}) != 0;
+    });
+    seeds.insert(seeds.end(), front.begin(), front.end());
+  }
+  std::erase_if(seeds, [&](Index b) { return !stays(b); });
+  std::sort(seeds.begin(), seeds.end());
+  return seeds;
+}
+
 /// The groups that move now are a batch; the blocks that it removed.
 std::vector<Index> KeyblockSearch::move_groups() {
   const auto may_move = [&](Index block) {
     return stays(block) && blocks_.finite[static_cast<std::size_t>(block)] != 0;
   };
-  auto groups = find_groups(bodies_, left(), report_.batch, spec_.largest_group, may_move);
+  auto groups = find_groups(bodies_, group_seeds(), report_.batch, spec_.largest_group, may_move);
+  groups_searched_ = true;
+  gone_since_.clear();
   std::vector<Index> removed;
   if (groups.empty()) return removed;
   std::sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
@@ -250,6 +272,7 @@ void KeyblockSearch::find_batches(std::vector<Index> candidates) {
     std::vector<Index> removed = move_single_blocks(candidates);
     if (removed.empty()) removed = move_groups();
     if (removed.empty()) return;
+    gone_since_.insert(gone_since_.end(), removed.begin(), removed.end());
     candidates = bodies_.contacts().neighbours(removed, report_.batch);
     std::erase_if(candidates, [&](Index b) { return !stays(b); });
   }
@@ -264,6 +287,7 @@ void KeyblockSearch::excavate(Index stage) {
       report_.batch[static_cast<std::size_t>(b)] = excavated;
       removed.push_back(b);
     }
+  gone_since_.insert(gone_since_.end(), removed.begin(), removed.end());
   std::vector<Index> candidates = bodies_.contacts().neighbours(removed, report_.batch);
   std::erase_if(candidates, [&](Index b) { return !stays(b); });
   find_batches(std::move(candidates));

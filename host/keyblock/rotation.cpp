@@ -16,6 +16,9 @@ using Patches = std::span<const ContactPatch>;
 /// Rounding of coordinates, over their size.
 constexpr Real coordinate_rounding = 1e-14;
 
+/// Their corners' lines are some 10⁵ then; blocks of more planes of contact hardly ever are removable.
+constexpr std::size_t most_planes_for_lines = 64;
+
 /// Whether turning about the axis through `point` moves no corner of a contact into the rock.
 bool is_admissible(Patches patches, const Vec3& point, const Vec3& axis) {
   for (const ContactPatch& patch : patches)
@@ -120,12 +123,12 @@ class RotationSearch {
 
   std::vector<Rotation> run() {
     for (std::size_t p = 0; p < patches_.size(); ++p) {
-      const auto pressing = pressing_part(patches_, {p, p}, body_.force);
-      if (!pressing) continue;
-      for (std::size_t k = 0; k < patches_[p].corners.size(); ++k) {
-        turn_about(about_edge(patches_[p], k), *pressing, {p, p});
-        turn_freely(patches_[p].corners[k], *pressing, p);
-      }
+      if (const auto pressing = pressing_part(patches_, {p, p}, body_.force))
+        for (std::size_t k = 0; k < patches_[p].corners.size(); ++k) {
+          turn_about(about_edge(patches_[p], k), *pressing, {p, p});
+          turn_freely(patches_[p].corners[k], *pressing, p);
+        }
+      if (patches_.size() > most_planes_for_lines) continue;
       for (std::size_t q = p + 1; q < patches_.size(); ++q) turn_about_lines({p, q});
     }
     sort();

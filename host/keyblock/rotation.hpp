@@ -57,7 +57,7 @@ Rotation about_edge(const ContactPatch& patch, std::size_t k);
 /// may turn as soon as the net moment lifts it; about a corner, where the free motion that the loads
 /// start, J⁻¹ M, enters no rock. The hinge must be pressed on its planes by r. A plane that r presses on and that no corner
 /// leaves resists by its friction.
-/// Cost: O(k³) for k corners in all.
+/// Cost: O(k³) for k corners in all; lines are left out of blocks with more than 64 planes of contact.
 std::vector<Rotation> find_rotations(std::span<const ContactPatch> patches, const RigidBody& body);
 
 /// The least safe one.

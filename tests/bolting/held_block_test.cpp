@@ -56,6 +56,7 @@ TEST(HeldBlock, OfABoltAlongAnAngleReachesTheTargetWithHoeksForce) {
   }
 }
 
+// REFERENCES G-1.
 TEST(HeldBlock, OfTwoHundredKilonewtonBoltsNeedsTwoForBalanceAndThreeForTheTarget) {
   const SlidingBlock block;
   for (const auto& [target, count] : {std::pair{1.0, 2u}, {1.5, 3u}}) {
@@ -66,6 +67,7 @@ TEST(HeldBlock, OfTwoHundredKilonewtonBoltsNeedsTwoForBalanceAndThreeForTheTarge
   }
 }
 
+// REFERENCES G-1: the optimum.
 TEST(HeldBlock, MissesWhatTheLeastSupportForceIs) {
   const SlidingBlock block;
   const SupportForce least = least_support(block.planes, block.movement, 1.5);

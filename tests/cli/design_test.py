@@ -46,6 +46,10 @@ class BoltedTunnel(ProgramTest):
                 self.assertLessEqual(crossing["axial_capacity"], 150e3)
         self.assertGreater(crossed, 10)
         self.assertEqual(document["classification"]["q"]["proposed"], ["rqd", "jn"])
+        demand = document["classification"]["block_theory"]  # what Q and RMR are compared with
+        self.assertEqual(demand["keyblocks"], len(document["keyblocks"]))
+        self.assertAlmostEqual(demand["largest_pressure"], max(key["support_pressure"] for key in document["keyblocks"]))
+        self.assertAlmostEqual(demand["support_force"], sum(key["support_force"] for key in document["keyblocks"]), delta=1e-3)
         best = document["pattern_search"]["best"]
         self.assertEqual(best["held"], document["pattern_search"]["key_blocks"])
         self.assertEqual(document["pattern_search"]["tried"][-1], best)

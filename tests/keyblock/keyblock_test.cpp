@@ -104,7 +104,7 @@ TEST(Keyblocks, OfARoofFallAndNothingResists) {
   EXPECT_NEAR(key.support_pressure, 1.5 * 2000 * 9.81 / 3, 1e-9);  // F γ H / 3
 }
 
-// Thesis Table 5-1 in newtons, gravity along the first axis, no strength. Volumes
+// REFERENCES E10: thesis Table 5-1 in newtons, gravity along the first axis, no strength. Volumes
 // to 5e-4 m³.
 struct Row {
   int row;

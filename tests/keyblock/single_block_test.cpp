@@ -98,6 +98,7 @@ TEST_F(HoekBray, TheDryWedgeEqualsThePublishedFactorOfSafety) {
                            (w * std::sin(plunge));
   EXPECT_NEAR(m.factor_of_safety(), closed_form, 1e-10);
   EXPECT_NEAR(test::degrees(plunge), 31.197, 5e-4);
+  EXPECT_NEAR(test::degrees(std::atan2(m.direction[0], m.direction[1])), 157.732, 5e-4);
 }
 
 // Cohesion counts for less in the larger wedge: volume and weight go by (H/100)³, areas by (H/100)².
@@ -130,7 +131,7 @@ TEST_F(HoekBray, EnoughWaterLiftsTheWedgeOffItsJoints) {
   EXPECT_EQ(verdict.movement->mode, SlidingMode::lifting);
 }
 
-// 3DEC's falling wedge: roof tetrahedron between joints that dip 60°, apex 1 m above the roof, 20
+// REFERENCES E9 without stress, G-2. 3DEC's falling wedge: roof tetrahedron between joints that dip 60°, apex 1 m above the roof, 20
 // kN/m³.
 TEST(RoofTetrahedron, FallsWithItsWeight) {
   const Vec3 apex{0, 0, 1};
