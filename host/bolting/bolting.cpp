@@ -82,6 +82,13 @@ Embedment SupportJudge::embedment(const Bolt& bolt, const std::vector<Index>& me
   constexpr Real gap = 1e-3;  // m: a wider one between plate and block is air
   Embedment e;
   e.length = bolt.length;
+  // Where the anchor at the far end begins: all along where none is told.
+  const auto& anchor_length = type_of(bolt).anchor_length;
+  const Real anchor_from = anchor_length ? bolt.length - *anchor_length : 0;
+  const auto add_anchored = [&](Real from, Real to) {
+    e.anchored += std::max(to - from, Real{0});
+    e.anchor += std::max(to - std::max(from, anchor_from), Real{0});
+  };
   Real front = 0;
   bool met = false;
   for (const RockSegment& segment : bolt.rock) {
@@ -90,11 +97,11 @@ Embedment SupportJudge::embedment(const Bolt& bolt, const std::vector<Index>& me
       if (!met && segment.from > front + gap) e.plate = false;
       met = true;
       e.within += length;
-      e.anchored = 0;  // what lies before the last exit holds nothing
+      e.anchored = e.anchor = 0;  // what lies before the last exit holds nothing
       continue;
     }
     if (met) {
-      if (!gone(segment.block, with)) e.anchored += length;
+      if (!gone(segment.block, with)) add_anchored(segment.from, segment.to);
       continue;
     }
     // In front of the block: the plate reaches it only through blocks that move with it or later.
@@ -107,8 +114,7 @@ Embedment SupportJudge::embedment(const Bolt& bolt, const std::vector<Index>& me
     const RockSegment& last = bolt.rock.back();
     const bool beyond = last.exit_face != none &&
                         rock_.blocks.origins[rock_.blocks.face_origin[last.exit_face]].continues;
-    if (beyond && !is_in(last.block, members))
-      e.anchored += std::max(bolt.length - last.to, Real{0});
+    if (beyond && !is_in(last.block, members)) add_anchored(last.to, bolt.length);
   }
   return e;
 }
@@ -151,7 +157,7 @@ void SupportJudge::mobilise(BlockSupport& support) const {
   Real load = 0, capacity = 0;
   for (std::size_t i = 0; i < support.crossings.size(); ++i) {
     BoltCrossing& c = support.crossings[i];
-    if (!(c.capacity > 0)) continue;
+    if (support.held.in_balance && !(c.capacity > 0)) continue;  // it is not needed
     c.force_mobilisation = support.held.mobilised[i];
     c.load = c.force_mobilisation * c.capacity;
     c.displacement_mobilisation =
@@ -161,6 +167,10 @@ void SupportJudge::mobilise(BlockSupport& support) const {
         std::max(support.displacement_mobilisation, c.displacement_mobilisation);
   }
   if (capacity > 0) support.force_mobilisation = load / capacity;
+  if (support.held.in_balance) return;
+  // Bolts that hold nothing are no less at their end than those that hold too little.
+  if (!support.crossings.empty()) support.force_mobilisation = 1;
+  support.displacement_mobilisation = std::numeric_limits<Real>::infinity();
 }
 
 std::vector<Index> SupportJudge::bolts_through(const std::vector<Index>& members) const {
@@ -173,15 +183,21 @@ std::vector<Index> SupportJudge::bolts_through(const std::vector<Index>& members
   return bolts;
 }
 
-/// Support may hold one motion and not another: the one that is least safe with it counts.
+/// Support may hold one motion and not another: the one that is least safe with it counts, and what is missing is the
+/// most that any of them lacks.
 BlockSupport SupportJudge::judge(const Keyblock& key) const {
   std::optional<BlockSupport> worst;
-  if (key.movement) worst = in_motion(key, {});
-  for (const Rotation& rotation : key.rotations) {
-    BlockSupport turned = in_motion(key, turning_of(rotation));
-    if (!worst || is_less_safe(turned, *worst)) worst = std::move(turned);
-  }
-  return worst ? *std::move(worst) : BlockSupport{};
+  Real missing = 0;
+  const auto look_at = [&](BlockSupport support) {
+    missing = std::max(missing, support.held.missing_force);
+    if (!worst || is_less_safe(support, *worst)) worst = std::move(support);
+  };
+  if (key.movement) look_at(in_motion(key, {}));
+  for (const Rotation& rotation : key.rotations) look_at(in_motion(key, turning_of(rotation)));
+  if (!worst) return {};
+  worst->held.adequate = missing == 0;
+  worst->held.missing_force = missing;
+  return *std::move(worst);
 }
 
 BlockSupport SupportJudge::in_motion(const Keyblock& key,
@@ -292,7 +308,7 @@ BoltingReport support_blocks(const BlockArrays& blocks, const KeyblockReport& ke
   }
   for (const BoltPattern& pattern : model.bolt_patterns)
     drill_pattern(blocks, model, pattern, report);
-  drill(RockLines(blocks), report.bolts);
+  drill(RockLines(blocks, model.gravity), report.bolts);
   leave_out_excavated(blocks, report.bolts);
   require_rock(model, report);
   for (const Bolt& bolt : report.bolts) report.length += bolt.length;

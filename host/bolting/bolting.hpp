@@ -40,7 +40,8 @@ struct BlockSupport {
   std::vector<BoltCrossing> crossings;
   ShotcreteHold shotcrete;
   HeldBlock held;
-  /// Service load over capacity, summed over bolts, and the largest displacement over its capacity; 0 without bolts.
+  /// Service load over capacity, summed over bolts, and the largest displacement over its capacity; 0 without bolts. Of a
+  /// block that is not held 1 (0 without bolts) and infinite.
   Real force_mobilisation = 0, displacement_mobilisation = 0;
 };
 

@@ -43,11 +43,16 @@ const Water* water_of(const std::vector<Water>& waters, const std::string& joint
 
 /// In-situ normal stress on a plane, compression positive; no tension.
 Real normal_stress(const InitialStress& stress, const Vec3& x, const Vec3& n) {
-  std::array<Real, 6> s{};  // xx yy zz xy yz zx
-  for (std::size_t k = 0; k < 6; ++k)
-    s[k] = stress.at[k] + (stress.reference_z - x[2]) * stress.gradient[k];
-  return std::max(0.0, -(s[0] * n[0] * n[0] + s[1] * n[1] * n[1] + s[2] * n[2] * n[2] +
-                         2 * (s[3] * n[0] * n[1] + s[4] * n[1] * n[2] + s[5] * n[2] * n[0])));
+  constexpr Real rounding = 1e-9;
+  const std::array<Real, 6> on{-n[0] * n[0],     -n[1] * n[1],     -n[2] * n[2],
+                               -2 * n[0] * n[1], -2 * n[1] * n[2], -2 * n[2] * n[0]};
+  const Real depth = stress.reference_z - x[2];
+  Real sum = 0, size = 0;
+  for (std::size_t k = 0; k < 6; ++k) {  // xx yy zz xy yz zx
+    sum += on[k] * (stress.at[k] + depth * stress.gradient[k]);
+    size += std::abs(stress.at[k]) + std::abs(depth * stress.gradient[k]);
+  }
+  return sum > rounding * size ? sum : 0;
 }
 
 }  // namespace

@@ -31,20 +31,6 @@ std::vector<Vec3> normals_of(const std::vector<ContactPlane>& planes) {
   return normals;
 }
 
-/// The force at the free faces that brings a rotation to the target: F (M_d − P a) = M_r, a the arm.
-/// Along a direction, or against the motion there; +inf where no force suffices.
-SupportForce rotation_support(const Rotation& rotation, const Vec3& free_centre,
-                              const std::optional<Vec3>& along, Real target) {
-  const Vec3 motion = cross(rotation.axis, free_centre - rotation.point);
-  const Vec3 direction = along              ? *along
-                         : norm(motion) > 0 ? -normalized(motion)
-                                            : -normalized(rotation.velocity);
-  const Real deficit = target * rotation.driving - rotation.resisting;
-  const Real arm = -dot(motion, direction);
-  if (deficit <= 0) return {0, direction};
-  return {arm > 0 ? deficit / (target * arm) : std::numeric_limits<Real>::infinity(), direction};
-}
-
 /// The state between batches: which blocks are left, and what each of them is.
 class KeyblockSearch {
  public:
@@ -169,22 +155,19 @@ void KeyblockSearch::describe_rotation(Keyblock& key, const Body& body,
   key.factor_of_safety = rotation.factor_of_safety();
 }
 
-/// Of the translation and the rotation that may start, whichever governs, the one that asks for more.
+/// What brings each motion that the block can start to the target.
 SupportForce KeyblockSearch::support_of(const Body& body, const BlockVerdict& verdict) const {
   const Real target = spec_.target_factor_of_safety;
-  const auto& along = spec_.support_direction;
-  SupportForce translation, rotation;
-  if (!verdict.rotations.empty())
-    rotation = rotation_support(verdict.rotations[0], bodies_.free_centre(body), along, target);
-  if (!verdict.movement) return rotation;
-  translation =
-      along ? SupportForce{support_force_along(verdict.planes, *verdict.movement, *along, target),
-                           *along}
-            : least_support(verdict.planes, *verdict.movement, target);
-  const bool more =
-      !verdict.rotations.empty() && (verdict.rotates() ? rotation.force >= translation.force
-                                                       : rotation.force > translation.force);
-  return more ? rotation : translation;
+  std::vector<SupportCondition> conditions;
+  if (verdict.movement) conditions = support_conditions(verdict.planes, *verdict.movement, target);
+  if (!verdict.rotations.empty()) {
+    const Vec3 at = bodies_.free_centre(body);
+    for (const Rotation& rotation : verdict.rotations)
+      conditions.push_back(support_condition(rotation, at, target));
+  }
+  if (const auto& along = spec_.support_direction)
+    return {support_force_along(conditions, *along), *along};
+  return least_support(conditions);
 }
 
 Keyblock KeyblockSearch::describe(const Body& body, const BlockVerdict& verdict) const {

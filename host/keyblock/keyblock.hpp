@@ -47,7 +47,8 @@ struct Keyblock {
   /// The least safe one first; it governs where the mode is rotation.
   std::vector<Rotation> rotations;
   Real free_area = 0;  ///< m² of free faces when its batch moves
-  /// N for the target factor of safety, along support_direction: of translation and rotation the larger one.
+  /// N for the target factor of safety, along support_direction, of translation and all rotations; infinite where no force
+  /// along it suffices.
   Real support_force = 0;
   Real support_pressure = 0;          ///< Pa = support_force / free_area
   Vec3 support_direction{};           ///< unit

@@ -98,9 +98,9 @@ BlockVerdict judge_block(std::span<const BlockFace> faces, const Vec3& load, Rea
   verdict.planes = std::move(planes);
   verdict.resultant = resultant(verdict.planes, load, water_pressure);
   verdict.free_area = free_area(faces);
-  verdict.movement = find_movement(verdict.planes, verdict.resultant);
-  if (verdict.movement)
-    verdict.movement = with_in_situ_stress(verdict.planes, *verdict.movement, verdict.resultant);
+  auto movements = possible_movements(verdict.planes, verdict.resultant);
+  for (Movement& m : movements) m = with_in_situ_stress(verdict.planes, m, verdict.resultant);
+  verdict.movement = least_safe(movements, verdict.resultant);
   const bool moves = verdict.movement && verdict.movement->sliding_force() >
                                              equilibrium_tolerance * norm(verdict.resultant);
   verdict.block_class = moves ? BlockClass::key : BlockClass::stable;

@@ -39,9 +39,13 @@ TEST(Rmr, RatingsAreThoseOfTheTables) {
   };
   expect_rows(strength_rating,
               {{260e6, 15}, {150e6, 12}, {70e6, 7}, {30e6, 4}, {10e6, 2}, {2e6, 1}, {0.5e6, 0}});
+  expect_rows(strength_rating, {{250e6, 12}, {251e6, 15}, {100e6, 12}, {50e6, 7}, {25e6, 4}});
   expect_rows(point_load_rating, {{11e6, 15}, {8e6, 12}, {3e6, 7}, {1.5e6, 4}});
+  expect_rows(point_load_rating, {{10e6, 12}, {10.1e6, 15}, {4e6, 12}, {2e6, 7}, {1e6, 4}});
   expect_rows(rqd_rating, {{95, 20}, {90, 20}, {80, 17}, {70, 13}, {30, 8}, {20, 3}});
   expect_rows(spacing_rating, {{3, 20}, {1, 15}, {0.3, 10}, {0.1, 8}, {0.05, 5}});
+  expect_rows(spacing_rating,
+              {{2, 15}, {2.01, 20}, {0.6, 15}, {6 * 0.1, 15}, {3 * 0.2 - 1e-16, 15}});
   const Real conditions[] = {30, 25, 20, 10, 0}, waters[] = {15, 10, 7, 4, 0};
   const Real tunnels[] = {0, -2, -5, -10, -12}, foundations[] = {0, -2, -7, -15, -25},
              slopes[] = {0, -5, -25, -50, -60};

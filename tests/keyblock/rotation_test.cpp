@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "host/keyblock/bodies.hpp"
 #include "host/keyblock/keyblock.hpp"
+#include "host/keyblock/least_support.hpp"
 #include "src/base/vector.hpp"
 #include "tests/keyblock/half_space_block.hpp"
 
@@ -86,6 +88,39 @@ TEST(Rotation, SupportBringsItToTheTarget) {
   EXPECT_GT(arm, 0.5 * 5);  // the free faces' centre is higher than the block's
   EXPECT_LT(arm, 5);
   EXPECT_LT(dot(key.support_direction, key.direction), 0);
+}
+
+// Columns that would slide and turn: the support that is told holds both, and is never less than for sliding alone.
+TEST(Rotation, SupportHoldsSlidingTooAndEachOfTheTurns) {
+  int both = 0;
+  for (const Real dip : {20.0, 30.0, 40.0})
+    for (const Real width : {0.5, 1.0, 1.6, 2.5})
+      for (const Real phi : {12.0, 25.0, 35.0}) {
+        SCOPED_TRACE(testing::Message() << dip << " " << width << " " << phi);
+        const BlockArrays blocks = column_on_a_slope(dip, width, 3);
+        Model model = model_with_joints(phi);
+        const auto found = [&] {
+          const auto report = find_keyblocks(blocks, model);
+          return (report.keyblocks.empty() ? report.stable : report.keyblocks).at(0);
+        };
+        const Keyblock key = found();
+        const Vec3 p = key.support_force * key.support_direction;
+        const auto bodies = Bodies(blocks, model);
+        const std::vector<Index> batch(static_cast<std::size_t>(blocks.block_count()), 0);
+        const Vec3 at = bodies.free_centre(bodies.body({key.block}, batch));
+        auto conditions = support_conditions(key.contact, *key.movement, 1.5);
+        bool slides = conditions[0].deficit > 0, turns = false;
+        for (const Rotation& rotation : key.rotations) {
+          conditions.push_back(support_condition(rotation, at, 1.5));
+          turns |= conditions.back().deficit > 0;
+        }
+        for (const SupportCondition& c : conditions)
+          EXPECT_GE(dot(c.gain, p) - c.deficit, -1e-6 * std::abs(c.deficit));
+        both += slides && turns;
+        model.support->rotation = false;
+        EXPECT_GE(key.support_force, found().support_force * (1 - 1e-12));
+      }
+  EXPECT_GT(both, 5);
 }
 
 /// A horizontal slab [0,a]×[0,a] at z = 1 … 1.5 that rests on one cube, and on others that fall.
