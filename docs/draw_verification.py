@@ -32,7 +32,7 @@ plt.rcParams.update({"font.size": 9, "axes.titlesize": 10, "axes.grid": True, "g
 
 def colour(label, number):
     """An order of covers has the same colour in every figure; other lines take the next of the list."""
-    return next((c for order, c in OF_ORDER.items() if label.endswith(order)), COLOURS[number % len(COLOURS)])
+    return next((c for order, c in OF_ORDER.items() if order in label), COLOURS[number % len(COLOURS)])
 
 
 def draw_line(axes, line, number, references):
