@@ -83,6 +83,9 @@ class Motion {
   PointMotion at(const TrackedPoints& points) const;
   /// [6R + E] in the element numbering of CoverArrays.
   std::vector<std::array<Real, 6>> element_stress() const;
+  /// [N] Pa at points `local` m from the centres of the elements' lattice cells.
+  std::vector<std::array<Real, 6>> stress_at(const std::vector<Index>& element,
+                                             const std::vector<Vec3>& local) const;
   /// [fixed points] N, on the rock.
   std::vector<Vec3> reactions() const;
   Energy energy() const;

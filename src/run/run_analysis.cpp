@@ -14,6 +14,7 @@
 #include "src/base/timer.hpp"
 #include "src/base/vector.hpp"
 #include "src/run/block_motion.hpp"
+#include "src/run/block_stress.hpp"
 #include "src/run/recorder.hpp"
 #include "src/run/rigid_motion.hpp"
 
@@ -41,10 +42,7 @@ MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
   setup.damping = {analysis.rayleigh_alpha, analysis.rayleigh_beta};
   setup.quiet = input.quiet;
   setup.initial_stress = input.model.initial_stress;
-  if (const auto& base = input.model.base_acceleration) {
-    setup.base_acceleration = base->table;
-    for (Vec3& a : setup.base_acceleration.value) a = base->scale * a;
-  }
+  setup.base_acceleration = base_acceleration(input.model);
   setup.large = analysis.large();
   setup.dynamic_ratio = analysis.type == AnalysisType::quasi_static ? 0 : analysis.dynamic_ratio;
   setup.solver.tolerance = input.model.solver.tolerance;
@@ -208,6 +206,10 @@ RunResult run_analysis(const RunInput& input, const StoreState& store, Progress&
   const std::vector<Vec3> displacement = motion.state().displacement;
   result.blocks = average_block_motion(input.covers, moments, displacement,
                                        input.blocks.block_count(), input.model.analysis->large());
+  const std::vector<Stress> stress = motion.element_stress();
+  result.block_stress =
+      average_block_stress(input.covers, moments, stress, input.blocks.block_count());
+  result.strength = find_strength(input.covers, moments, stress, input.model.materials);
   result.largest_displacement = find_largest_displacement(input.covers, displacement);
   return result;
 }
