@@ -170,7 +170,10 @@ int analyse_rock(const Options& options, Terminal& terminal) {
 int check_model(const Options& options) {
   Model model = read_model(options.input, options.overrides, Purpose::check);
   load_files(model);
-  if (!model.solids.empty()) check_cutting(model);
+  if (!model.solids.empty()) {
+    const Real volume = check_cutting(model);
+    if (model.cover) check_cover_size(*model.cover, volume);
+  }
   print_check(options, model);
   return 0;
 }
