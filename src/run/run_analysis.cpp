@@ -110,16 +110,15 @@ class Run {
   Real limit_ = 0;
 };
 
-/// Counts a solve; where it failed, goes back to the last good state, stores it and throws.
+/// Counts a solve; where it failed, goes back to the last good state (step 0: the start, before anything was solved), stores it and
+/// throws.
 void Run::accept(const SolveReport& report, Index step, Real time) {
   result_.iterations.pcg += report.iterations;
   result_.preconditioner = report.preconditioner;
   result_.support_gap = report.gap;
   if (report.converged) return;
-  if (step > 0) {
-    motion_.restore();
-    recorder_.store(motion_, step - 1);
-  }
+  motion_.restore();
+  recorder_.store(motion_, std::max<Index>(step - 1, 0));
   refuse(report, step, time, input_.model.solver);
 }
 
@@ -165,6 +164,7 @@ void Run::take_step(Index step) {
 
 void Run::march(Progress& progress) {
   const Timer timer;
+  motion_.save();
   accept(motion_.start(analysis_.time_step), 0, 0);
   result_.seconds.solve += timer.seconds();
   recorder_.record(motion_, 0, false);

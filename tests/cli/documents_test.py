@@ -4,7 +4,7 @@ import random
 import re
 import unittest
 
-from program import CASES, ProgramTest
+from program import CASES, PRESSED, ProgramTest
 
 CUT_TOTALS = {"blocks", "faces", "vertices", "edges", "volume", "solid_volume", "joint_area", "dangling_joint_area", "cells"}
 CUT_BLOCK = {"id", "volume", "centroid", "faces", "edges", "vertices", "convex", "shells", "genus", "finite", "material",
@@ -13,40 +13,6 @@ STATISTICS = {"volume", "block_size", "histogram", "shape", "volumetric_joint_co
 INTENSITY = {"name", "joints", "area", "p10", "p20", "p21", "p30", "p32"}
 KEYBLOCK = {"block", "batch", "volume", "weight", "mode", "planes", "direction", "sliding_force", "factor_of_safety",
             "free_area", "support_force", "support_pressure", "support_direction", "bolts", "mobilisation"}
-# A box of 2 m3 on rollers on three sides, pressed from above.
-PRESSED = """
-gravity = [0, 0, 0]
-[[material]]
-name = "sandstone"
-density = 2400
-young_modulus = 20e9
-poisson_ratio = 0.25
-cohesion = 3e6
-friction_angle = 30
-[[solid]]
-name = "rock"
-shape = "box"
-min = [0, 0, 0]
-max = [1, 1, 2]
-[cover]
-spacing = 0.7
-[[fixed]]
-where = {face = "rock.xmin"}
-components = ["x"]
-[[fixed]]
-where = {face = "rock.ymin"}
-components = ["y"]
-[[fixed]]
-where = {face = "rock.zmin"}
-components = ["z"]
-[[traction]]
-where = {face = "rock.zmax"}
-pressure = 10e6
-[analysis]
-type = "static"
-[[monitor]]
-point = [0.4, 0.3, 1.2]
-"""
 RUN_TOTALS = {"blocks", "mathematical_covers", "physical_covers", "elements", "dof", "steps", "time"}
 
 
