@@ -161,8 +161,9 @@ ResultHeader result_header(const Options& options) {
 void keep_states(ResultWriter& writer, Terminal& terminal) {
   if (writer.state_count() == 0) return;
   writer.finish();
-  terminal.warn(fmt::format("the analysis failed; {} holds the {} states before", writer.path(),
-                            writer.state_count()));
+  const Index states = writer.state_count();
+  terminal.warn(fmt::format("the analysis failed; {} holds the {} before it did", writer.path(),
+                            states == 1 ? "state" : std::to_string(states) + " states"));
 }
 
 void add_run_seconds(PhaseClock& clock, const RunResult& run) {

@@ -39,6 +39,7 @@ struct CoveredRock {
   LoadPoints loads;
   QuietPoints quiet;
   std::vector<RigidVelocity> velocities;
+  ElementMesh mesh;
 };
 
 CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockArrays& blocks,
@@ -51,6 +52,7 @@ CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockAr
   rock.quiet = quiet_points(cutting, rock.covering, model);
   rock.velocities = rigid_velocities(rock.covering, blocks.block_count(), model);
   rock.block_vertices = locate_block_vertices(rock.covering, blocks);
+  rock.mesh = make_element_mesh(rock.covering.arrays);
   require_in_rock(model, rock.monitors);
   return rock;
 }
@@ -58,9 +60,9 @@ CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockAr
 /// Steps through the analysis and stores its states. If it fails, the states so far are kept.
 RunResult analyse(const CoveredRock& rock, const Model& model, const BlockArrays& blocks,
                   ResultWriter& writer, int threads, Terminal& terminal) {
-  const RunInput input{model,      rock.covering.arrays, blocks,
-                       rock.fixed, rock.monitors,        rock.loads,
-                       rock.quiet, rock.velocities,      rock.block_vertices};
+  const RunInput input{
+      model,      rock.covering.arrays, blocks,          rock.fixed,          rock.monitors,
+      rock.loads, rock.quiet,           rock.velocities, rock.block_vertices, &rock.mesh};
   const auto store = [&](const StoredState& state) {
     add_stored_state(writer, rock.block_vertices, state);
   };
@@ -149,7 +151,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   std::optional<RunResult> run;
   if (rock) {
     clock.measure("output", "writing elements",
-                  [&] { writer.write_elements(rock->covering.arrays); });
+                  [&] { writer.write_elements(rock->covering.arrays, rock->mesh); });
     run = analyse(*rock, model, blocks, writer, options.threads, terminal);
     writer.write_energies(run->energy_time, run->energies);
     add_run_seconds(clock, *run);
@@ -168,7 +170,10 @@ int analyse_rock(const Options& options, Terminal& terminal) {
 int check_model(const Options& options) {
   Model model = read_model(options.input, options.overrides, Purpose::check);
   load_files(model);
-  if (!model.solids.empty()) check_cutting(model);
+  if (!model.solids.empty()) {
+    const Real volume = check_cutting(model);
+    if (model.cover) check_cover_size(*model.cover, volume);
+  }
   print_check(options, model);
   return 0;
 }

@@ -57,8 +57,8 @@ void add_stored_state(ResultWriter& writer, const MaterialPoints& block_vertices
                       const StoredState& state) {
   const auto displacement = interpolated(block_vertices, state.motion.displacement);
   const auto velocity = interpolated(block_vertices, state.motion.velocity);
-  writer.add_state(
-      {state.step, state.motion, displacement, velocity, state.element_stress, state.block_stress});
+  writer.add_state({state.step, state.motion, displacement, velocity, state.element_stress,
+                    state.block_stress, state.nodal_stress});
 }
 
 }  // namespace rockfold

@@ -363,12 +363,14 @@ class Connector {
 
 void refuse_elements(const CoverSpec& cover, Real elements, bool at_least) {
   if (elements <= cover.max_elements) return;
-  throw Error(
-      ErrorKind::model,
-      fmt::format("makes {}{:.0f} elements, must make cover.max_elements = {} or fewer: use a "
-                  "larger spacing or raise the limit",
-                  at_least ? "at least " : "", elements, cover.max_elements),
-      Place{cover.place.file, cover.place.line, cover.place.column, "cover.spacing"});
+  throw Error(ErrorKind::model,
+              fmt::format("makes {}{} elements, must make cover.max_elements = {} or fewer: use a "
+                          "larger spacing or raise the limit",
+                          at_least ? "at least " : "",
+                          elements < 1e9 ? fmt::format("{:.0f}", elements)
+                                         : fmt::format("{:.3g}", elements),
+                          cover.max_elements),
+              Place{cover.place.file, cover.place.line, cover.place.column, "cover.spacing"});
 }
 
 void connect(const Complex& complex, const Model& model, const Pieces& pieces, CoverArrays& covers,

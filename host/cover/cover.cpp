@@ -57,18 +57,6 @@ Lattice block_lattice(const Complex& complex, const CoverSpec& cover) {
   return lattice;
 }
 
-// The fewest elements that a volume can make: each is at most as large as the largest part.
-void refuse_by_estimate(const Complex& complex, const CoverSpec& cover) {
-  if (cover.lattice == LatticeKind::block) return;
-  const CellSplit& split = cell_split(cover.lattice);
-  Real largest = 0;  // of a lattice cell
-  for (const CellPart& part : split.part) largest = std::max(largest, part_share(split, part));
-  refuse_elements(cover,
-                  std::floor((1 - 1e-9) * rock_volume(complex) /
-                             (largest * split.share * lattice_cell_volume(cover))),
-                  true);
-}
-
 LatticePlanes lay_lattice(const Complex& complex, const CoverSpec& cover, PlaneTable& planes) {
   if (cover.lattice == LatticeKind::block) return LatticePlanes(block_lattice(complex, cover));
   return {cover, rock_corners(complex), planes};
@@ -76,10 +64,21 @@ LatticePlanes lay_lattice(const Complex& complex, const CoverSpec& cover, PlaneT
 
 }  // namespace
 
+// Each element is at most as large as the largest part.
+void check_cover_size(const CoverSpec& cover, Real volume) {
+  if (cover.lattice == LatticeKind::block) return;
+  const CellSplit& split = cell_split(cover.lattice);
+  Real largest = 0;  // of a lattice cell
+  for (const CellPart& part : split.part) largest = std::max(largest, part_share(split, part));
+  refuse_elements(
+      cover, std::floor((1 - 1e-9) * volume / (largest * split.share * lattice_cell_volume(cover))),
+      true);
+}
+
 Covering build_covers(const Cutting& cutting, const Model& model, Progress& progress) {
   const Complex& complex = *cutting.complex;
   const CoverSpec& cover = *model.cover;
-  refuse_by_estimate(complex, cover);
+  check_cover_size(cover, rock_volume(complex));
   PlaneTable planes = complex.planes;
   LatticePlanes lattice = lay_lattice(complex, cover, planes);
   Pieces pieces = cover.lattice == LatticeKind::block

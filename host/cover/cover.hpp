@@ -21,6 +21,9 @@ struct Covering {
 /// Lays the model's lattice (model.cover must be set) over the cutting. Deterministic numbering.
 Covering build_covers(const Cutting& cutting, const Model& model, Progress& progress);
 
+/// Throws Error(model) if a volume of rock (m³) makes more than cover.max_elements elements, however it lies. O(1)
+void check_cover_size(const CoverSpec& cover, Real volume);
+
 /// Points of the material by position, m. A point on a face or vertex belongs to the lowest block that has it.
 /// Returns element = none for a point outside the rock.
 MaterialPoints locate_points(const Covering& covering, const std::vector<Vec3>& points);

@@ -265,8 +265,14 @@ CutTotals totals_of(const Complex& complex, const Rock& rock) {
 
 }  // namespace
 
-void check_cutting(const Model& model) {
-  shape_rock(model);
+Real check_cutting(const Model& model) {
+  const Uncut uncut = shape_rock(model);
+  const Rock& rock = uncut.rock;
+  Sum volume;
+  for (std::size_t i = 0; i < rock.of_rock.size(); ++i)
+    if (uncut.complex->zones[rock.zone[rock.of_rock[i]]].stage == 0)
+      volume += rock.moments[i].volume;
+  return volume.value();
 }
 
 Cutting cut_blocks(const Model& model, Progress& progress) {

@@ -37,7 +37,8 @@ struct Cutting {
 };
 
 /// Throws what cut_blocks would throw before joints cut the rock: of shapes, the placing of joints, merges, estimated cells.
-void check_cutting(const Model& model);
+/// Returns the volume of the rock that no stage removes, m³.
+Real check_cutting(const Model& model);
 
 /// Cuts the model's solids by its joints. Throws Error(model) if no rock remains or the joints would make too many cells.
 /// Independent of the number of threads, bit for bit, and of the order of joints but for the last digits of areas: where

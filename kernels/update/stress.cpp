@@ -47,6 +47,17 @@ PointMotion Motion::at(const TrackedPoints& points) const {
   return motion;
 }
 
+std::vector<std::array<Real, 6>> Motion::stress_at(const std::vector<Index>& element,
+                                                   const std::vector<Vec3>& local) const {
+  MaterialPoints points;
+  points.element = element;
+  points.local = local;
+  points.begin.assign(element.size() + 1, 0);  // their displacement is not asked for
+  const TrackedPoints at(points);
+  data_->rock->point_stress(data_->now.displacement, at.data());
+  return update::fetch(at.data().stress);
+}
+
 std::vector<std::array<Real, 6>> Motion::element_stress() const {
   const auto stress = device::allocate<Real>("update::element_stress",
                                              6 * static_cast<std::size_t>(data_->elements));

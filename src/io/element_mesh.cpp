@@ -13,7 +13,13 @@ namespace {
 
 constexpr Real least_weight = 1e-9;  // of a node, or of a cover function: less moves nothing
 
-/// Hands out one point for all corners that are at the same place and move alike: those whose weights
+/// What the rock is made of at a corner: neither stress nor strength goes on from one of these to another.
+struct Rock {
+  Index block = none, material = none;
+  bool operator==(const Rock&) const = default;
+};
+
+/// Hands out one point for all corners of the same rock that are at the same place and move alike: those whose weights
 /// that count belong to the same covers.
 class PointTable {
  public:
@@ -21,13 +27,14 @@ class PointTable {
       : mesh_(mesh), covers_(covers), per_metre_(1e9 / norm(covers.lattice.edge[0])) {}
 
   /// The point of an element at `local`, m from the centre of its lattice cell.
-  Index operator()(const ElementNodes& nodes, const Vec3& local) {
+  Index operator()(const ElementNodes& nodes, const Rock& rock, const Vec3& local) {
     const CellSplit& split = covers_.lattice.split(nodes.cell);
     const CellPart& part = split.part[nodes.part];
     const Vec3 eta = covers_.lattice.to_local(local);
     const Vec3 x = covers_.lattice.cell_centre(nodes.cell) + local;
     const auto weight = part_weights(part, eta);
     Key key;
+    key.rock = rock;
     key.cover.fill(none);
     for (int d = 0; d < 3; ++d)
       key.place[d] = std::llround((x[d] - covers_.lattice.origin[d]) * per_metre_);
@@ -43,6 +50,7 @@ class PointTable {
   struct Key {
     std::array<std::int64_t, 3> place;  ///< in 1e-9 of the lattice spacing
     std::array<Index, 8> cover;         ///< ascending
+    Rock rock;
     bool operator==(const Key&) const = default;
   };
   struct Hash {
@@ -54,6 +62,8 @@ class PointTable {
       };
       for (const std::int64_t word : key.place) mix(static_cast<std::uint64_t>(word));
       for (const Index word : key.cover) mix(static_cast<std::uint64_t>(word));
+      mix(static_cast<std::uint64_t>(key.rock.block));
+      mix(static_cast<std::uint64_t>(key.rock.material));
       return sum;
     }
   };
@@ -95,6 +105,7 @@ void add_tetrahedron(ElementMesh& mesh, const std::array<Index, 4>& corners, Ind
 std::vector<Index> node_points(const CoverArrays& covers, Index r, PointTable& point) {
   const Lattice& lattice = covers.lattice;
   const CellSplit& split = lattice.split(covers.regular_cell[r]);
+  const Rock rock{covers.regular_block[r], covers.regular_material[r]};
   std::vector<Index> points(split.node.size(), none);
   for (int t = 0; t < split.part_count(); ++t)
     for (int a = 0; a < split.part[t].nodes; ++a) {
@@ -102,7 +113,7 @@ std::vector<Index> node_points(const CoverArrays& covers, Index r, PointTable& p
       if (points[n] != none) continue;
       Vec3 local{};
       for (int d = 0; d < 3; ++d) local += (0.5 * split.node[n][d] - 0.5) * lattice.edge[d];
-      points[n] = point(element_nodes(covers, covers.parts_per_cell() * r + t), local);
+      points[n] = point(element_nodes(covers, covers.parts_per_cell() * r + t), rock, local);
     }
   return points;
 }
@@ -134,10 +145,11 @@ void add_piece(ElementMesh& mesh, const CoverArrays& covers, Index cut, Index pi
   const Index first = covers.vertex_begin[piece],
               element = covers.parts_per_cell() * covers.regular_count() + cut;
   const ElementNodes nodes = element_nodes(covers, element);
+  const Rock rock{covers.piece_block[piece], covers.element_material[cut]};
   std::vector<Index> of_vertex;
   for (Index v = first; v < covers.vertex_begin[piece + 1]; ++v) {
     const Real* xyz = &covers.vertex_xyz[3 * v];
-    of_vertex.push_back(point(nodes, {xyz[0], xyz[1], xyz[2]}));
+    of_vertex.push_back(point(nodes, rock, {xyz[0], xyz[1], xyz[2]}));
   }
   for (Index t = covers.triangle_begin[piece]; t < covers.triangle_begin[piece + 1]; ++t) {
     std::array<Index, 4> corners{of_vertex[0]};
@@ -146,8 +158,7 @@ void add_piece(ElementMesh& mesh, const CoverArrays& covers, Index cut, Index pi
     if (coplanar(mesh.point[corners[0]], mesh.point[corners[1]], mesh.point[corners[2]],
                  mesh.point[corners[3]]))
       continue;
-    add_tetrahedron(mesh, corners, element, covers.piece_block[piece],
-                    covers.element_material[cut]);
+    add_tetrahedron(mesh, corners, element, rock.block, rock.material);
   }
 }
 

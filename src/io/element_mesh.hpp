@@ -10,7 +10,7 @@ namespace rockfold {
 
 /// N tetrahedra over K points. A tetrahedron of a regular cell is one, a hexahedron six; a piece of a cut element is
 /// fanned from its first vertex. Of two overlaid splits (tet5_mixed) the first is drawn. Corners at one place share a
-/// point where they move alike, across pieces, elements and cells, and never where physical covers part.
+/// point where they move alike, across pieces, elements and cells of one block and material, and never where physical covers part.
 /// Displacement of point k = Σ_i weight[i] · d[unknown[i]], begin[k] ≤ i < begin[k+1].
 struct ElementMesh {
   std::vector<std::array<Index, 4>> tetrahedron;  ///< [N] positive volume

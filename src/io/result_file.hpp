@@ -31,6 +31,7 @@
 #include "src/arrays/cover_arrays.hpp"
 #include "src/arrays/element_arrays.hpp"
 #include "src/base/error.hpp"
+#include "src/io/element_mesh.hpp"
 #include "src/model/model.hpp"
 
 namespace rockfold {
@@ -66,6 +67,8 @@ struct ResultState {
   std::span<const std::array<Real, 6>>
       stress;  ///< [6R+E] Pa, xx yy zz xy yz zx of each element; may be empty
   std::span<const std::array<Real, 6>> block_stress = {};  ///< [B] Pa; empty where `stress` is
+  std::span<const std::array<Real, 6>> nodal_stress =
+      {};  ///< [K] Pa at the mesh's points; may be empty
 };
 
 /// Writes one result file: the constructor, write_blocks, then for a `run` write_elements and
@@ -91,9 +94,8 @@ class ResultWriter {
   void write_blocks(const BlockArrays& blocks, const BlockFields& fields = {},
                     const std::vector<std::uint8_t>& flags = {});
 
-  /// Lattice, covers and elements. Keeps what evaluates displacements in pieces (48 bytes a point),
-  /// no reference.
-  void write_elements(const CoverArrays& covers);
+  /// Lattice, covers and elements. `mesh` is that of the covers and must live as long as states are added.
+  void write_elements(const CoverArrays& covers, const ElementMesh& mesh);
 
   /// Appends a state. Times must not decrease. After write_elements; all states have stress or none
   /// has.

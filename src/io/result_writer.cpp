@@ -13,7 +13,7 @@
 #include "src/io/element_mesh.hpp"
 #include "src/io/native_arrays.hpp"
 #include "src/io/result_file.hpp"
-#include "src/io/stress_measures.hpp"
+#include "src/io/stress_fields.hpp"
 #include "src/io/vtkhdf.hpp"
 #include "src/io/xdmf.hpp"
 
@@ -87,21 +87,22 @@ struct ResultWriter::Implementation {
   std::string path, partial;
   bool finished = false;
   bool damaged = false;  ///< a state was written in part
-  bool with_stress = false;
+  bool with_stress = false, with_nodal_stress = false;
   bool with_blocks = false;
   std::size_t block_count = 0, block_vertices = 0, unknowns = 0, elements = 0;
-  std::vector<Index> polygon_block;  ///< [cells of Blocks]
-  std::vector<Index> joint_vertex;   ///< [points of Joints] into BlockArrays::vertex
-  ElementMesh mesh;  ///< `begin`, `unknown`, `weight`, `element` and `material` alone are kept
-  std::vector<Material> materials;
-  bool with_strength = false;  ///< any material has one
+  std::vector<Index> polygon_block, polygon_material;  ///< [cells of Blocks]
+  std::vector<Index> joint_vertex;  ///< [points of Joints] into BlockArrays::vertex
+  const ElementMesh* mesh = nullptr;
+  std::vector<Index> point_material;  ///< [K] of the mesh's points
+  StressFields stresses;
   std::vector<Grid> grids;
   std::vector<Real> times;
 
+  explicit Implementation(const Model& model) : stresses(model.materials) {}
   File extend() const { return {partial, File::Mode::extend, path}; }
   std::int64_t bytes_of(const ResultState& state) const;
   void append_grids(File& file, const ResultState& state, std::int64_t number);
-  void append_measures(File& file, Grid& grid, const ResultState& state, std::int64_t number);
+  void append_element_stress(File& file, Grid& grid, const ResultState& state, std::int64_t number);
   void write_block_grid(File& file, const BlockArrays& blocks, const BlockFields& fields,
                         const std::vector<std::uint8_t>& flags, const PolygonMesh& mesh);
   void write_dead_end_grid(File& file, const BlockArrays& blocks);
@@ -109,13 +110,10 @@ struct ResultWriter::Implementation {
 };
 
 ResultWriter::ResultWriter(std::string path, const Model& model, const ResultHeader& header)
-    : implementation_(std::make_unique<Implementation>()) {
+    : implementation_(std::make_unique<Implementation>(model)) {
   auto& my = *implementation_;
   my.partial = path + ".partial-" + std::to_string(getpid());
   my.path = std::move(path);
-  my.materials = model.materials;
-  for (const Material& m : model.materials)
-    my.with_strength |= !std::holds_alternative<std::monostate>(m.strength);
   if (std::filesystem::is_directory(my.path)) fail(my.path, "cannot write: it is a folder");
   std::remove(my.partial.c_str());
   try {
@@ -141,6 +139,7 @@ void ResultWriter::Implementation::write_block_grid(File& file, const BlockArray
                                      faces.polygon_begin, faces.polygon_vertex);
   const std::vector<Index> block = gather<Index>(block_of_face(blocks), faces.polygon_face);
   polygon_block = block;
+  polygon_material = gather<Index>(blocks.material, block);
   vtkhdf::write_cell_field(file, grid, "block", from_one(block));
   vtkhdf::write_cell_field(file, grid, "origin",
                            gather<Index>(blocks.face_origin, faces.polygon_face, 1));
@@ -244,57 +243,49 @@ void ResultWriter::write_blocks(const BlockArrays& blocks, const BlockFields& fi
   my.block_count = blocks.volume.size();
 }
 
-void ResultWriter::write_elements(const CoverArrays& covers) {
+void ResultWriter::write_elements(const CoverArrays& covers, const ElementMesh& mesh) {
   auto& my = *implementation_;
   expect(!my.finished && my.unknowns == 0 && my.times.empty(),
          "write_elements comes once, before states");
   File file = my.extend();
-  my.mesh = make_element_mesh(covers);
+  my.mesh = &mesh;
   write_cover_arrays(file, covers);
-  if (!my.mesh.tetrahedron.empty()) {
-    Grid grid =
-        vtkhdf::write_tetrahedra(file, "Elements", static_cast<int>(my.grids.size()), my.mesh);
-    vtkhdf::write_cell_field(file, grid, "element", from_one(my.mesh.element));
-    vtkhdf::write_cell_field(file, grid, "block", from_one(my.mesh.block));
-    vtkhdf::write_cell_field(file, grid, "material", from_one(my.mesh.material));
+  if (!mesh.tetrahedron.empty()) {
+    Grid grid = vtkhdf::write_tetrahedra(file, "Elements", static_cast<int>(my.grids.size()), mesh);
+    vtkhdf::write_cell_field(file, grid, "element", from_one(mesh.element));
+    vtkhdf::write_cell_field(file, grid, "block", from_one(mesh.block));
+    vtkhdf::write_cell_field(file, grid, "material", from_one(mesh.material));
     my.grids.push_back(std::move(grid));
   }
   file.close();
   my.unknowns = static_cast<std::size_t>(covers.unknown_count());
   my.elements = static_cast<std::size_t>(covers.element_count());
-  my.mesh.tetrahedron = {};
-  my.mesh.block = {};
-  my.mesh.point = {};
+  my.point_material.resize(mesh.point_count());
+  for (std::size_t t = 0; t < mesh.tetrahedron.size(); ++t)
+    for (const Index k : mesh.tetrahedron[t]) my.point_material[k] = mesh.material[t];
 }
 
 /// All that a state adds to the file, with room for the entries in HDF5's own tables.
 std::int64_t ResultWriter::Implementation::bytes_of(const ResultState& state) const {
-  const auto points = 2 * (block_vertices + joint_vertex.size() + mesh.point_count());
+  const auto points = 2 * (block_vertices + joint_vertex.size() + mesh->point_count());
   const auto native = static_cast<std::int64_t>(3 * unknowns * sizeof(Vec3) +
                                                 state.block_stress.size() * 6 * sizeof(Real));
-  return native + vtkhdf::state_bytes(points, 3) +
-         (state.stress.empty()
-              ? 0
-              : vtkhdf::state_bytes(mesh.element.size(), 6 + 3 + 1 + with_strength)) +
-         (state.block_stress.empty() ? 0 : vtkhdf::state_bytes(polygon_block.size(), 6));
+  const auto stress = [&](const auto& of, std::size_t rows) {
+    return of.empty() ? 0 : stresses.state_bytes(rows);
+  };
+  return native + vtkhdf::state_bytes(points, 3) + stress(state.stress, mesh->element.size()) +
+         stress(state.nodal_stress, mesh->point_count()) +
+         stress(state.block_stress, polygon_block.size());
 }
 
-void ResultWriter::Implementation::append_measures(File& file, Grid& grid, const ResultState& state,
-                                                   std::int64_t number) {
-  const std::size_t cells = mesh.element.size();
-  std::vector<std::array<float, 3>> principal(cells);
-  std::vector<float> mises(cells), ratio(cells);
-  for (std::size_t t = 0; t < cells; ++t) {
-    const auto& stress = state.stress[mesh.element[t]];
-    const Vec3 s = principal_stresses(stress);
-    for (int d = 0; d < 3; ++d) principal[t][d] = static_cast<float>(s[d]);
-    mises[t] = static_cast<float>(von_mises(stress));
-    if (with_strength)
-      ratio[t] = static_cast<float>(strength_ratio(stress, materials[mesh.material[t]]));
-  }
-  vtkhdf::append_cell_field(file, grid, "principal_stress", number, principal);
-  vtkhdf::append_cell_field(file, grid, "von_mises", number, mises);
-  if (with_strength) vtkhdf::append_cell_field(file, grid, "strength_ratio", number, ratio);
+/// Stress of the elements, and its mean at their points.
+void ResultWriter::Implementation::append_element_stress(File& file, Grid& grid,
+                                                         const ResultState& state,
+                                                         std::int64_t number) {
+  if (!state.stress.empty())
+    stresses.append(file, grid, {false, "", state.stress, mesh->element, mesh->material}, number);
+  if (!state.nodal_stress.empty())
+    stresses.append(file, grid, {true, "nodal_", state.nodal_stress, {}, point_material}, number);
 }
 
 void ResultWriter::Implementation::append_grids(File& file, const ResultState& state,
@@ -304,27 +295,16 @@ void ResultWriter::Implementation::append_grids(File& file, const ResultState& s
   for (Grid& grid : grids) {
     if (grid.name == "Elements") {
       vtkhdf::append_point_field(file, grid, "displacement", number,
-                                 interpolate(mesh, state.covers.displacement));
+                                 interpolate(*mesh, state.covers.displacement));
       vtkhdf::append_point_field(file, grid, "velocity", number,
-                                 interpolate(mesh, state.covers.velocity));
-      if (!state.stress.empty()) {
-        std::vector<std::array<float, 6>> stress(mesh.element.size());
-        for (std::size_t t = 0; t < stress.size(); ++t)
-          for (int i = 0; i < 6; ++i)
-            stress[t][i] = static_cast<float>(state.stress[mesh.element[t]][i]);
-        vtkhdf::append_cell_field(file, grid, "stress", number, stress);
-        append_measures(file, grid, state, number);
-      }
+                                 interpolate(*mesh, state.covers.velocity));
+      append_element_stress(file, grid, state, number);
       continue;
     }
     if (grid.name == "DeadEnds") continue;
-    if (grid.name == "Blocks" && !state.block_stress.empty()) {
-      std::vector<std::array<float, 6>> stress(polygon_block.size());
-      for (std::size_t t = 0; t < stress.size(); ++t)
-        for (int i = 0; i < 6; ++i)
-          stress[t][i] = static_cast<float>(state.block_stress[polygon_block[t]][i]);
-      vtkhdf::append_cell_field(file, grid, "stress", number, stress);
-    }
+    if (grid.name == "Blocks" && !state.block_stress.empty())
+      stresses.append(file, grid, {false, "", state.block_stress, polygon_block, polygon_material},
+                      number);
     const bool joints = grid.name == "Joints";
     const auto of_joints = [&](const auto& values) {
       std::vector<std::array<float, 3>> out;
@@ -352,8 +332,11 @@ void ResultWriter::add_state(const ResultState& state) {
   expect(state.stress.empty() || state.stress.size() == my.elements, "stress is not [nR+E]");
   expect(state.block_stress.empty() || state.block_stress.size() == my.block_count,
          "block stress is not [B]");
+  expect(state.nodal_stress.empty() || state.nodal_stress.size() == my.mesh->point_count(),
+         "nodal stress is not [K]");
   expect(my.times.empty() ||
-             (state.covers.time >= my.times.back() && my.with_stress == !state.stress.empty()),
+             (state.covers.time >= my.times.back() && my.with_stress == !state.stress.empty() &&
+              my.with_nodal_stress == !state.nodal_stress.empty()),
          "time runs backwards, or stress comes and goes");
   if (my.damaged) fail(my.path, "cannot write: an earlier state was written in part");
   File file = my.extend();
@@ -368,6 +351,7 @@ void ResultWriter::add_state(const ResultState& state) {
   file.close();
   my.damaged = false;
   my.with_stress = !state.stress.empty();
+  my.with_nodal_stress = !state.nodal_stress.empty();
   my.times.push_back(state.covers.time);
 }
 

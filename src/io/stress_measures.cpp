@@ -62,9 +62,12 @@ Real von_mises(const std::array<Real, 6>& s) {
                    3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
 }
 
+bool has_strength(const Material& material) {
+  return !std::holds_alternative<std::monostate>(material.strength);
+}
+
 Real strength_ratio(const std::array<Real, 6>& stress, const Material& material) {
-  if (std::holds_alternative<std::monostate>(material.strength))
-    return std::numeric_limits<Real>::quiet_NaN();
+  if (!has_strength(material)) return std::numeric_limits<Real>::quiet_NaN();
   const Vec3 tension = principal_stresses(stress);
   const Real sigma1 = -tension[2], sigma3 = -tension[0];
   const Strength strength = std::visit(FindStrength{sigma3}, material.strength);

@@ -13,6 +13,8 @@ Vec3 principal_stresses(const std::array<Real, 6>& stress);
 /// Pa: √(3 J2).
 Real von_mises(const std::array<Real, 6>& stress);
 
+bool has_strength(const Material& material);
+
 /// No stress is farther than this from failure: above it numbers say nothing.
 inline constexpr Real largest_strength_ratio = 1000;
 

@@ -139,23 +139,33 @@ Grid write_tetrahedra(File& file, const std::string& name, int index, const Elem
   return grid;
 }
 
+template <typename T>
 void append_point_field(File& file, Grid& grid, const std::string& name, std::int64_t state,
-                        std::span<const std::array<float, 3>> values) {
-  append_field(file, grid, {name, hdf5::Type::float32, 3, true, true}, state, values);
+                        const std::vector<T>& values) {
+  append_field<T>(file, grid, {name, hdf5::Row<T>::type, hdf5::Row<T>::width, true, true}, state,
+                  values);
+}
+template <typename T>
+void append_cell_field(File& file, Grid& grid, const std::string& name, std::int64_t state,
+                       const std::vector<T>& values) {
+  append_field<T>(file, grid, {name, hdf5::Row<T>::type, hdf5::Row<T>::width, false, true}, state,
+                  values);
 }
 
-void append_cell_field(File& file, Grid& grid, const std::string& name, std::int64_t state,
-                       std::span<const std::array<float, 6>> values) {
-  append_field(file, grid, {name, hdf5::Type::float32, 6, false, true}, state, values);
-}
-void append_cell_field(File& file, Grid& grid, const std::string& name, std::int64_t state,
-                       std::span<const std::array<float, 3>> values) {
-  append_field(file, grid, {name, hdf5::Type::float32, 3, false, true}, state, values);
-}
-void append_cell_field(File& file, Grid& grid, const std::string& name, std::int64_t state,
-                       std::span<const float> values) {
-  append_field(file, grid, {name, hdf5::Type::float32, 1, false, true}, state, values);
-}
+using Three = std::array<float, 3>;
+using Six = std::array<float, 6>;
+template void append_point_field(File&, Grid&, const std::string&, std::int64_t,
+                                 const std::vector<float>&);
+template void append_point_field(File&, Grid&, const std::string&, std::int64_t,
+                                 const std::vector<Three>&);
+template void append_point_field(File&, Grid&, const std::string&, std::int64_t,
+                                 const std::vector<Six>&);
+template void append_cell_field(File&, Grid&, const std::string&, std::int64_t,
+                                const std::vector<float>&);
+template void append_cell_field(File&, Grid&, const std::string&, std::int64_t,
+                                const std::vector<Three>&);
+template void append_cell_field(File&, Grid&, const std::string&, std::int64_t,
+                                const std::vector<Six>&);
 
 void append_step(File& file, std::span<const Grid> grids, const std::string& times,
                  std::int64_t state) {

@@ -51,22 +51,20 @@ void write_cell_field(hdf5::File& file, Grid& grid, const std::string& name,
   grid.fields.push_back({name, hdf5::Row<T>::type, hdf5::Row<T>::width, false, false});
 }
 
-/// The values of state number `state` (from 0) at the points, or in the cells.
+/// The values of state number `state` (from 0) at the points, or in the cells; T is float, or 3 or 6 of them.
+template <typename T>
 void append_point_field(hdf5::File& file, Grid& grid, const std::string& name, std::int64_t state,
-                        std::span<const std::array<float, 3>> values);
+                        const std::vector<T>& values);
+template <typename T>
 void append_cell_field(hdf5::File& file, Grid& grid, const std::string& name, std::int64_t state,
-                       std::span<const std::array<float, 6>> values);
-void append_cell_field(hdf5::File& file, Grid& grid, const std::string& name, std::int64_t state,
-                       std::span<const std::array<float, 3>> values);
-void append_cell_field(hdf5::File& file, Grid& grid, const std::string& name, std::int64_t state,
-                       std::span<const float> values);
+                       const std::vector<T>& values);
 
 /// After the fields of a state were appended to all grids and its time to `times`: makes the state
 /// known to readers.
 void append_step(hdf5::File& file, std::span<const Grid> grids, const std::string& times,
                  std::int64_t state);
 
-/// What append_point_field (times 3) or append_cell_field (times 6) writes for a state, in bytes.
+/// What appending a field of `width` numbers a row writes for a state, in bytes.
 std::int64_t state_bytes(std::size_t rows, int width);
 
 /// Where the values of a field stand: of one state, or of all.

@@ -92,7 +92,10 @@ class Needs {
 
   void something_fixed() {
     if (model_.analysis && model_.analysis->type == AnalysisType::static_ && model_.fixed.empty())
-      missing("fixed", "a static analysis needs a [[fixed]]: nothing holds the rock");
+      missing("fixed",
+              "a static analysis needs a [[fixed]]: nothing holds the rock, it is free to move "
+              "along x, y and z "
+              "and to turn about them");
   }
 
   /// What only a dynamic analysis, or one that goes on in time, can make use of.

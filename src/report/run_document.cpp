@@ -1,4 +1,5 @@
 #include "src/base/vector.hpp"
+#include "src/io/stress_measures.hpp"
 #include "src/report/document_parts.hpp"
 #include "src/report/names.hpp"
 
@@ -25,13 +26,61 @@ Json run_totals_json(const RunReport& report) {
           {"support_gap", report.run.support_gap}};
 }
 
-Json monitor_json(const MonitorHistory& m) {
-  return {{"name", m.name},
-          {"time", m.time},
-          {"displacement", m.displacement},
-          {"velocity", m.velocity},
-          {"acceleration", m.acceleration},
-          {"stress", m.stress}};
+/// What a stress means for the rock; the strength ratio only of a material that has one.
+void add_measures(Json& to, const Stress& stress, const Material* material) {
+  to["principal_stress"] = principal_stresses(stress);
+  to["von_mises"] = von_mises(stress);
+  if (material && has_strength(*material)) to["strength_ratio"] = strength_ratio(stress, *material);
+}
+
+const Material* material_at(const Model& model, Index material) {
+  return material == none ? nullptr : &model.materials[material];
+}
+
+Json monitor_json(const MonitorHistory& m, const RunReport& report) {
+  Json json{{"name", m.name},
+            {"time", m.time},
+            {"displacement", m.displacement},
+            {"velocity", m.velocity},
+            {"acceleration", m.acceleration},
+            {"stress", m.stress}};
+  for (const Stress& stress : m.stress) {
+    Json measures;
+    add_measures(measures, stress, material_at(report.model, m.material));
+    for (const auto& [name, value] : measures.items()) json[name].push_back(value);
+  }
+  const auto& base = report.run.base;
+  for (std::size_t i = 0; i < base.size(); ++i) {
+    json["absolute_displacement"].push_back(m.displacement[i] + base[i].displacement);
+    json["absolute_velocity"].push_back(m.velocity[i] + base[i].velocity);
+    json["absolute_acceleration"].push_back(m.acceleration[i] + base[i].acceleration);
+  }
+  return json;
+}
+
+Json blocks_json(const RunReport& report) {
+  Json list = Json::array();
+  for (std::size_t b = 0; b < report.run.blocks.size(); ++b) {
+    const BlockMotion& motion = report.run.blocks[b];
+    Json block{{"id", b + 1},
+               {"displacement", motion.displacement},
+               {"rotation", motion.rotation},
+               {"volume", motion.volume},
+               {"stress", report.run.block_stress[b]}};
+    add_measures(block, report.run.block_stress[b],
+                 material_at(report.model, report.blocks.material[b]));
+    list.push_back(std::move(block));
+  }
+  return list;
+}
+
+/// null where no rock has a strength.
+Json strength_json(const RockStrength& strength) {
+  if (strength.block == none) return nullptr;
+  return {{"least_ratio", strength.least_ratio},
+          {"block", strength.block + 1},
+          {"point", strength.point},
+          {"failed_volume", strength.failed_volume}};
 }
 
 Json energy_json(const Energy& e) {
@@ -78,20 +127,14 @@ Json run_document(const DocumentHead& head, const RunReport& report) {
   Json document = head_json(head);
   document["totals"] = run_totals_json(report);
   auto& monitors = document["monitors"] = Json::array();
-  for (const auto& monitor : report.run.monitors) monitors.push_back(monitor_json(monitor));
+  for (const auto& monitor : report.run.monitors) monitors.push_back(monitor_json(monitor, report));
   document["energy"] = energy_json(report.run.energy);
   document["energy_history"] = energy_history_json(report.run);
   document["contacts"] = {{"open", 0}, {"stick", 0}, {"slide", 0}, {"max_penetration", 0.0}};
   document["reaction"] = sum_of_forces(report.run.conditions);
   document["reactions"] = reactions_json(report.run.conditions);
-  auto& list = document["blocks"] = Json::array();
-  for (std::size_t b = 0; b < report.run.blocks.size(); ++b) {
-    const auto& motion = report.run.blocks[b];
-    list.push_back({{"id", b + 1},
-                    {"displacement", motion.displacement},
-                    {"rotation", motion.rotation},
-                    {"volume", motion.volume}});
-  }
+  document["strength"] = strength_json(report.run.strength);
+  document["blocks"] = blocks_json(report);
   if (report.keyblocks)
     add_support(document["support"] = Json::object(), report.model, report.blocks,
                 *report.keyblocks, *report.design);

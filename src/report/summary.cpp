@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "src/base/vector.hpp"
+#include "src/io/stress_measures.hpp"
 #include "src/model/check_model.hpp"
 #include "src/report/design_names.hpp"
 #include "src/report/document_parts.hpp"
@@ -203,6 +204,53 @@ std::string support_summary(const KeyblockReport& report, const BlockArrays& blo
   return text.append("\n").append(table_text(keyblock_columns, rows));
 }
 
+namespace {
+
+/// More [[fixed]] than this are summed.
+constexpr std::size_t most_conditions = 8;
+
+std::string monitor_facts(const MonitorHistory& monitor) {
+  if (monitor.displacement.empty()) return "";
+  return fact("monitor " + monitor.name, fmt::format("displacement {} m, {:.4g} m long",
+                                                     point_text(monitor.displacement.back()),
+                                                     norm(monitor.displacement.back()))) +
+         fact("", fmt::format("principal stresses {} Pa",
+                              point_text(principal_stresses(monitor.stress.back()))));
+}
+
+std::string strength_fact(const RockStrength& strength) {
+  if (strength.block == none) return "";
+  std::string text =
+      fmt::format("at least {:.3g} of the stress, in block {} at {}", strength.least_ratio,
+                  strength.block + 1, point_text(strength.point));
+  if (strength.failed_volume > 0)
+    text += fmt::format("; below 1 in {:.4g} m3", strength.failed_volume);
+  return fact("strength", text);
+}
+
+Vec3 sum_of_forces(const std::vector<Reaction>& conditions) {
+  Vec3 sum{};
+  for (const Reaction& condition : conditions) sum += condition.force;
+  return sum;
+}
+
+/// Without what is nothing but rounding and the solver's tolerance.
+std::string energy_text(const Energy& energy) {
+  const std::pair<const char*, Real> parts[] = {
+      {"kinetic", energy.kinetic},     {"strain", energy.strain},
+      {"potential", energy.potential}, {"dissipated", energy.dissipated},
+      {"work of loads", energy.loads}, {"work of supports", energy.supports}};
+  Real largest = 0;
+  for (const auto& [name, value] : parts) largest = std::max(largest, std::abs(value));
+  std::string text;
+  for (const auto& [name, value] : parts)
+    if (std::abs(value) > 1e-6 * largest)
+      text += fmt::format("{}{} {:.4g} J", text.empty() ? "" : ", ", name, value);
+  return text.empty() ? "0 J" : text;
+}
+
+}  // namespace
+
 std::string run_summary(const RunReport& report) {
   const auto& run = report.run;
   std::string text = fact(
@@ -216,12 +264,15 @@ std::string run_summary(const RunReport& report) {
   if (largest.block != none)
     text += fact("largest displacement", fmt::format("{:.4g} m, in block {} at {}", largest.length,
                                                      largest.block + 1, point_text(largest.point)));
-  for (const auto& monitor : run.monitors)
-    if (!monitor.displacement.empty())
-      text += fact("monitor " + monitor.name, fmt::format("displacement {} m, {:.4g} m long",
-                                                          point_text(monitor.displacement.back()),
-                                                          norm(monitor.displacement.back())));
-  return text;
+  for (const auto& monitor : run.monitors) text += monitor_facts(monitor);
+  text += strength_fact(run.strength);
+  if (run.conditions.size() <= most_conditions)
+    for (std::size_t n = 0; n < run.conditions.size(); ++n)
+      text += fact(fmt::format("reaction of fixed {}", n + 1),
+                   point_text(run.conditions[n].force) + " N");
+  else
+    text += fact("reactions", point_text(sum_of_forces(run.conditions)) + " N in all");
+  return text + fact("energy", energy_text(run.energy));
 }
 
 std::string info_summary(const ResultInfo& info, const std::string& path) {

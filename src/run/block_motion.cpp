@@ -153,30 +153,6 @@ std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
   return sums.take();
 }
 
-std::vector<Stress> average_block_stress(const CoverArrays& covers, const PieceMoments& moments,
-                                         const std::vector<Stress>& element_stress, Index blocks) {
-  const LatticeFunctions all = lattice_functions(covers);
-  std::vector<Stress> sums(blocks);
-  std::vector<Real> volumes(blocks, 0.0);
-  const auto add = [&](Index block, Real volume, const Stress& stress) {
-    volumes[block] += volume;
-    for (int k = 0; k < 6; ++k) sums[block][k] += volume * stress[k];
-  };
-  for (Index r = 0; r < covers.regular_count(); ++r) {
-    const int first = all.parts * LatticeFunctions::form(covers.lattice, covers.regular_cell[r]);
-    for (int part = 0; part < all.parts; ++part)
-      add(covers.regular_block[r], all.part[first + part].moment[0],
-          element_stress[static_cast<std::size_t>(all.parts) * r + part]);
-  }
-  const std::size_t whole = static_cast<std::size_t>(all.parts) * covers.regular_count();
-  for (Index e = 0; e < covers.cut_count(); ++e)
-    for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
-      add(covers.piece_block[q], all.share * moments.volume[q], element_stress[whole + e]);
-  for (Index b = 0; b < blocks; ++b)
-    for (int k = 0; k < 6 && volumes[b] > 0; ++k) sums[b][k] /= volumes[b];
-  return sums;
-}
-
 LargestDisplacement find_largest_displacement(const CoverArrays& covers,
                                               const std::vector<Vec3>& displacement) {
   LargestDisplacement largest;

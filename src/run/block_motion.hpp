@@ -16,10 +16,6 @@ std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
                                               const std::vector<Vec3>& displacement, Index blocks,
                                               bool large = false);
 
-/// [B] of [nR + E] stresses: averages over the blocks' volume.
-std::vector<Stress> average_block_stress(const CoverArrays& covers, const PieceMoments& moments,
-                                         const std::vector<Stress>& element_stress, Index blocks);
-
 /// Over the lattice nodes of whole cells and the vertices of cut elements; the displacement is that of the covers.
 LargestDisplacement find_largest_displacement(const CoverArrays& covers,
                                               const std::vector<Vec3>& displacement);

@@ -1,8 +1,19 @@
 #include "src/run/recorder.hpp"
 
-#include "src/run/block_motion.hpp"
+#include "src/arrays/shape_functions.hpp"
+#include "src/base/vector.hpp"
+#include "src/run/block_stress.hpp"
+#include "src/run/nodal_stress.hpp"
 
 namespace rockfold {
+
+TimeTable base_acceleration(const Model& model) {
+  TimeTable table;
+  if (!model.base_acceleration) return table;
+  table = model.base_acceleration->table;
+  for (Vec3& a : table.value) a = model.base_acceleration->scale * a;
+  return table;
+}
 
 Recorder::Recorder(const RunInput& input, const PieceMoments& moments, const StoreState& store,
                    RunResult& result)
@@ -11,10 +22,12 @@ Recorder::Recorder(const RunInput& input, const PieceMoments& moments, const Sto
       store_(store),
       result_(result),
       monitors_(input.monitors),
+      base_(base_acceleration(input.model)),
       every_(input.model.output.every) {
-  for (const Monitor& monitor : input.model.monitors) {
-    result_.monitors.emplace_back();
-    result_.monitors.back().name = monitor.name;
+  for (std::size_t n = 0; n < input.model.monitors.size(); ++n) {
+    MonitorHistory& history = result_.monitors.emplace_back();
+    history.name = input.model.monitors[n].name;
+    history.material = material_of(input.covers, input.monitors.element[n]);
   }
 }
 
@@ -30,9 +43,13 @@ void Recorder::record(const Motion& motion, Index step, bool last) {
 void Recorder::store(const Motion& motion, Index step) {
   if (stored_ == step || !store_) return;
   const Timer timer;
-  StoredState state{step, motion.state(), motion.element_stress(), {}};
+  StoredState state{step, motion.state(), motion.element_stress(), {}, {}};
   state.block_stress = average_block_stress(input_.covers, moments_, state.element_stress,
                                             input_.blocks.block_count());
+  if (input_.mesh)
+    state.nodal_stress = stress_is_uniform(input_.covers, input_.model.initial_stress)
+                             ? average_nodal_stress(*input_.mesh, state.element_stress)
+                             : average_nodal_stress(input_.covers, *input_.mesh, motion);
   store_(state);
   stored_ = step;
   result_.seconds.output += timer.seconds();
@@ -40,6 +57,7 @@ void Recorder::store(const Motion& motion, Index step) {
 
 void Recorder::record_monitors(const Motion& motion) {
   if (result_.monitors.empty()) return;
+  if (input_.model.base_acceleration) result_.base.push_back(base_.at(motion.time()));
   const PointMotion at = motion.at(monitors_);
   for (std::size_t n = 0; n < result_.monitors.size(); ++n) {
     MonitorHistory& history = result_.monitors[n];

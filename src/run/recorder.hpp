@@ -3,9 +3,13 @@
 
 #include "kernels/update/motion.hpp"
 #include "src/base/timer.hpp"
+#include "src/run/base_motion.hpp"
 #include "src/run/run_analysis.hpp"
 
 namespace rockfold {
+
+/// m/s², the record as it acts; empty if the base is at rest.
+TimeTable base_acceleration(const Model& model);
 
 class Recorder {
  public:
@@ -25,6 +29,7 @@ class Recorder {
   const StoreState& store_;
   RunResult& result_;
   TrackedPoints monitors_;
+  BaseRecord base_;
   Index every_;
   Index stored_ = none;  ///< step stored last
 };

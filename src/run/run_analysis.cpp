@@ -1,6 +1,7 @@
 #include "src/run/run_analysis.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -14,6 +15,7 @@
 #include "src/base/timer.hpp"
 #include "src/base/vector.hpp"
 #include "src/run/block_motion.hpp"
+#include "src/run/block_stress.hpp"
 #include "src/run/recorder.hpp"
 #include "src/run/rigid_motion.hpp"
 
@@ -41,10 +43,7 @@ MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
   setup.damping = {analysis.rayleigh_alpha, analysis.rayleigh_beta};
   setup.quiet = input.quiet;
   setup.initial_stress = input.model.initial_stress;
-  if (const auto& base = input.model.base_acceleration) {
-    setup.base_acceleration = base->table;
-    for (Vec3& a : setup.base_acceleration.value) a = base->scale * a;
-  }
+  setup.base_acceleration = base_acceleration(input.model);
   setup.large = analysis.large();
   setup.dynamic_ratio = analysis.type == AnalysisType::quasi_static ? 0 : analysis.dynamic_ratio;
   setup.solver.tolerance = input.model.solver.tolerance;
@@ -97,6 +96,7 @@ class Run {
   }
 
   void solve_static();
+  void require_stable_step();
   void march(Progress& progress);
 
  private:
@@ -112,16 +112,15 @@ class Run {
   Real limit_ = 0;
 };
 
-/// Counts a solve; where it failed, goes back to the last good state, stores it and throws.
+/// Counts a solve; where it failed, goes back to the last good state (step 0: the start, before anything was solved), stores it and
+/// throws.
 void Run::accept(const SolveReport& report, Index step, Real time) {
   result_.iterations.pcg += report.iterations;
   result_.preconditioner = report.preconditioner;
   result_.support_gap = report.gap;
   if (report.converged) return;
-  if (step > 0) {
-    motion_.restore();
-    recorder_.store(motion_, step - 1);
-  }
+  motion_.restore();
+  recorder_.store(motion_, std::max<Index>(step - 1, 0));
   refuse(report, step, time, input_.model.solver);
 }
 
@@ -165,10 +164,29 @@ void Run::take_step(Index step) {
   result_.seconds.solve += timer.seconds();
 }
 
+/// Schemes that are stable for short steps only blow up beyond them.
+void Run::require_stable_step() {
+  const Real beta = analysis_.newmark_beta, gamma = analysis_.newmark_gamma;
+  if (analysis_.type != AnalysisType::dynamic || gamma < 0.5 || beta >= gamma / 2) return;
+  const Real frequency = motion_.largest_frequency(analysis_.time_step);
+  const Real critical = 1 / (frequency * std::sqrt(gamma / 2 - beta));
+  if (analysis_.time_step <= critical) return;
+  throw Error(ErrorKind::model,
+              "found " + number(analysis_.time_step) + " s, longer than the critical step " +
+                  number(critical) + " s of newmark = {beta = " + number(beta) +
+                  ", gamma = " + number(gamma) + "} on these covers (largest natural frequency " +
+                  number(frequency) +
+                  " rad/s): use a shorter one, or beta >= gamma / 2, which is stable for any step",
+              Place{analysis_.place.file, analysis_.place.line, analysis_.place.column,
+                    "analysis.time_step"});
+}
+
 void Run::march(Progress& progress) {
   const Timer timer;
+  motion_.save();
   accept(motion_.start(analysis_.time_step), 0, 0);
   result_.seconds.solve += timer.seconds();
+  require_stable_step();
   recorder_.record(motion_, 0, false);
   progress.begin("analysis", analysis_.steps, "steps");
   for (Index step = 1; step <= analysis_.steps && !result_.interrupted; ++step) {
@@ -208,6 +226,10 @@ RunResult run_analysis(const RunInput& input, const StoreState& store, Progress&
   const std::vector<Vec3> displacement = motion.state().displacement;
   result.blocks = average_block_motion(input.covers, moments, displacement,
                                        input.blocks.block_count(), input.model.analysis->large());
+  const std::vector<Stress> stress = motion.element_stress();
+  result.block_stress =
+      average_block_stress(input.covers, moments, stress, input.blocks.block_count());
+  result.strength = find_strength(input.covers, moments, stress, input.model.materials);
   result.largest_displacement = find_largest_displacement(input.covers, displacement);
   return result;
 }

@@ -6,6 +6,7 @@
 #include "src/arrays/block_arrays.hpp"
 #include "src/arrays/load_arrays.hpp"
 #include "src/base/progress.hpp"
+#include "src/io/element_mesh.hpp"
 #include "src/model/model.hpp"
 #include "src/run/run_result.hpp"
 
@@ -22,6 +23,7 @@ struct RunInput {
   const QuietPoints& quiet;
   const std::vector<RigidVelocity>& velocities;  ///< that blocks start with
   const MaterialPoints& block_vertices;          ///< in the order of BlockArrays::vertex
+  const ElementMesh* mesh = nullptr;             ///< at whose points stress is averaged, if any
 };
 
 /// Called for each state to be stored, in time order, so that the result file is written as the run goes.

@@ -20,11 +20,13 @@ struct StoredState {
   StateArrays motion;                  ///< of every physical cover; holds the time
   std::vector<Stress> element_stress;  ///< [nR + E] in the element numbering of CoverArrays
   std::vector<Stress> block_stress;    ///< [B] mean over each block's volume
+  std::vector<Stress> nodal_stress;    ///< [K] at RunInput::mesh's points; empty without one
 };
 
 /// One material point over time; every vector has one entry for t = 0 and one for each step done.
 struct MonitorHistory {
   std::string name;
+  Index material = none;           ///< of the rock there, into Model::materials
   std::vector<Real> time;          ///< s
   std::vector<Vec3> displacement;  ///< m
   std::vector<Vec3> velocity;      ///< m/s
@@ -47,6 +49,22 @@ struct LargestDisplacement {
   Index block = none;  ///< that holds the point
 };
 
+/// How near the rock is to failure.
+struct RockStrength {
+  Real least_ratio =
+      0;  ///< strength over stress (src/io/stress_measures.hpp) of the element nearest to failure
+  Vec3 point{};            ///< m, its centroid
+  Index block = none;      ///< that holds it; none: no rock has a strength
+  Real failed_volume = 0;  ///< m³ of elements whose ratio is below 1
+};
+
+/// Motion of the ground since t = 0.
+struct BaseMotion {
+  Vec3 displacement{};  ///< m
+  Vec3 velocity{};      ///< m/s
+  Vec3 acceleration{};  ///< m/s²
+};
+
 /// What a condition's fixed points do to the rock.
 struct Reaction {
   Vec3 force{};   ///< N
@@ -58,7 +76,10 @@ struct RunResult {
   Real time = 0;             ///< s reached
   bool interrupted = false;  ///< a signal stopped the run after the last step counted above
   std::vector<MonitorHistory> monitors;  ///< in the order of Model::monitors
-  std::vector<BlockMotion> blocks;       ///< [B]
+  std::vector<BaseMotion> base;  ///< at the monitors' times; empty unless the base is accelerated
+  std::vector<BlockMotion> blocks;   ///< [B]
+  std::vector<Stress> block_stress;  ///< [B] Pa, mean over each block's volume, at the end
+  RockStrength strength;             ///< at the end
   std::vector<Vec3> reactions;       ///< [N] N, force of each fixed point on the rock, at the end
   std::vector<Reaction> conditions;  ///< the same by condition, in the order of Model::fixed
   Energy energy;                     ///< J, at the end

@@ -116,6 +116,16 @@ class ModelErrors(ProgramTest):
                 self.assertRegex(error, r"^wrong\.toml:6:1: ")
                 self.assertIn(message, error)
 
+    def test_of_more_elements_than_allowed_are_found_by_check(self):
+        """1000 m3 in cells of 1 m3, each of six tetrahedra; what stages remove makes none."""
+        rock = ("[[solid]]\nname = 'rock'\nshape = 'box'\nmin = [0, 0, 0]\nmax = [10, 10, 10]\n"
+                "[cover]\nspacing = 1\nmax_elements = 1000\n")
+        self.write("many.toml", rock)
+        self.assertRegex(self.run_program("check", "many.toml", status=2).stderr,
+                         r"^many.toml:6:1: cover.spacing: makes at least [56]\d\d\d elements, must make cover.max_elements = 1000 or fewer")
+        self.write("many.toml", rock + "[[excavation]]\nname = 'most'\nshape = 'box'\nmin = [0, 0, 1]\nmax = [10, 10, 10]\n")
+        self.run_program("check", "many.toml")
+
     def test_a_missing_model_has_status_3(self):
         self.assertIn("missing.toml", self.run_program("check", "missing.toml", status=3).stderr)
         self.assertEqual(self.json_of("run", "missing.toml", status=3)["error"]["kind"], "io")

@@ -4,7 +4,7 @@ import random
 import re
 import unittest
 
-from program import CASES, ProgramTest
+from program import CASES, PRESSED, ProgramTest
 
 CUT_TOTALS = {"blocks", "faces", "vertices", "edges", "volume", "solid_volume", "joint_area", "dangling_joint_area", "cells"}
 CUT_BLOCK = {"id", "volume", "centroid", "faces", "edges", "vertices", "convex", "shells", "genus", "finite", "material",
@@ -152,6 +152,49 @@ class Run(ProgramTest):
         (floor,) = document["reactions"]
         self.assertEqual(floor["fixed"], 1)
         self.assertAlmostEqual(floor["force"][2], 2000 * 9.8 * 10, delta=1)
+
+    def test_tells_how_near_the_rock_is_to_failure(self):
+        """A box pressed to 10 MPa, free to its sides: with c = 3 MPa and 30 degrees it bears 2 c sqrt(3) = 10.392 MPa."""
+        self.write("press.toml", PRESSED)
+        document = self.json_of("run", "press.toml")
+        ratio = 6e6 * 3 ** 0.5 / 10e6
+        monitor, block = document["monitors"][0], document["blocks"][0]
+        for found in ({name: monitor[name][-1] for name in ("stress", "principal_stress", "von_mises", "strength_ratio")}, block):
+            self.assertAlmostEqual(found["stress"][2] / -10e6, 1, delta=1e-6)
+            self.assertAlmostEqual(found["principal_stress"][2] / -10e6, 1, delta=1e-6)
+            self.assertAlmostEqual(found["principal_stress"][0] / 10e6, 0, delta=1e-6)
+            self.assertAlmostEqual(found["von_mises"] / 10e6, 1, delta=1e-6)
+            self.assertAlmostEqual(found["strength_ratio"], ratio, delta=1e-6)
+        self.assertAlmostEqual(document["strength"]["least_ratio"], ratio, delta=1e-6)
+        self.assertEqual((document["strength"]["block"], document["strength"]["failed_volume"]), (1, 0))
+        self.assertIn("strength               at least 1.04 of the stress", self.run_program("run", "press.toml").stdout)
+        document = self.json_of("run", "press.toml", "--set", "traction.1.pressure=11e6")
+        self.assertAlmostEqual(document["strength"]["failed_volume"], 2, delta=1e-9)
+        shapes = {entry["path"]: entry["shape"] for entry in self.json_of("info", "press.vtkhdf")["datasets"]}
+        points = shapes["/VTKHDF/Elements/Points"][0]
+        for name, width in (("stress", [6]), ("principal_stress", [3]), ("von_mises", []), ("strength_ratio", [])):
+            self.assertEqual(shapes[f"/VTKHDF/Elements/PointData/nodal_{name}"], [2 * points, *width])
+            self.assertEqual(shapes[f"/VTKHDF/Blocks/CellData/{name}"], [2 * 6, *width])
+
+    def test_of_rock_without_strength_has_no_strength_ratio(self):
+        self.write("press.toml", PRESSED.replace("cohesion = 3e6\nfriction_angle = 30\n", ""))
+        document = self.json_of("run", "press.toml")
+        self.assertIsNone(document["strength"])
+        self.assertNotIn("strength_ratio", document["monitors"][0])
+        self.assertNotIn("strength_ratio", document["blocks"][0])
+
+    def test_of_a_moving_base_tells_absolute_motion_too(self):
+        """A free block under a steady base: it stays where it is, and so the base runs away from below it."""
+        self.copy_case("free_fall")
+        text = (self.folder / "free_fall.toml").read_text(encoding="utf-8")
+        text = re.sub(r"(?m)^gravity.*$", "", text)
+        self.write("base.toml", "gravity = [0, 0, 0]\n" + text + "\n[base_acceleration]\ntable = [[0, 3, 0, 0]]\nscale = 2\n")
+        monitor = self.json_of("run", "base.toml")["monitors"][0]
+        for t, relative, absolute, speed, a in zip(*(monitor[key] for key in ("time", "displacement", "absolute_displacement",
+                                                                             "absolute_velocity", "absolute_acceleration"))):
+            self.assertAlmostEqual(relative[0], -3 * t * t, delta=6e-7)
+            for value in (*absolute, *speed, *a):
+                self.assertAlmostEqual(value, 0, delta=6e-7)  # of 6 m/s2
 
     def test_of_supports_is_the_weight_with_covers_of_every_order(self):
         self.copy_case("column")

@@ -12,6 +12,41 @@ BINARY = os.environ["ROCKFOLD_BINARY"]
 SOURCE = Path(os.environ["ROCKFOLD_SOURCE_DIR"])
 CASES = SOURCE / "tests" / "cases"
 
+# A box of 2 m3 on rollers on three sides, pressed from above.
+PRESSED = """
+gravity = [0, 0, 0]
+[[material]]
+name = "sandstone"
+density = 2400
+young_modulus = 20e9
+poisson_ratio = 0.25
+cohesion = 3e6
+friction_angle = 30
+[[solid]]
+name = "rock"
+shape = "box"
+min = [0, 0, 0]
+max = [1, 1, 2]
+[cover]
+spacing = 0.7
+[[fixed]]
+where = {face = "rock.xmin"}
+components = ["x"]
+[[fixed]]
+where = {face = "rock.ymin"}
+components = ["y"]
+[[fixed]]
+where = {face = "rock.zmin"}
+components = ["z"]
+[[traction]]
+where = {face = "rock.zmax"}
+pressure = 10e6
+[analysis]
+type = "static"
+[[monitor]]
+point = [0.4, 0.3, 1.2]
+"""
+
 
 def files_of_case(name):
     """The files that an example model names, in the order of the model."""

@@ -51,8 +51,9 @@ TEST(ElementMesh, FillsTheElements) {
   const ElementMesh mesh = make_element_mesh(covers);
   // Seven cells of six; a tetrahedron; the rest of one as three.
   ASSERT_EQ(mesh.tetrahedron.size(), 7 * 6 + 1 + 3u);
-  // The 27 nodes, of which the cut cell alone has the last, and the middles of three edges.
-  EXPECT_EQ(mesh.point.size(), 27 + 3u);
+  // The 27 nodes, of which the cut cell alone has the last, and the middles of three edges; where the two blocks meet, these and the
+  // two nodes that the second one shares with whole cells stand once for each.
+  EXPECT_EQ(mesh.point.size(), 27 + 3 + 3 + 2u);
   Real volume = 0;
   for (std::size_t t = 0; t < mesh.tetrahedron.size(); ++t) {
     EXPECT_GT(volume_of(mesh, t), 1e-3);

@@ -111,7 +111,8 @@ TEST(ResultWriter, KeepsTheStatesBeforeTheDiskWasFull) {
   const std::vector<Vec3> motion(blocks.vertex.size());
   ResultWriter writer(path, sample_model(), sample_header());
   writer.write_blocks(blocks);
-  writer.write_elements(covers);
+  const ElementMesh mesh = make_element_mesh(covers);
+  writer.write_elements(covers, mesh);
   writer.add_state({0, linear_state(covers, 0), motion, motion, {}});
   {
     const FileSizeLimit limit(
@@ -160,7 +161,8 @@ TEST(ResultWriter, KeepsTheStatesBeforeASmallDiskWasFull) {
   const std::vector<Vec3> motion(blocks.vertex.size());
   ResultWriter writer(path, sample_model(), sample_header());
   writer.write_blocks(blocks);
-  writer.write_elements(covers);
+  const ElementMesh mesh = make_element_mesh(covers);
+  writer.write_elements(covers, mesh);
   const auto fill = [&] {
     for (Index s = 0;; ++s) writer.add_state({s, linear_state(covers, s), motion, motion, {}});
   };

@@ -251,7 +251,8 @@ TEST(ResultWriter, RefusesWhatDoesNotFit) {
   EXPECT_THROW(writer.write_blocks(blocks, {}, {1}), std::invalid_argument);
   writer.write_blocks(blocks);
   EXPECT_THROW(writer.write_blocks(blocks), std::invalid_argument);
-  writer.write_elements(covers);
+  const ElementMesh mesh = make_element_mesh(covers);
+  writer.write_elements(covers, mesh);
   writer.add_state({0, state, motion, motion, {}});
   EXPECT_THROW(writer.add_state({1, linear_state(covers, -1), motion, motion, {}}),
                std::invalid_argument);

@@ -247,15 +247,19 @@ BlockFields sample_theory(const BlockArrays& blocks) {
 void write_sample(ResultWriter& writer, const BlockArrays& blocks, const CoverArrays& covers,
                   const std::vector<Real>& times) {
   writer.write_blocks(blocks, sample_theory(blocks));
-  writer.write_elements(covers);
+  const ElementMesh mesh = make_element_mesh(covers);
+  writer.write_elements(covers, mesh);
   std::vector<std::array<Real, 6>> stress(covers.element_count());
   for (std::size_t e = 0; e < stress.size(); ++e)
     for (int i = 0; i < 6; ++i) stress[e][i] = (i + 1) * static_cast<Real>(e);
+  std::vector<std::array<Real, 6>> nodal(mesh.point_count());
+  for (std::size_t k = 0; k < nodal.size(); ++k) nodal[k].fill(static_cast<Real>(k));
   const std::vector<Vec3> velocity(blocks.vertex.size(), {0.5, -1, -4});
   for (std::size_t s = 0; s < times.size(); ++s) {
     const StateArrays state = linear_state(covers, times[s]);
     const std::vector<Vec3> displacement = linear_motion(blocks.vertex, times[s]);
-    writer.add_state({static_cast<Index>(10 * s), state, displacement, velocity, stress});
+    writer.add_state(
+        {static_cast<Index>(10 * s), state, displacement, velocity, stress, {}, nodal});
   }
 }
 

@@ -5,7 +5,7 @@
 #include "kernels/integrate/moments.hpp"
 #include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
-#include "src/run/block_motion.hpp"
+#include "src/run/block_stress.hpp"
 #include "tests/reference/box_covers.hpp"
 
 namespace rockfold {

@@ -230,6 +230,7 @@ TEST(RunAnalysis, ASolveThatDoesNotConvergeSaysWhereAndKeepsTheLastGoodState) {
   EXPECT_NE(message.find("did not converge: residual"), std::string::npos) << message;
   EXPECT_NE(message.find("after 3 iterations"), std::string::npos) << message;
   EXPECT_NE(message.find("step "), std::string::npos) << message;
+  EXPECT_FALSE(c.stored.empty());
 }
 
 }  // namespace

@@ -1,0 +1,76 @@
+"""What an analysis refuses, with the place in the model, and what it leaves behind when a solve does not converge."""
+import re
+import unittest
+
+from program import PRESSED, ProgramTest
+
+DYNAMIC = 'type = "dynamic"\nkinematics = "small"\ntime_step = 0.01\nsteps = 5'
+
+
+class BadInput(ProgramTest):
+    """One change of a right model a line: what is replaced, by what, the line and key told, and words of the message."""
+    CASES = [
+        ("poisson_ratio = 0.25", "poisson_ratio = 0.5", 7, "material[1].poisson_ratio", "found 0.5, must be > -1 and < 0.5"),
+        ("density = 2400", "density = -2400", 5, "material[1].density", "found -2400, must be > 0"),
+        ("young_modulus = 20e9", "young_modulus = 0", 6, "material[1].young_modulus", "found 0, must be > 0"),
+        ('type = "static"', 'type = "dynamic"\ntime_step = 0', 31, "analysis.time_step", "found 0, must be > 0"),
+        ('type = "static"', 'type = "dynamic"\ntime_step = -0.1', 31, "analysis.time_step", "found -0.1, must be > 0"),
+        ('type = "static"', 'type = "dynamic"\ntime_step = nan', 31, "analysis.time_step", "must be a finite number, > 0"),
+        ('{face = "rock.xmin"}', "{box = [[5, 5, 5], [6, 6, 6]]}", 17, "fixed[1].where", "holds nothing: no rock lies there"),
+        ('{face = "rock.xmin"}', '{face = "rock.top"}', 18, "fixed[1].where.face", "its faces are: xmin, xmax, ymin, ymax, zmin, zmax"),
+        ('{face = "rock.zmax"}', "{box = [[5, 5, 5], [6, 6, 6]]}", 26, "traction[1].where", "no free face"),
+        ("[0.4, 0.3, 1.2]", "[0.4, 0.3, 2.2]", 31, "monitor[1].point", "of monitor monitor1 is not in the rock"),
+        ("spacing = 0.7", "spacing = 1e-3", 15, "cover.spacing", "elements, must make cover.max_elements = 50000000 or fewer"),
+        ("spacing = 0.7", "spacing = -1", 16, "cover.spacing", "found -1, must be > 0"),
+        ('type = "static"', 'type = "dynamic"\nnewmark = {beta = 0}', 31, "analysis.newmark.beta", "found 0, must be >= 1e-4 (1e-4 comes to the explicit scheme)"),
+        ('type = "static"', 'type = "dynamic"\nkinematics = "small"\nnewmark = {beta = 0.1}\ntime_step = 1e-3', 29, "analysis.time_step",
+         "found 0.001 s, longer than the critical step"),
+        ("pressure = 10e6", "pressure = inf", 28, "traction[1].pressure", "must be a finite number"),
+    ]
+
+    def test_is_refused_with_its_place(self):
+        for old, new, line, key, words in self.CASES:
+            with self.subTest(key=key, new=new):
+                self.assertIn(old, PRESSED)
+                self.write("bad.toml", PRESSED.replace(old, new, 1))
+                done = self.run_program("run", "bad.toml", status=2)
+                self.assertRegex(done.stderr.splitlines()[0], rf"^bad\.toml:{line}:\d+: {re.escape(key)}: .*{re.escape(words)}")
+                self.assertNotIn("bad.vtkhdf", self.files())
+
+    def test_of_a_static_analysis_that_nothing_holds_names_the_free_motions(self):
+        free = re.sub(r"(?s)\[\[fixed\]\].*(?=\[\[traction)", "", PRESSED)
+        self.write("bad.toml", free)
+        self.assertIn("nothing holds the rock, it is free to move along x, y and z and to turn about them",
+                      self.run_program("run", "bad.toml", status=2).stderr)
+        self.write("bad.toml", PRESSED.replace('components = ["x"]', 'components = ["z"]'))
+        self.assertIn("block 1 (translation along (1.000, 0.000, 0.000))", self.run_program("run", "bad.toml", status=1).stderr)
+
+
+class NoConvergence(ProgramTest):
+    def states(self):
+        return self.json_of("info", "slow.vtkhdf")["states"]["step"]
+
+    def test_of_a_static_analysis_says_how_far_it_came(self):
+        self.write("slow.toml", PRESSED + "[solver]\nmax_iterations = 2\n")
+        done = self.run_program("run", "slow.toml", status=1)
+        self.assertRegex(done.stderr, r"step 1, time \S+ s: the solver did not converge: residual [\d.e-]+ after 2 iterations")
+        self.assertIn("slow.vtkhdf holds the state before it did", done.stderr)
+        self.assertEqual(self.states(), [0])
+
+    def test_keeps_the_last_good_state(self):
+        """Nothing moves until 0.025 s, so that the third step is the first that has to be solved."""
+        text = PRESSED.replace('type = "static"', DYNAMIC).replace("pressure = 10e6", "pressure_table = [[0, 0], [0.025, 0], [0.03, 1e7]]")
+        self.write("slow.toml", text + "[solver]\nmax_iterations = 2\n[output]\nevery = 0\n")
+        done = self.run_program("run", "slow.toml", status=1)
+        self.assertIn("step 3, time 0.03 s: the solver did not converge", done.stderr)
+        self.assertIn("slow.vtkhdf holds the 2 states before it did", done.stderr)
+        self.assertEqual(self.states(), [0, 2])
+
+    def test_of_the_first_acceleration_keeps_the_start(self):
+        self.write("slow.toml", PRESSED.replace('type = "static"', DYNAMIC) + "[solver]\nmax_iterations = 1\n")
+        self.assertIn("step 0, time 0 s: the solver did not converge", self.run_program("run", "slow.toml", status=1).stderr)
+        self.assertEqual(self.states(), [0])
+
+
+if __name__ == "__main__":
+    unittest.main()
