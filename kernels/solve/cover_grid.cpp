@@ -26,22 +26,23 @@ constexpr Real coarsest_share = 1.0 / 200;
 
 /// r −= q; d = old · d + share · B r; x += d. Where there is no q yet: x = d = share · B r.
 void advance(const CoverLevel& level, bool first, Real old, Real share) {
-  const CoverLevel l = level;
+  const CoverBlocks blocks = level.blocks;
+  const Field x = level.x, r = level.r, d = level.d, q = level.q;
   device::for_each(
-      "rockfold::solve::smooth_covers", l.blocks.covers, KOKKOS_LAMBDA(const Index p) {
-        const int width = l.blocks.width();
-        Real r[most_block_width], z[most_block_width];
+      "rockfold::solve::smooth_covers", blocks.covers, KOKKOS_LAMBDA(const Index p) {
+        const int width = blocks.width();
+        Real left[most_block_width], z[most_block_width];
         for (int e = 0; e < width; ++e) {
-          const Index u = e / 3 * l.blocks.covers + p;
-          r[e] = first ? l.r(u, e % 3) : l.r(u, e % 3) - l.q(u, e % 3);
+          const Index u = e / 3 * blocks.covers + p;
+          left[e] = first ? r(u, e % 3) : r(u, e % 3) - q(u, e % 3);
         }
-        precondition_cover(l.blocks, p, r, z);
+        precondition_cover(blocks, p, left, z);
         for (int e = 0; e < width; ++e) {
-          const Index u = e / 3 * l.blocks.covers + p;
-          const Real step = share * z[e] + (old != 0 ? old * l.d(u, e % 3) : 0);
-          l.r(u, e % 3) = r[e];
-          l.d(u, e % 3) = step;
-          l.x(u, e % 3) = first ? step : l.x(u, e % 3) + step;
+          const Index u = e / 3 * blocks.covers + p;
+          const Real step = share * z[e] + (old != 0 ? old * d(u, e % 3) : 0);
+          r(u, e % 3) = left[e];
+          d(u, e % 3) = step;
+          x(u, e % 3) = first ? step : x(u, e % 3) + step;
         }
       });
 }
@@ -126,13 +127,14 @@ void scatter(const Field& to) {
 
 /// x = B r.
 void precondition_blocks(const CoverLevel& level) {
-  const CoverLevel l = level;
+  const CoverBlocks blocks = level.blocks;
+  const Field x = level.x, r = level.r;
   device::for_each(
-      "rockfold::solve::precondition_covers", l.blocks.covers, KOKKOS_LAMBDA(const Index p) {
-        Real r[most_block_width], z[most_block_width];
-        for (int e = 0; e < l.blocks.width(); ++e) r[e] = l.r(e / 3 * l.blocks.covers + p, e % 3);
-        precondition_cover(l.blocks, p, r, z);
-        for (int e = 0; e < l.blocks.width(); ++e) l.x(e / 3 * l.blocks.covers + p, e % 3) = z[e];
+      "rockfold::solve::precondition_covers", blocks.covers, KOKKOS_LAMBDA(const Index p) {
+        Real of[most_block_width], z[most_block_width];
+        for (int e = 0; e < blocks.width(); ++e) of[e] = r(e / 3 * blocks.covers + p, e % 3);
+        precondition_cover(blocks, p, of, z);
+        for (int e = 0; e < blocks.width(); ++e) x(e / 3 * blocks.covers + p, e % 3) = z[e];
       });
 }
 
@@ -252,13 +254,14 @@ void allocate_level(CoverLevel& level, Index covers, int functions) {
 void make_coarse_level(CoverLevel& level, const CoarseCovers& coarse, int functions,
                        const MaterialPoints& points) {
   const Index covers = coarse.count();
-  const std::size_t size = 9 * static_cast<std::size_t>(functions) * functions;
   allocate_level(level, covers, functions);
   static_cast<PointRows&>(level.springs) = make_point_rows(points, covers * functions);
   level.blocks = make_cover_blocks(covers, functions);
-  level.a = {covers, functions, device::to_device("solve::cover_begin", coarse.column_begin),
+  level.a = {covers,
+             functions,
+             device::to_device("solve::cover_begin", coarse.column_begin),
              device::to_device("solve::cover_column", coarse.column),
-             device::allocate<Real>("solve::cover_value", size * coarse.column.size())};
+             {}};
 }
 
 }  // namespace
@@ -292,6 +295,9 @@ void set_values(CoverGrid& grid, const Apply& a, const PcgWork& work, const Oper
   grid.levels[0].blocks = blocks;
   for (std::size_t l = 1; l < grid.levels.size(); ++l) {
     CoverLevel& level = grid.levels[l];
+    if (level.a.value.extent(0) == 0)  // not before they are needed
+      level.a.value = device::allocate<Real>(
+          "solve::cover_value", level.a.column.extent(0) * level.a.width() * level.a.width());
     level.springs.stiffness = springs.stiffness;
     level.springs.force = springs.force;
     if (l == 1)

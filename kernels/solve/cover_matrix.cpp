@@ -5,7 +5,7 @@
 namespace rockfold::solve {
 namespace {
 
-/// fine += weight · what the coarse functions are there (see the header's G); c and f by function, `stride` apart.
+/// f += weight · what the coarse functions c are there (see the header's G), by function.
 KOKKOS_INLINE_FUNCTION void prolong(int n, Real weight, const Real* step, const Real* c, Real* f) {
   for (int k = 0; k < n; ++k) f[k] += weight * c[k];
   if (n <= 4) return;
