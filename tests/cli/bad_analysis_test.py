@@ -19,6 +19,7 @@ class BadInput(ProgramTest):
         ('{face = "rock.xmin"}', "{box = [[5, 5, 5], [6, 6, 6]]}", 17, "fixed[1].where", "holds nothing: no rock lies there"),
         ('{face = "rock.xmin"}', '{face = "rock.top"}', 18, "fixed[1].where.face", "its faces are: xmin, xmax, ymin, ymax, zmin, zmax"),
         ('{face = "rock.zmax"}', "{box = [[5, 5, 5], [6, 6, 6]]}", 26, "traction[1].where", "no free face"),
+        ("[0.4, 0.3, 1.2]", "[0.4, 0.3, 2.0000001]", 31, "monitor[1].point", "(0.4, 0.3, 2.0000001) of monitor"),
         ("[0.4, 0.3, 1.2]", "[0.4, 0.3, 2.2]", 31, "monitor[1].point", "of monitor monitor1 is not in the rock"),
         ("spacing = 0.7", "spacing = 1e-3", 15, "cover.spacing", "elements, must make cover.max_elements = 50000000 or fewer"),
         ("spacing = 0.7", "spacing = -1", 16, "cover.spacing", "found -1, must be > 0"),
