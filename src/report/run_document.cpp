@@ -108,9 +108,9 @@ Json reactions_json(const std::vector<Reaction>& conditions) {
   return list;
 }
 
-Vec3 sum(const std::vector<Vec3>& forces) {
+Vec3 sum_of_forces(const std::vector<Reaction>& conditions) {
   Vec3 total{};
-  for (const auto& force : forces) total += force;
+  for (const auto& condition : conditions) total += condition.force;
   return total;
 }
 
@@ -131,7 +131,7 @@ Json run_document(const DocumentHead& head, const RunReport& report) {
   document["energy"] = energy_json(report.run.energy);
   document["energy_history"] = energy_history_json(report.run);
   document["contacts"] = {{"open", 0}, {"stick", 0}, {"slide", 0}, {"max_penetration", 0.0}};
-  document["reaction"] = sum(report.run.reactions);
+  document["reaction"] = sum_of_forces(report.run.conditions);
   document["reactions"] = reactions_json(report.run.conditions);
   document["strength"] = strength_json(report.run.strength);
   document["blocks"] = blocks_json(report);

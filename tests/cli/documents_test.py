@@ -196,6 +196,13 @@ class Run(ProgramTest):
             for value in (*absolute, *speed, *a):
                 self.assertAlmostEqual(value, 0, delta=6e-7)  # of 6 m/s2
 
+    def test_of_supports_is_the_weight_with_covers_of_every_order(self):
+        self.copy_case("column")
+        for order, method in ((1, "augmented_lagrangian"), (1, "penalty"), (2, "augmented_lagrangian")):
+            document = self.json_of("run", "column.toml", "--set", f"cover.order={order}", "--set", "cover.spacing=1.3",
+                                    "--set", f'fixed.1.method="{method}"')
+            self.assertAlmostEqual(document["reaction"][2], 2000 * 9.8 * 10, delta=1)
+
     def test_of_a_wave_along_a_bar(self):
         self.copy_case("bar_wave")
         document = self.json_of("run", "bar_wave.toml")
