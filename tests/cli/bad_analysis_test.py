@@ -70,5 +70,21 @@ class NoConvergence(ProgramTest):
         self.assertEqual(self.states(), [0])
 
 
+class Warnings(ProgramTest):
+    def test_name_keys_that_have_no_use_in_a_static_analysis(self):
+        self.write("still.toml", PRESSED.replace('type = "static"', 'type = "static"\ndynamic_ratio = 0.5\nrayleigh = {alpha = 1}'))
+        self.assertIn("of no use in a static analysis, which has no time: analysis.dynamic_ratio, analysis.rayleigh\n",
+                      self.run_program("run", "still.toml").stderr)
+        self.write("still.toml", PRESSED)
+        self.assertNotIn("warning", self.run_program("run", "still.toml").stderr)
+
+    def test_name_conditions_that_contradict_each_other(self):
+        again = PRESSED.split("[[fixed]]")[1].split("[[")[0]
+        self.write("torn.toml", PRESSED + "[[fixed]]" + again + "value = [0.1, 0, 0]\n")
+        done = self.run_program("run", "torn.toml")
+        self.assertRegex(done.stderr, r"fixed\[1\] and fixed\[\d\] prescribe different displacements of the same points")
+        self.assertNotIn("lattice nodes", done.stderr)
+
+
 if __name__ == "__main__":
     unittest.main()
