@@ -13,6 +13,7 @@ import math
 from pathlib import Path
 
 import matplotlib
+import numpy as np
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
@@ -51,25 +52,35 @@ def draw_line(axes, line, number, references):
 
 
 def draw_slopes(axes, panel):
-    """Lines of the theoretical slopes below the points, each with its exponent."""
-    points = [(x, y) for line in panel["lines"] if line["style"] == "ours" for x, y in zip(line["x"], line["y"]) if y > 0]
-    if not panel["slopes"] or not points:
-        return
-    left, right = min(x for x, _ in points), max(x for x, _ in points)
-    low = min(y for _, y in points)
-    for exponent in panel["slopes"]:
-        start = low / 2
-        x0, x1 = left * (right / left) ** 0.45, right
-        axes.plot([x0, x1], [start, start * (x1 / x0) ** exponent], color="#555555", linewidth=0.9, linestyle=":", zorder=1)
-        axes.annotate(f"{exponent:g}", (x1, start * (x1 / x0) ** exponent), xytext=(4, 0), textcoords="offset points", color="#555555",
-                      va="center")
+    """A dotted line of the theoretical slope through the middle of each line (one slope each, or one for all), with its exponent."""
+    lines = [line for line in panel["lines"] if line["style"] == "ours"]
+    slopes = panel["slopes"] * (len(lines) if len(panel["slopes"]) == 1 else 1)
+    for number, (line, exponent) in enumerate(zip(lines, slopes)):
+        points = sorted(zip(line["x"], line["y"]))
+        x0, y0 = points[len(points) // 2]
+        ends = np.array([points[0][0], points[-1][0]])
+        y = y0 * (ends / x0) ** exponent
+        c = colour(line["label"], number)
+        axes.plot(ends, y, color=c, linewidth=1.0, linestyle=":", zorder=1)
+        axes.annotate(f"{exponent:g}", (ends[1], y[1]), xytext=(7, 0), textcoords="offset points", color=c, va="center")
 
 
-def draw_panel(axes, panel):
+def spaced(values, factor=1.45):
+    """Those of ascending values whose labels on a logarithmic axis do not touch."""
+    kept = []
+    for value in values:
+        if not kept or value >= factor * kept[-1]:
+            kept.append(value)
+    return kept
+
+
+def draw_panel(axes, panel, alone):
+    """`alone`: the only panel of its figure, with the legend beside it."""
     references = 0
     number = 0
     for line in panel["lines"]:
-        draw_line(axes, line, number, references)
+        same = references - (line["label"].startswith("_") and references > 0)  # unnamed lines look like the one before
+        draw_line(axes, line, number, same)
         if line["style"] == "reference":
             references += not line["label"].startswith("_") and panel["ticks"] == []
         else:
@@ -83,7 +94,7 @@ def draw_panel(axes, panel):
         axes.set_yscale("log")
     if panel["log"] == "xy":
         draw_slopes(axes, panel)
-        spacings = sorted({x for line in panel["lines"] if line["style"] in ("ours", "marks") for x in line["x"]})
+        spacings = spaced(sorted({x for line in panel["lines"] if line["style"] in ("ours", "marks") for x in line["x"]}))
         axes.set_xticks(spacings, [f"{x:g}" for x in spacings])
         axes.minorticks_off()
         axes.margins(x=0.12)
@@ -91,15 +102,18 @@ def draw_panel(axes, panel):
         axes.set_xlim(left=0)
     if panel["ticks"]:
         axes.set_xticks(range(len(panel["ticks"])), panel["ticks"], rotation=30, ha="right")
-        axes.set_ylim(1e-17, 1e-7)
-    axes.legend(loc="best")
+        axes.set_ylim(1e-16, 1e-7)
+    if alone:
+        axes.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    else:
+        axes.legend(loc="best")
 
 
 def draw(case):
     panels = case["panels"]
-    figure, axes = plt.subplots(1, len(panels), figsize=(SIZE[0] * max(len(panels), 1.35), SIZE[1]), squeeze=False)
+    figure, axes = plt.subplots(1, len(panels), figsize=(SIZE[0] * max(len(panels), 1.6), SIZE[1]), squeeze=False)
     for one, panel in zip(axes[0], panels):
-        draw_panel(one, panel)
+        draw_panel(one, panel, len(panels) == 1)
     figure.tight_layout()
     figure.savefig(DOCS / "images" / f"verification_{case['name']}.png", dpi=120, metadata={"Software": None})
     plt.close(figure)

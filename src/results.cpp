@@ -28,14 +28,15 @@ BlockFields block_fields(const KeyblockReport& report) {
   fields.sliding_force.assign(blocks, 0);
   fields.support_force.assign(blocks, 0);
   fields.direction.assign(blocks, Vec3{});
-  for (const auto& key : report.keyblocks)
-    for (const Index block : key.members) {  // of a group, each block has what the group has
-      fields.mode[block] = static_cast<std::uint8_t>(1 + static_cast<int>(key.mode));
-      fields.factor_of_safety[block] = key.factor_of_safety;
-      fields.sliding_force[block] = key.sliding_force;
-      fields.support_force[block] = key.support_force;
-      fields.direction[block] = key.direction;
-    }
+  for (const auto* list : {&report.keyblocks, &report.stable})
+    for (const auto& key : *list)
+      for (const Index block : key.members) {  // of a group, each block has what the group has
+        fields.mode[block] = static_cast<std::uint8_t>(1 + static_cast<int>(key.mode));
+        fields.factor_of_safety[block] = key.factor_of_safety;
+        fields.sliding_force[block] = key.sliding_force;
+        fields.support_force[block] = key.support_force;
+        fields.direction[block] = key.direction;
+      }
   return fields;
 }
 
@@ -44,11 +45,12 @@ void add_bolting(BlockFields& fields, const BoltingReport& bolting) {
   fields.supported_factor_of_safety.assign(blocks, std::numeric_limits<Real>::quiet_NaN());
   fields.utilisation.assign(blocks, std::numeric_limits<Real>::quiet_NaN());
   for (const auto* list : {&bolting.keyblocks, &bolting.stable})
-    for (const BlockSupport& support : *list) {
-      fields.supported_factor_of_safety[support.block] = support.held.factor_of_safety;
-      if (!support.crossings.empty())
-        fields.utilisation[support.block] = 100 * support.force_mobilisation;
-    }
+    for (const BlockSupport& support : *list)
+      for (const Index block : support.members) {
+        fields.supported_factor_of_safety[block] = support.held.factor_of_safety;
+        if (!support.crossings.empty())
+          fields.utilisation[block] = 100 * support.force_mobilisation;
+      }
 }
 
 void add_stored_state(ResultWriter& writer, const MaterialPoints& block_vertices,

@@ -13,10 +13,8 @@ Real axial_capacity(const BoltType& type, const Embedment& embedment) {
   const Real plate = embedment.plate ? type.plate_capacity : 0;
   const Real bond = type.bond_strength.value_or(std::numeric_limits<Real>::infinity());
   if (type.coupling == Coupling::dmfc) {
-    // The anchor takes the last part of the bolt; what of it lies in the block holds nothing.
-    const Real anchor =
-        type.anchor_length ? std::min(*type.anchor_length, embedment.anchored) : embedment.anchored;
-    return std::min({type.force_capacity, plate, bond * anchor});
+    if (!(embedment.anchor > 0)) return 0;
+    return std::min({type.force_capacity, plate, bond * embedment.anchor});
   }
   const Real in_block = embedment.within > 0 ? plate + bond * embedment.within : plate;
   return std::min({type.force_capacity, in_block, bond * embedment.anchored});
@@ -58,9 +56,10 @@ Real square_spacing(Real capacity, Real pressure) {
 
 BoltCategory bolt_category(const BoltType& type, Real length) {
   constexpr Real longest_rock_bolt = 3, shortest_anchor = 10, longest_cable = 15;  // m
-  if (length <= longest_rock_bolt) return BoltCategory::rock_bolt;
-  if (length > longest_cable) return BoltCategory::ground_anchor;
-  const bool anchor = length > shortest_anchor && type.coupling == Coupling::dmfc;
+  const auto over = [&](Real limit) { return length > (1 + 1e-9) * limit; };  // beyond rounding
+  if (!over(longest_rock_bolt)) return BoltCategory::rock_bolt;
+  if (over(longest_cable)) return BoltCategory::ground_anchor;
+  const bool anchor = over(shortest_anchor) && type.coupling == Coupling::dmfc;
   return anchor ? BoltCategory::ground_anchor : BoltCategory::cable_bolt;
 }
 

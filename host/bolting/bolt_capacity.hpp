@@ -12,10 +12,11 @@ struct Embedment {
   Real within = 0;    ///< m in the block, L_w
   Real anchored = 0;  ///< m in rock that stays beyond the block, L_a
   bool plate = true;  ///< whether its plate holds the block
+  Real anchor = 0;    ///< m of L_a that the anchor at the far end takes; dmfc only
 };
 
-/// N along the bolt, T: cmc and cfc min(T, P + b L_w, b L_a); dmfc min(T, P, b × the part of the anchor beyond the block).
-/// Zero without anchored length. Hoek, Kaiser & Bawden (1995); UnWedge's force diagrams.
+/// N along the bolt, T: cmc and cfc min(T, P + b L_w, b L_a); dmfc min(T, P, b × the anchor's part of L_a).
+/// Zero without anchored length, and of a dmfc bolt without any of its anchor in rock beyond the block. Hoek, Kaiser & Bawden (1995); UnWedge's force diagrams.
 Real axial_capacity(const BoltType& type, const Embedment& embedment);
 
 /// What the bolt can put on a block that moves along the unit direction s, at full mobilisation.

@@ -27,11 +27,14 @@ BoltsOfBlock bolts_of_blocks(const std::vector<Bolt>& bolts) {
   return of;
 }
 
-/// The rotation in which a key block fails, where that is how it fails.
-std::optional<Turning> turning_of(const Keyblock& key) {
-  if (!key.rotation) return {};
-  const Rotation& r = *key.rotation;
-  return Turning{r.point, r.axis, r.driving, r.resisting, norm(r.velocity)};
+Turning turning_of(const Rotation& r) {
+  return {r.point, r.axis, r.driving, r.resisting, norm(r.velocity)};
+}
+
+/// NaN: nothing resists.
+bool is_less_safe(const BlockSupport& a, const BlockSupport& b) {
+  const auto safety = [](Real f) { return std::isnan(f) ? -std::numeric_limits<Real>::max() : f; };
+  return safety(a.held.factor_of_safety) < safety(b.held.factor_of_safety);
 }
 
 bool is_in(Index block, const std::vector<Index>& members) {
@@ -64,7 +67,9 @@ class SupportJudge {
   Real axial_left(const Bolt& bolt, const std::vector<Index>& members, Index with,
                   const Embedment& own) const;
   std::vector<Index> bolts_through(const std::vector<Index>& members) const;
-  BoltCrossing crossing(Index bolt, const Keyblock& key) const;
+  BlockSupport in_motion(const Keyblock& key, const std::optional<Turning>& turning) const;
+  BoltCrossing crossing(Index bolt, const Keyblock& key,
+                        const std::optional<Turning>& turning) const;
   void mobilise(BlockSupport& support) const;
 
   const SupportedRock& rock_;
@@ -77,6 +82,13 @@ Embedment SupportJudge::embedment(const Bolt& bolt, const std::vector<Index>& me
   constexpr Real gap = 1e-3;  // m: a wider one between plate and block is air
   Embedment e;
   e.length = bolt.length;
+  // Where the anchor at the far end begins: all along where none is told.
+  const auto& anchor_length = type_of(bolt).anchor_length;
+  const Real anchor_from = anchor_length ? bolt.length - *anchor_length : 0;
+  const auto add_anchored = [&](Real from, Real to) {
+    e.anchored += std::max(to - from, Real{0});
+    e.anchor += std::max(to - std::max(from, anchor_from), Real{0});
+  };
   Real front = 0;
   bool met = false;
   for (const RockSegment& segment : bolt.rock) {
@@ -85,11 +97,11 @@ Embedment SupportJudge::embedment(const Bolt& bolt, const std::vector<Index>& me
       if (!met && segment.from > front + gap) e.plate = false;
       met = true;
       e.within += length;
-      e.anchored = 0;  // what lies before the last exit holds nothing
+      e.anchored = e.anchor = 0;  // what lies before the last exit holds nothing
       continue;
     }
     if (met) {
-      if (!gone(segment.block, with)) e.anchored += length;
+      if (!gone(segment.block, with)) add_anchored(segment.from, segment.to);
       continue;
     }
     // In front of the block: the plate reaches it only through blocks that move with it or later.
@@ -102,8 +114,7 @@ Embedment SupportJudge::embedment(const Bolt& bolt, const std::vector<Index>& me
     const RockSegment& last = bolt.rock.back();
     const bool beyond = last.exit_face != none &&
                         rock_.blocks.origins[rock_.blocks.face_origin[last.exit_face]].continues;
-    if (beyond && !is_in(last.block, members))
-      e.anchored += std::max(bolt.length - last.to, Real{0});
+    if (beyond && !is_in(last.block, members)) add_anchored(last.to, bolt.length);
   }
   return e;
 }
@@ -121,18 +132,21 @@ Real SupportJudge::axial_left(const Bolt& bolt, const std::vector<Index>& member
   return std::max(axial_capacity(type_of(bolt), own) - taken, Real{0});
 }
 
-BoltCrossing SupportJudge::crossing(Index id, const Keyblock& key) const {
+BoltCrossing SupportJudge::crossing(Index id, const Keyblock& key,
+                                    const std::optional<Turning>& turning) const {
   const Bolt& bolt = report_.bolts[id];
   BoltCrossing crossing;
   crossing.bolt = id;
   const std::vector<Index>& members = key.members;
   crossing.embedment = embedment(bolt, members, key.batch);
   crossing.axial_capacity = axial_left(bolt, members, key.batch, crossing.embedment);
-  Vec3 motion = key.movement.direction;
-  if (const auto turning = turning_of(key)) {
+  Vec3 motion = key.direction;
+  if (turning) {
     motion = turning->motion(leaving_point(bolt, key.members));
     if (!(norm(motion) > 0)) return crossing;  // on the axis: it does not move the bolt
     motion = normalized(motion);
+  } else if (key.movement) {
+    motion = key.movement->direction;
   }
   crossing.force = bolt_force(type_of(bolt), bolt.direction, crossing.axial_capacity, motion);
   crossing.capacity = norm(crossing.force.force);
@@ -143,7 +157,7 @@ void SupportJudge::mobilise(BlockSupport& support) const {
   Real load = 0, capacity = 0;
   for (std::size_t i = 0; i < support.crossings.size(); ++i) {
     BoltCrossing& c = support.crossings[i];
-    if (!(c.capacity > 0)) continue;
+    if (support.held.in_balance && !(c.capacity > 0)) continue;  // it is not needed
     c.force_mobilisation = support.held.mobilised[i];
     c.load = c.force_mobilisation * c.capacity;
     c.displacement_mobilisation =
@@ -153,6 +167,10 @@ void SupportJudge::mobilise(BlockSupport& support) const {
         std::max(support.displacement_mobilisation, c.displacement_mobilisation);
   }
   if (capacity > 0) support.force_mobilisation = load / capacity;
+  if (support.held.in_balance) return;
+  // Bolts that hold nothing are no less at their end than those that hold too little.
+  if (!support.crossings.empty()) support.force_mobilisation = 1;
+  support.displacement_mobilisation = std::numeric_limits<Real>::infinity();
 }
 
 std::vector<Index> SupportJudge::bolts_through(const std::vector<Index>& members) const {
@@ -165,12 +183,32 @@ std::vector<Index> SupportJudge::bolts_through(const std::vector<Index>& members
   return bolts;
 }
 
+/// Support may hold one motion and not another: the one that is least safe with it counts, and what is missing is the
+/// most that any of them lacks.
 BlockSupport SupportJudge::judge(const Keyblock& key) const {
+  std::optional<BlockSupport> worst;
+  Real missing = 0;
+  const auto look_at = [&](BlockSupport support) {
+    missing = std::max(missing, support.held.missing_force);
+    if (!worst || is_less_safe(support, *worst)) worst = std::move(support);
+  };
+  if (key.movement) look_at(in_motion(key, {}));
+  for (const Rotation& rotation : key.rotations) look_at(in_motion(key, turning_of(rotation)));
+  if (!worst) return {};
+  worst->held.adequate = missing == 0;
+  worst->held.missing_force = missing;
+  return *std::move(worst);
+}
+
+BlockSupport SupportJudge::in_motion(const Keyblock& key,
+                                     const std::optional<Turning>& turning) const {
   BlockSupport support;
   support.block = key.block;
+  support.members = key.members;
+  support.mode = turning ? SlidingMode::rotation : key.movement->mode;
   std::vector<SupportElement> elements;
   for (const Index bolt : bolts_through(key.members)) {
-    const BoltCrossing& c = support.crossings.emplace_back(crossing(bolt, key));
+    const BoltCrossing& c = support.crossings.emplace_back(crossing(bolt, key, turning));
     const BoltType& type = type_of(report_.bolts[bolt]);
     elements.push_back({c.force.force, type.action == BoltAction::active, type.stiffness,
                         leaving_point(report_.bolts[bolt], key.members)});
@@ -178,12 +216,10 @@ BlockSupport SupportJudge::judge(const Keyblock& key) const {
   if (!rock_.shotcrete.empty()) {
     support.shotcrete = rock_.shotcrete[key.block];
     if (norm(support.shotcrete.force) > 0)
-      elements.push_back({support.shotcrete.force, false, 0, rock_.blocks.centroid[key.block]});
+      elements.push_back({support.shotcrete.force, false, 0, support.shotcrete.point});
   }
-  if (const auto turning = turning_of(key))
-    support.held = hold(*turning, elements, rock_.target);
-  else
-    support.held = hold(key.contact, key.movement, elements, rock_.target);
+  support.held = turning ? hold(*turning, elements, rock_.target)
+                         : hold(key.contact, *key.movement, elements, rock_.target);
   mobilise(support);
   return support;
 }
@@ -233,7 +269,7 @@ std::vector<ShotcreteHold> shotcrete_on(const BlockArrays& blocks, const Keybloc
   const ShotcreteCover cover(blocks, *model.shotcrete);
   std::vector<ShotcreteHold> holds(static_cast<std::size_t>(blocks.block_count()));
   for (const auto* list : {&keyblocks.keyblocks, &keyblocks.stable})
-    for (const Keyblock& key : *list) holds[key.block] = cover.hold(key.block);
+    for (const Keyblock& key : *list) holds[key.block] = cover.hold(key.members);
   return holds;
 }
 
@@ -272,7 +308,7 @@ BoltingReport support_blocks(const BlockArrays& blocks, const KeyblockReport& ke
   }
   for (const BoltPattern& pattern : model.bolt_patterns)
     drill_pattern(blocks, model, pattern, report);
-  drill(RockLines(blocks), report.bolts);
+  drill(RockLines(blocks, model.gravity), report.bolts);
   leave_out_excavated(blocks, report.bolts);
   require_rock(model, report);
   for (const Bolt& bolt : report.bolts) report.length += bolt.length;

@@ -35,10 +35,13 @@ struct BoltCrossing {
 /// The support of one block.
 struct BlockSupport {
   Index block = none;
+  std::vector<Index> members;               ///< of a group that fails together: all of them
+  SlidingMode mode = SlidingMode::lifting;  ///< of the motion that governs with the support
   std::vector<BoltCrossing> crossings;
   ShotcreteHold shotcrete;
   HeldBlock held;
-  /// Service load over capacity, summed over bolts, and the largest displacement over its capacity; 0 without bolts.
+  /// Service load over capacity, summed over bolts, and the largest displacement over its capacity; 0 without bolts. Of a
+  /// block that is not held 1 (0 without bolts) and infinite.
   Real force_mobilisation = 0, displacement_mobilisation = 0;
 };
 

@@ -14,7 +14,8 @@ namespace rockfold {
 namespace {
 
 constexpr Real most_bolts = 1e6;
-constexpr Real grazing = 0.05;  // sine of the least angle between a given direction and the face
+constexpr Real rounding = 1e-9;  // of the number of spacings
+constexpr Real grazing = 0.05;   // sine of the least angle between a given direction and the face
 
 /// The nodes of one row or of the rows: first + i·spacing, in [low, high].
 struct Nodes {
@@ -24,8 +25,8 @@ struct Nodes {
 };
 
 Nodes nodes(const std::array<Real, 2>& range, Real anchor, Real spacing) {
-  const Real low = std::ceil((range[0] - anchor) / spacing - 1e-9);
-  const Real high = std::floor((range[1] - anchor) / spacing + 1e-9);
+  const Real low = std::ceil((range[0] - anchor) / spacing - rounding);
+  const Real high = std::floor((range[1] - anchor) / spacing + rounding);
   return {anchor + low * spacing, spacing,
           high < low ? 0 : static_cast<Index>(std::min(high - low + 1, 2 * most_bolts))};
 }
@@ -33,14 +34,16 @@ Nodes nodes(const std::array<Real, 2>& range, Real anchor, Real spacing) {
 /// A grid centred on the range: a node in its middle, or two beside it.
 Real centred(const std::array<Real, 2>& range, Real spacing) {
   const Real middle = 0.5 * (range[0] + range[1]);
-  const Real count = std::max(Real{1}, std::floor((range[1] - range[0]) / spacing));
+  // A range that is a whole multiple of the spacing is one, whatever its last digit says.
+  const Real count = std::max(Real{1}, std::floor((range[1] - range[0]) / spacing + rounding));
   return std::fmod(count, 2) == 1 ? middle : middle + spacing / 2;
 }
 
 bool wanted(const BoltPattern& pattern, const Vec3& into_rock) {
-  const Real rise = std::asin(std::clamp(into_rock[2], -1.0, 1.0)) * 180 / std::numbers::pi;
-  constexpr Real rounding = 1e-6;  // deg
-  return rise >= pattern.inclination[0] - rounding && rise <= pattern.inclination[1] + rounding;
+  const Real level = std::hypot(into_rock[0], into_rock[1]);
+  const Real rise = std::atan2(into_rock[2], level) * 180 / std::numbers::pi;
+  constexpr Real slack = 1e-6;  // deg
+  return rise >= pattern.inclination[0] - slack && rise <= pattern.inclination[1] + slack;
 }
 
 void check_count(const WallPanel& panel, const BoltPattern& pattern) {
@@ -73,7 +76,7 @@ std::vector<Bolt> pattern_collars(const Wall& wall, const BlockArrays& blocks,
       for (Index i = 0; i < row.count; ++i) {
         const auto hit = wall.at(panel, row[i], rows[j]);
         if (!hit) continue;
-        const Vec3 into_rock = -blocks.face_normal[hit->face];
+        const Vec3 into_rock = Vec3{} - blocks.face_normal[hit->face];
         const Vec3 direction = pattern.direction.value_or(into_rock);
         if (!wanted(pattern, into_rock) || dot(direction, into_rock) < grazing) continue;
         bolts.push_back({none,

@@ -43,7 +43,7 @@ class Search {
         model_(model),
         search_(*model.pattern_search),
         wall_(blocks, model, search_.pattern.on, search_.place),
-        lines_(blocks),
+        lines_(blocks, model.gravity),
         wanted_(wanted_blocks(keyblocks, search_)),
         shotcrete_(shotcrete_on(blocks, keyblocks, model)) {}
 
@@ -80,6 +80,8 @@ std::vector<PatternTrial> Search::candidates() {
     grids_.push_back({pattern_collars(wall_, blocks_, pattern), false});
     for (const Index type : search_.types)
       for (const Real length : search_.lengths) {
+        const auto& anchor = model_.bolt_types[type].anchor_length;
+        if (anchor && *anchor > length) continue;  // there is no such bolt
         PatternTrial trial{type, spacing, length, static_cast<Index>(grids_.back().bolts.size())};
         trial.weight = weight(trial);
         trials.push_back(trial);

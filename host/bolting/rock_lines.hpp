@@ -15,6 +15,9 @@ namespace rockfold {
 std::optional<Real> line_meets_face(const BlockArrays& blocks, Index face, const Vec3& from,
                                     const Vec3& direction);
 
+/// m: where the line meets the plane of a face; it must not run along it.
+Real way_to_plane(const BlockArrays& blocks, Index face, const Vec3& from, const Vec3& direction);
+
 /// A part of a line in one block.
 struct RockSegment {
   Index block = none;
@@ -27,18 +30,26 @@ Real model_size(const BlockArrays& blocks);
 
 class RockLines {
  public:
-  explicit RockLines(const BlockArrays& blocks);
+  /// `down` is the direction of gravity, of any length.
+  RockLines(const BlockArrays& blocks, const Vec3& down);
 
-  /// The parts in rock of the line from `start` over `length`, along a unit direction, ascending. The line is moved aside
-  /// by a ten-millionth of the model's size, in a fixed odd direction, so that it runs along no face and through no edge.
+  /// The parts in rock of the line from `start` over `length`, along a unit direction, ascending. Which blocks it crosses is
+  /// found on a line that is moved aside by a ten-millionth of the model's size, so that it runs along no face and
+  /// through no edge; where it enters and leaves them, on the line itself.
   std::vector<RockSegment> along(const Vec3& start, const Vec3& direction, Real length) const;
 
  private:
-  bool cross(Index block, const Vec3& start, const Vec3& direction, Real length,
-             std::vector<RockSegment>& segments) const;
+  struct Line {
+    Vec3 start{}, beside{}, direction{};
+    Real length = 0;
+  };
+  Vec3 sideways(const Vec3& start, const Vec3& direction) const;
+  bool cross(Index block, const Line& line, std::vector<RockSegment>& segments) const;
 
   const BlockArrays& blocks_;
+  Vec3 down_{};    ///< unit
   Real size_ = 0;  ///< m
+  Vec3 centre_{};  ///< m, of the rock
   BoxTree tree_;
 };
 

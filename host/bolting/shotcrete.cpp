@@ -21,35 +21,52 @@ bool is_sprayed(const FaceOrigin& origin, const std::vector<WallFaces>& walls) {
 }  // namespace
 
 ShotcreteCover::ShotcreteCover(const BlockArrays& blocks, const Shotcrete& shotcrete)
-    : blocks_(blocks), strength_(shotcrete.shear_strength * shotcrete.thickness) {
+    : blocks_(blocks),
+      contacts_(blocks),
+      strength_(shotcrete.shear_strength * shotcrete.thickness) {
   if (shotcrete.adhesion_strength)
     strength_ = std::min(strength_, *shotcrete.adhesion_strength * shotcrete.bond_width);
   for (const FaceOrigin& origin : blocks.origins)
     sprayed_.push_back(is_sprayed(origin, shotcrete.on));
 }
 
-ShotcreteHold ShotcreteCover::hold(Index block) const {
-  // Each edge once, with the normal of its face; none where two sprayed faces share it.
+bool ShotcreteCover::is_inside(Index face, const std::vector<Index>& members) const {
+  const auto contacts = contacts_.of_face(face);
+  return std::any_of(contacts.begin(), contacts.end(), [&](const FaceContacts::Contact& c) {
+    return std::find(members.begin(), members.end(), c.block) != members.end();
+  });
+}
+
+void ShotcreteCover::add(Index block, const std::vector<Index>& members, ShotcreteHold& sum) const {
+  // Each edge of a sprayed face once, with that face; none where two sprayed faces share it, or one and a joint inside.
   std::map<std::pair<Index, Index>, Index> edges;
+  std::vector<std::pair<Index, Index>> closed;
   for (Index f = blocks_.face_begin[block]; f < blocks_.face_begin[block + 1]; ++f) {
-    if (!sprayed_[blocks_.face_origin[f]]) continue;
+    const bool sprayed = sprayed_[blocks_.face_origin[f]];
+    if (!sprayed && (members.size() < 2 || !is_inside(f, members))) continue;
     for (Index loop = blocks_.loop_begin[f]; loop < blocks_.loop_begin[f + 1]; ++loop) {
       const Index first = blocks_.corner_begin[loop], end = blocks_.corner_begin[loop + 1];
       for (Index c = first, before = end - 1; c < end; before = c++) {
         const auto key = std::minmax(blocks_.corner_vertex[c], blocks_.corner_vertex[before]);
-        const auto [entry, added] = edges.emplace(key, f);
-        if (!added) entry->second = none;
+        if (!sprayed || !edges.emplace(key, f).second) closed.emplace_back(key);
       }
     }
   }
-  ShotcreteHold result;
+  for (const auto& ends : closed) edges.erase(ends);
   for (const auto& [ends, face] : edges) {
-    if (face == none) continue;
-    const Real length = norm(blocks_.vertex[ends.second] - blocks_.vertex[ends.first]);
-    result.edge += length;
-    result.force -= (strength_ * length) * blocks_.face_normal[face];
+    const Vec3 &from = blocks_.vertex[ends.first], &to = blocks_.vertex[ends.second];
+    const Real length = norm(to - from);
+    sum.edge += length;
+    sum.force -= (strength_ * length) * blocks_.face_normal[face];
+    sum.point += (0.5 * length) * (from + to);
   }
-  return result;
+}
+
+ShotcreteHold ShotcreteCover::hold(const std::vector<Index>& members) const {
+  ShotcreteHold sum;
+  for (const Index block : members) add(block, members, sum);
+  if (sum.edge > 0) sum.point = (1 / sum.edge) * sum.point;
+  return sum;
 }
 
 }  // namespace rockfold

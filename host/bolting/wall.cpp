@@ -46,20 +46,29 @@ std::pair<Vec3, Vec3> face_axes(const Vec3& outward) {
   return {u, cross(outward, u)};
 }
 
-/// A bolt on an edge of a strip stands this share of the strip's width beside it.
-constexpr Real edge = 1e-6;
+/// A bolt on the rim of a sheet stands this share of its width inside.
+constexpr Real rim = 1e-6;
 
-bool between_ends(const WallStrip& strip, const Vec3& point, Real v) {
-  if (strip.side == none) return v >= strip.v[0] && v <= strip.v[1];
-  return dot(strip.end_normal[0], point - strip.end_point[0]) >= 0 &&
-         dot(strip.end_normal[1], point - strip.end_point[1]) < 0;
+/// Sheet coordinates closer than this share of the model's size are one.
+constexpr Real rounding = 1e-9;
+
+/// Which face a collar is on is looked up this share of the model's size to the right of it and up, so that it is one
+/// face even where the collar is on a joint.
+constexpr Real aside = 1e-7;
+constexpr std::array<Real, 2> odd{0.731, 0.469};
+constexpr int attempts = 4;
+
+/// Away from both ends of a range.
+Real inside(Real value, const std::array<Real, 2>& range) {
+  const Real margin = rim * (range[1] - range[0]);
+  return std::clamp(value, range[0] + margin, range[1] - margin);
 }
 
 /// ±x, ±y, ±z as 0 … 5: where a face of a surface looks.
 int looks(const Vec3& normal) {
   int axis = 0;
   for (int d = 1; d < 3; ++d)
-    if (std::abs(normal[d]) > std::abs(normal[axis])) axis = d;
+    if (std::abs(normal[d]) > std::abs(normal[axis]) + rounding) axis = d;
   return 2 * axis + (normal[axis] > 0 ? 1 : 0);
 }
 
@@ -67,7 +76,7 @@ int looks(const Vec3& normal) {
 
 Wall::Wall(const BlockArrays& blocks, const Model& model, const WallFaces& faces,
            const Place& place)
-    : blocks_(blocks) {
+    : blocks_(blocks), size_(model_size(blocks)) {
   std::vector<Bounds> boxes;
   for (Index b = 0; b < blocks.block_count(); ++b) {
     if (!blocks.stage.empty() && blocks.stage[b] > 0) continue;
@@ -179,7 +188,7 @@ void Wall::lay_planes() {
             blocks_.face_up[f]}]
         .push_back(k);
   }
-  const Real reach = 1e-6 * model_size(blocks_);
+  const Real reach = 1e-6 * size_;
   for (const auto& [key, members] : planes) {
     const Index f = faces_[members.front()];
     add_panel_for(members, blocks_.face_normal[f], reach,
@@ -192,7 +201,7 @@ void Wall::lay_surfaces(const std::string& name) {
   std::map<int, std::vector<std::size_t>> groups;
   for (std::size_t k = 0; k < faces_.size(); ++k)
     groups[looks(blocks_.face_normal[faces_[k]])].push_back(k);
-  const Real reach = 1e-6 * model_size(blocks_);
+  const Real reach = 1e-6 * size_;
   for (const auto& [direction, members] : groups) {
     Vec3 mean{};
     for (const std::size_t k : members)
@@ -201,38 +210,75 @@ void Wall::lay_surfaces(const std::string& name) {
   }
 }
 
-std::optional<Wall::Hit> Wall::at(const WallPanel& panel, Real u, Real v) const {
-  const Real around = panel.around ? panel.u[1] - panel.u[0] : 0;
+/// u as it lies on the strip, if it does: round an axis each u belongs to one edge of the section, one that two share to
+/// the second.
+std::optional<Real> Wall::u_on(const WallPanel& panel, const WallStrip& strip, Real u) const {
+  const Real slack = rounding * size_;
+  if (!panel.around) {
+    if (u < strip.u[0] - slack || u > strip.u[1] + slack) return {};
+    return inside(u, strip.u);
+  }
+  const Real around = panel.u[1] - panel.u[0];
+  while (u < strip.u[0] - slack) u += around;
+  while (u >= strip.u[0] - slack + around) u -= around;
+  if (u >= strip.u[1] - slack) return {};
+  return u;
+}
+
+/// Whether a point of a strip lies between the strip's ends; a bend belongs to the straight after it.
+bool Wall::between_ends(const WallPanel& panel, const WallStrip& strip, const Vec3& point) const {
+  if (strip.side == none) return true;
+  const Real slack = rounding * size_;
+  const bool last = strip.v[1] >= panel.v[1] - slack;
+  return dot(strip.end_normal[0], point - strip.end_point[0]) >= -slack &&
+         dot(strip.end_normal[1], point - strip.end_point[1]) < (last ? slack : -slack);
+}
+
+/// The wall's face of a strip that lies along `across` from a point of it.
+std::optional<Wall::Hit> Wall::face_of(const WallPanel& panel, Index s, const Vec3& point) const {
+  const WallStrip& strip = strips_[s];
   std::optional<Hit> nearest;
   Real best = infinite;
-  for (const Index s : panel.strips) {
-    const WallStrip& strip = strips_[s];
-    Real su = u;
-    if (su < strip.u[0]) su += around;
-    if (su > strip.u[1]) su -= around;
-    if (su < strip.u[0] || su > strip.u[1]) continue;
-    const Real width = strip.u[1] - strip.u[0];
-    su = std::clamp(su, strip.u[0] + edge * width, strip.u[1] - edge * width);
-    const Vec3 point =
-        strip.origin + (su - strip.u[0]) * strip.along_u + (v - strip.v[0]) * strip.along_v;
-    if (!between_ends(strip, point, v)) continue;
-    for (const Index k : tree_.along(point, strip.across, -strip.reach, strip.reach)) {
-      if (strip.side == none
-              ? strip_of_face_[k] != s
-              : blocks_.origins[blocks_.face_origin[faces_[k]]].solid_face != strip.side)
-        continue;
-      const auto t = line_meets_face(blocks_, faces_[k], point, strip.across);
+  for (int attempt = 1; attempt <= attempts && !nearest; ++attempt) {
+    const Real step = attempt * aside * size_;
+    const Vec3 beside = point + (step * odd[0]) * strip.along_u + (step * odd[1]) * strip.along_v;
+    for (const Index k : tree_.along(beside, strip.across, -strip.reach, strip.reach)) {
+      const Index side = blocks_.origins[blocks_.face_origin[faces_[k]]].solid_face;
+      if (strip.side == none ? strip_of_face_[k] != s : side != strip.side) continue;
+      if (!line_meets_face(blocks_, faces_[k], beside, strip.across)) continue;
+      const Real t = way_to_plane(blocks_, faces_[k], point, strip.across);
+      if (std::abs(t) > strip.reach) continue;
       // Of several faces of a surface the one nearest to the opening.
-      if (!t || std::abs(*t) > strip.reach) continue;
-      const Real rank = panel.around ? std::abs(*t) : -*t;
-      if (rank < best) best = rank, nearest = Hit{faces_[k], point + *t * strip.across};
+      const Real rank = panel.around ? std::abs(t) : -t;
+      if (rank < best) best = rank, nearest = Hit{faces_[k], point + t * strip.across};
     }
   }
   return nearest;
 }
 
+std::optional<Wall::Hit> Wall::at(const WallPanel& panel, Real u, Real v) const {
+  const Real slack = rounding * size_;
+  if (v < panel.v[0] - slack || v > panel.v[1] + slack) return {};
+  v = inside(v, panel.v);
+  std::optional<Hit> beyond;
+  for (const Index s : panel.strips) {
+    const WallStrip& strip = strips_[s];
+    const auto su = u_on(panel, strip, u);
+    if (!su) continue;
+    const Vec3 point =
+        strip.origin + (*su - strip.u[0]) * strip.along_u + (v - strip.v[0]) * strip.along_v;
+    if (!between_ends(panel, strip, point)) continue;
+    const auto hit = face_of(panel, s, point);
+    if (!hit) continue;
+    // Outside of a bend both straights reach on; the one that v is on counts.
+    if (v >= strip.v[0] - slack && v < strip.v[1] - slack) return hit;
+    if (!beyond) beyond = hit;
+  }
+  return beyond;
+}
+
 std::optional<std::size_t> Wall::face_at(const Vec3& point) const {
-  const Real near = 1e-3 * model_size(blocks_);
+  const Real near = 1e-3 * size_;
   std::optional<std::size_t> nearest;
   Real best = near;
   // Whatever way the faces look: lines along the axes meet those nearby.

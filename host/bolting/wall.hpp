@@ -46,7 +46,9 @@ class Wall {
     Index face = none;
     Vec3 point{};  ///< m
   };
-  /// The free face at a point of a strip of the sheet, if there is one.
+  /// The free face at a point of the sheet, if there is one. Corners of a section and bends are on the sheet, whatever the
+  /// last digit of u and v: they belong to the edge to the right of them, and to the straight after them. A point on
+  /// a joint is on the face to the right of it and up; one on the sheet's rim is moved inside by 1e-6 of its width.
   std::optional<Hit> at(const WallPanel& panel, Real u, Real v) const;
   /// A point of a face, on the sheet.
   std::array<Real, 2> on_sheet(std::size_t face_number, const Vec3& point) const;
@@ -67,7 +69,12 @@ class Wall {
   void add_panel_for(const std::vector<std::size_t>& members, const Vec3& normal, Real reach,
                      std::string name);
 
+  std::optional<Real> u_on(const WallPanel& panel, const WallStrip& strip, Real u) const;
+  bool between_ends(const WallPanel& panel, const WallStrip& strip, const Vec3& point) const;
+  std::optional<Hit> face_of(const WallPanel& panel, Index s, const Vec3& point) const;
+
   const BlockArrays& blocks_;
+  Real size_ = 0;                     ///< m, of the model
   std::vector<Index> faces_;          ///< of blocks, ascending
   std::vector<Index> strip_of_face_;  ///< into strips_
   std::vector<WallStrip> strips_;

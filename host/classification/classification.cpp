@@ -129,8 +129,9 @@ BlockTheoryDemand demand_of(const BlockArrays& blocks, const KeyblockReport& key
     demand.support_force += key.support_force;
     area += key.free_area;
     demand.largest_pressure = std::max(demand.largest_pressure, key.support_pressure);
-    if (const Real d = depth(blocks, key.block); d > demand.deepest)
-      demand.deepest = d, demand.deepest_block = key.block;
+    for (const Index block : key.members)
+      if (const Real d = depth(blocks, block); d > demand.deepest)
+        demand.deepest = d, demand.deepest_block = block;
   }
   if (area > 0) demand.mean_pressure = demand.support_force / area;
   return demand;

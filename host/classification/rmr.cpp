@@ -13,10 +13,18 @@ struct Row {
   Real rating;
 };
 
+/// What is measured or converted from other units may miss a boundary by its last digits.
+constexpr Real rounding = 1e-9;
+
 Real rating_of(Real value, std::span<const Row> rows) {
   for (const Row& row : rows)
-    if (value >= row.from) return row.rating;
+    if (value >= (1 - rounding) * row.from) return row.rating;
   return rows.back().rating;
+}
+
+/// A table whose first row reads "> from", beyond what rounding may add.
+Real rating_above_or(Real first, Real above, Real value, std::span<const Row> rows) {
+  return value > (1 + rounding) * above ? first : rating_of(value, rows);
 }
 
 constexpr Real hour = 3600, day = 24 * hour, year = 365.25 * day;  // s
@@ -24,14 +32,14 @@ constexpr Real hour = 3600, day = 24 * hour, year = 365.25 * day;  // s
 }  // namespace
 
 Real strength_rating(Real uniaxial_strength) {
-  constexpr std::array<Row, 7> rows{
-      {{250e6, 15}, {100e6, 12}, {50e6, 7}, {25e6, 4}, {5e6, 2}, {1e6, 1}, {0, 0}}};
-  return rating_of(uniaxial_strength, rows);
+  constexpr std::array<Row, 6> rows{
+      {{100e6, 12}, {50e6, 7}, {25e6, 4}, {5e6, 2}, {1e6, 1}, {0, 0}}};
+  return rating_above_or(15, 250e6, uniaxial_strength, rows);
 }
 
 Real point_load_rating(Real point_load_index) {
-  constexpr std::array<Row, 4> rows{{{10e6, 15}, {4e6, 12}, {2e6, 7}, {1e6, 4}}};
-  return rating_of(point_load_index, rows);
+  constexpr std::array<Row, 3> rows{{{4e6, 12}, {2e6, 7}, {1e6, 4}}};
+  return rating_above_or(15, 10e6, point_load_index, rows);
 }
 
 Real rqd_rating(Real rqd) {
@@ -40,8 +48,8 @@ Real rqd_rating(Real rqd) {
 }
 
 Real spacing_rating(Real spacing) {
-  constexpr std::array<Row, 5> rows{{{2, 20}, {0.6, 15}, {0.2, 10}, {0.06, 8}, {0, 5}}};
-  return rating_of(spacing, rows);
+  constexpr std::array<Row, 4> rows{{{0.6, 15}, {0.2, 10}, {0.06, 8}, {0, 5}}};
+  return rating_above_or(20, 2, spacing, rows);
 }
 
 Real condition_rating(Index row) {

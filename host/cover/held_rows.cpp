@@ -92,24 +92,6 @@ void add_moments(const CoverArrays& covers, const Points& points, Real spacing, 
   }
 }
 
-/// The corners of a polygon share its area so that the sum over them integrates linear functions exactly (a fan of triangles).
-void add_corners(const CoverArrays& covers, const FacePolygon& polygon,
-                 std::vector<HeldRow>& rows) {
-  const auto& corner = polygon.corner;
-  std::vector<Real> share(corner.size(), 0);
-  for (std::size_t k = 1; k + 1 < corner.size(); ++k) {
-    const Real third =
-        polygon.share * norm(cross(corner[k] - corner[0], corner[k + 1] - corner[0])) / 6;
-    share[0] += third, share[k] += third, share[k + 1] += third;
-  }
-  for (std::size_t k = 0; k < corner.size(); ++k) {
-    if (!(share[k] > 0)) continue;
-    MaterialPoints at;
-    add_material_point(covers, corner[k], polygon.element, at);
-    rows.push_back({polygon.element, corner[k], at.unknown, at.weight, share[k], false});
-  }
-}
-
 /// Points that integrate polynomials up to a degree over the surface.
 Points surface_points(const std::vector<FacePolygon>& surface, int degree) {
   const auto rule = triangle_rule(degree);
@@ -141,30 +123,54 @@ std::vector<std::pair<Index, Real>> node_weights(const CoverArrays& covers, Inde
   return found;
 }
 
+constexpr Real rounding = 1e-9;
+
+/// Whether the node of a cover lies in the plane of a polygon.
+bool in_plane(const CoverArrays& covers, Index cover, const FacePolygon& polygon, Real spacing) {
+  const Vec3 node = covers.lattice.node_position(covers.cover_node[cover]);
+  return std::abs(dot(polygon.normal, node - polygon.corner[0])) <= rounding * spacing;
+}
+
 /// Whether only covers whose nodes lie in its plane move the surface.
 bool runs_through_nodes(const CoverArrays& covers, const std::vector<FacePolygon>& surface,
                         Real spacing) {
-  constexpr Real rounding = 1e-9;
   for (const FacePolygon& polygon : surface)
     for (const Vec3& x : polygon.corner)
-      for (const auto& [cover, weight] : node_weights(covers, polygon.element, x)) {
-        const Vec3 node = covers.lattice.node_position(covers.cover_node[cover]);
-        if (std::abs(weight) > rounding &&
-            std::abs(dot(polygon.normal, node - polygon.corner[0])) > rounding * spacing)
-          return false;
-      }
+      for (const auto& [cover, weight] : node_weights(covers, polygon.element, x))
+        if (std::abs(weight) > rounding && !in_plane(covers, cover, polygon, spacing)) return false;
   return true;
 }
 
-/// Orders 1 and 2 on nodes: each cover's weight times all polynomials of its functions.
-void hold_traces(const CoverArrays& covers, const Points& points, Real spacing,
-                 std::vector<HeldRow>& rows) {
+/// On nodes: what the functions of each cover are on the surface, as polynomials, is held by itself. With m the functions of
+/// cover a and q_j orthonormal in the mean over its share of the area, which N_a weighs, row j is that mean of q_j Σ_k m_k d_ak.
+/// All rows at rest, the surface is; and no fewer would do, but for displacements that the other covers bring about too.
+/// `polygon`: one of the surface. However small the surface is in an element, all of its nodes there count.
+void hold_covers(const CoverArrays& covers, const Points& points, const FacePolygon& polygon,
+                 Real spacing, std::vector<HeldRow>& rows) {
   std::map<Index, Points> of_cover;
   for (const auto& p : points)
     for (const auto& [cover, weight] : node_weights(covers, p.element, p.x))
-      if (weight > 1e-9) of_cover[cover].push_back({p.element, p.x, weight * p.area});
-  for (const auto& [cover, share] : of_cover)
-    add_moments(covers, share, spacing, covers.order, rows);
+      if (weight > 0 && in_plane(covers, cover, polygon, spacing))
+        of_cover[cover].push_back({p.element, p.x, weight * p.area});
+  for (const auto& [cover, share] : of_cover) {
+    const Vec3 node = covers.lattice.node_position(covers.cover_node[cover]);
+    Real area = 0;
+    for (const auto& p : share) area += p.area;
+    const auto polynomials = orthonormal_polynomials(share, spacing, covers.order);
+    for (std::size_t j = 0; j < polynomials.size(); ++j) {
+      HeldRow row{share[0].element, share[0].x, {}, {}, area, j > 0};
+      row.weight.assign(covers.functions(), 0);
+      for (int k = 0; k < covers.functions(); ++k)
+        row.unknown.push_back(k * covers.cover_count() + cover);
+      for (std::size_t n = 0; n < share.size(); ++n) {
+        const auto function =
+            cover_functions(covers.lattice.to_local(share[n].x - node), covers.functions());
+        for (int k = 0; k < covers.functions(); ++k)
+          row.weight[k] += share[n].area / area * polynomials[j][n] * function[k];
+      }
+      rows.push_back(std::move(row));
+    }
+  }
 }
 
 /// Cuts the plane of the points into rectangles of nearly the given width, the first side along the projection of a lattice edge.
@@ -305,11 +311,8 @@ void hold_surface(const CoverArrays& covers, const std::vector<FacePolygon>& sur
   const int of_weights = covers.lattice.kind == LatticeKind::hex8 ? 3 : block ? 0 : 1;
   const int of_functions = of_weights + covers.order;
   if (!block && runs_through_nodes(covers, surface, spacing)) {
-    if (covers.order == 0)
-      for (const FacePolygon& polygon : surface) add_corners(covers, polygon, rows);
-    else
-      hold_traces(covers, surface_points(surface, of_functions + covers.order + of_weights),
-                  spacing, rows);
+    hold_covers(covers, surface_points(surface, of_weights + 2 * covers.order), surface[0], spacing,
+                rows);
     return;
   }
   const int degree = block ? covers.order : covers.order + 1;

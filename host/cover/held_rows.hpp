@@ -1,7 +1,7 @@
 // Prescribed displacements on a surface as rows over the unknowns: as many as the covers beside it can follow.
 //
-// Where a surface runs through lattice nodes, the displacement on it is that of the covers of these nodes: it is held wherever a corner
-// of its polygons lies (order 0), or against all functions that the covers have on it. Elsewhere the surface cuts a layer of elements. Held
+// Where a surface runs through lattice nodes, the displacement on it is that of the covers of these nodes: what the functions of each of them
+// are on the surface is held by itself. Elsewhere the surface cuts a layer of elements. Held
 // at every corner, a displacement there would have to vanish together with its slope: the layer locks. The multipliers must then be fewer than
 // the covers: here they are polynomials on patches some spacings wide, of one degree more than the cover functions, which is what the
 // displacement's own order of convergence needs (Béchet, Moës & Wohlmuth 2009 thin out point multipliers to the same end; Haslinger & Renard

@@ -26,6 +26,10 @@ bool holds(const Fixed& fixed, const FaceOrigin& origin) {
              region->faces.end();
 }
 
+bool is_member(const Body& body, Index block) {
+  return std::binary_search(body.members.begin(), body.members.end(), block);
+}
+
 /// The entry that names the joint, else the one that names none.
 const Water* water_of(const std::vector<Water>& waters, const std::string& joint) {
   const Water* for_all = nullptr;
@@ -39,11 +43,16 @@ const Water* water_of(const std::vector<Water>& waters, const std::string& joint
 
 /// In-situ normal stress on a plane, compression positive; no tension.
 Real normal_stress(const InitialStress& stress, const Vec3& x, const Vec3& n) {
-  std::array<Real, 6> s{};  // xx yy zz xy yz zx
-  for (std::size_t k = 0; k < 6; ++k)
-    s[k] = stress.at[k] + (stress.reference_z - x[2]) * stress.gradient[k];
-  return std::max(0.0, -(s[0] * n[0] * n[0] + s[1] * n[1] * n[1] + s[2] * n[2] * n[2] +
-                         2 * (s[3] * n[0] * n[1] + s[4] * n[1] * n[2] + s[5] * n[2] * n[0])));
+  constexpr Real rounding = 1e-9;
+  const std::array<Real, 6> on{-n[0] * n[0],     -n[1] * n[1],     -n[2] * n[2],
+                               -2 * n[0] * n[1], -2 * n[1] * n[2], -2 * n[2] * n[0]};
+  const Real depth = stress.reference_z - x[2];
+  Real sum = 0, size = 0;
+  for (std::size_t k = 0; k < 6; ++k) {  // xx yy zz xy yz zx
+    sum += on[k] * (stress.at[k] + depth * stress.gradient[k]);
+    size += std::abs(stress.at[k]) + std::abs(depth * stress.gradient[k]);
+  }
+  return sum > rounding * size ? sum : 0;
 }
 
 }  // namespace
@@ -135,8 +144,7 @@ void Bodies::add_block(Body& body, Index block, const std::vector<Index>& batch)
     Real contact = 0, internal = 0;
     for (const auto& c : contacts_.of_face(id)) {
       if (batch[at(c.block)] != 0) continue;
-      const bool inside =
-          !alone && std::binary_search(body.members.begin(), body.members.end(), c.block);
+      const bool inside = !alone && is_member(body, c.block);
       (inside ? internal : contact) += c.area;
     }
     const Real area = blocks_.face_area[at(id)] - internal;
@@ -202,11 +210,11 @@ std::vector<ContactPatch> Bodies::patches(const Body& body, const std::vector<In
     if (!(face.contact_area > 0) || std::abs(norm(face.normal) - 1) > 1e-6) continue;
     const Index id = body.face_id[f];
     std::vector<Vec3> corners;
-    if (face.contact_area >= (1 - 1e-9) * face.area) {
+    if (face.contact_area >= (1 - 1e-9) * blocks_.face_area[at(id)]) {
       corners = outer_loop(blocks_, id);
     } else {
       for (const auto& c : contacts_.of_face(id))
-        if (batch[at(c.block)] == 0)
+        if (batch[at(c.block)] == 0 && !is_member(body, c.block))
           for (const Vec3& x : overlap_points(blocks_, id, c.face)) corners.push_back(x);
     }
     // Faces of one plane are one patch: the block cannot turn about an edge inside it.
@@ -216,7 +224,7 @@ std::vector<ContactPatch> Bodies::patches(const Body& body, const std::vector<In
              dot(p.normal, face.normal) > 0;
     });
     if (same == patches.end()) {
-      patches.push_back({face.normal, {}, static_cast<Index>(f)});
+      patches.push_back({face.normal, {}, static_cast<Index>(f), face.friction});
       points.push_back(corners);
     } else {
       auto& all = points[static_cast<std::size_t>(same - patches.begin())];
@@ -226,6 +234,19 @@ std::vector<ContactPatch> Bodies::patches(const Body& body, const std::vector<In
   for (std::size_t p = 0; p < patches.size(); ++p)
     patches[p].corners = hull_in_plane(patches[p].normal, points[p]);
   return patches;
+}
+
+Mat3 Bodies::inertia(const Body& body) const {
+  Mat3 sum{};
+  for (const Index block : body.members) {
+    const Mat3 own = inertia_tensor(blocks_, block);
+    const Vec3 arm = blocks_.centroid[at(block)] - body.centroid;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        sum[i][k] +=
+            own[i][k] + blocks_.mass[at(block)] * ((i == k ? dot(arm, arm) : 0) - arm[i] * arm[k]);
+  }
+  return sum;
 }
 
 BlockVerdict Bodies::judge(const Body& body, const std::vector<Index>& batch) const {
@@ -239,14 +260,12 @@ BlockVerdict Bodies::judge(const Body& body, const std::vector<Index>& batch) co
       verdict.block_class == BlockClass::key || verdict.block_class == BlockClass::stable;
   const bool falls = verdict.movement && verdict.movement->mode == SlidingMode::lifting &&
                      verdict.movement->resisting == 0;  // nothing is less safe
-  if (!removable || falls || !spec_.rotation || !has_polygons_ || body.members.size() != 1)
-    return verdict;
-  add_rotation(verdict, find_rotation(patches(body, batch),
-                                      {.centroid = body.centroid,
-                                       .inertia = inertia_tensor(blocks_, body.members[0]),
-                                       .mass = body.mass,
-                                       .force = verdict.resultant,
-                                       .moment = body.moment}));
+  if (!removable || falls || !looks_at_rotation()) return verdict;
+  add_rotations(verdict, find_rotations(patches(body, batch), {.centroid = body.centroid,
+                                                               .inertia = inertia(body),
+                                                               .mass = body.mass,
+                                                               .force = verdict.resultant,
+                                                               .moment = body.moment}));
   return verdict;
 }
 

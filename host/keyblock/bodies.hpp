@@ -33,12 +33,16 @@ class Bodies {
 
   /// `batch`: of every block; those that are 0 are still there.
   Body body(std::vector<Index> members, const std::vector<Index>& batch) const;
-  /// Its class and motion; rotation for a single block.
+  /// Its class and motion.
   BlockVerdict judge(const Body& body, const std::vector<Index>& batch) const;
+
+  /// Its planes of contact with rock that is still there; none where no polygon is known.
+  std::vector<ContactPatch> patches(const Body& body, const std::vector<Index>& batch) const;
 
   const BlockArrays& blocks() const { return blocks_; }
   /// Whether every face of a block leans on a block that is still there.
   bool is_encased(Index block, const std::vector<Index>& batch) const;
+  bool looks_at_rotation() const { return spec_.rotation && has_polygons_; }
   const FaceContacts& contacts() const { return contacts_; }
   const FaceOrigin& origin(Index face) const {
     return blocks_
@@ -69,7 +73,8 @@ class Bodies {
   void press_by_water(BlockFace& face, Index id, const FaceNature& nature, Real share,
                       Body& body) const;
   LinearPressure pressure(const Water& water) const;
-  std::vector<ContactPatch> patches(const Body& body, const std::vector<Index>& batch) const;
+  /// kg m² about its centroid.
+  Mat3 inertia(const Body& body) const;
 
   const BlockArrays& blocks_;
   Vec3 gravity_;

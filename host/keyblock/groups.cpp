@@ -13,34 +13,47 @@
 namespace rockfold {
 namespace {
 
-void add_direction(std::vector<Vec3>& directions, const Vec3& u, const Vec3& load) {
+void add_direction(std::vector<Vec3>& directions, const Vec3& u) {
   const Real length = norm(u);
   if (!(length > 0)) return;
   const Vec3 s = (1 / length) * u;
-  if (dot(s, load) <= direction_tolerance * norm(load)) return;
   const bool known = std::any_of(directions.begin(), directions.end(), [&](const Vec3& d) {
     return norm(d - s) <= 2 * direction_tolerance;
   });
   if (!known) directions.push_back(s);
 }
 
+void add_driven(std::vector<Vec3>& directions, const Vec3& u, const Vec3& load) {
+  if (dot(u, load) > direction_tolerance * norm(u) * norm(load)) add_direction(directions, u);
+}
+
 /// Where the load may drive a body along its joints: itself, its projections, the meeting lines.
 std::vector<Vec3> driven_directions(const std::vector<ContactPlane>& planes, const Vec3& load) {
   std::vector<Vec3> directions;
   if (!(norm(load) > 0)) return directions;
-  add_direction(directions, load, load);
+  add_direction(directions, load);
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const Vec3& n = planes[i].normal;
     const Vec3 along = load - dot(load, n) * n;
-    if (norm(along) > direction_tolerance * norm(load)) add_direction(directions, along, load);
+    if (norm(along) > direction_tolerance * norm(load)) add_driven(directions, along, load);
     for (std::size_t j = i + 1; j < planes.size(); ++j) {
       const Vec3 line = cross(n, planes[j].normal);
       if (norm(line) <= direction_tolerance) continue;
-      add_direction(directions, line, load);
-      add_direction(directions, -line, load);
+      add_driven(directions, line, load);
+      add_driven(directions, -line, load);
     }
   }
   return directions;
+}
+
+/// Where a turn about an edge of a contact carries the body's centroid.
+void add_turns(std::vector<Vec3>& directions, const std::vector<ContactPatch>& patches,
+               const Vec3& centroid) {
+  for (const ContactPatch& patch : patches)
+    for (std::size_t k = 0; k < patch.corners.size(); ++k) {
+      const Rotation turn = about_edge(patch, k);
+      add_direction(directions, cross(turn.axis, centroid - turn.point));
+    }
 }
 
 class GroupSearch {
@@ -54,7 +67,10 @@ class GroupSearch {
     const Body body = bodies_.body({seed}, batch_);
     std::vector<std::vector<Index>> found;
     if (!body.finite) return found;
-    for (const Vec3& u : driven_directions(contact_planes(body.faces), body.load))
+    auto directions = driven_directions(contact_planes(body.faces), body.load);
+    if (bodies_.looks_at_rotation())
+      add_turns(directions, bodies_.patches(body, batch_), body.centroid);
+    for (const Vec3& u : directions)
       if (auto members = closure(body, u); members.size() > 1) found.push_back(std::move(members));
     return found;
   }
@@ -120,8 +136,7 @@ std::vector<Index> near_free_faces(const Bodies& bodies, const std::vector<Index
 bool moves_before(const Group& a, const Group& b) {
   const auto size = [](const Group& g) { return g.body.members.size(); };
   if (size(a) != size(b)) return size(a) < size(b);
-  const Real force_a = a.verdict.movement->sliding_force(),
-             force_b = b.verdict.movement->sliding_force();
+  const Real force_a = a.verdict.sliding_force(), force_b = b.verdict.sliding_force();
   if (std::abs(force_a - force_b) > 1e-9 * (force_a + force_b)) return force_a > force_b;
   return a.body.members < b.body.members;
 }

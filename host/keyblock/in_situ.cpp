@@ -17,16 +17,25 @@ struct ClampedJoint {
   Real opening;     ///< a = −s·n, ≥ 0; exactly 0 where the block shears along the joint
   Real tangential;  ///< t
 
+  /// m: the way after which it has opened; infinite where it does not open.
+  Real opens_at() const {
+    return opening > 0 ? plane->clamping / (plane->normal_stiffness * opening)
+                       : std::numeric_limits<Real>::infinity();
+  }
+  /// Whether it has opened before a way d: at the way where it opens it still holds, whatever the last digit says.
+  bool is_open(Real d) const {
+    constexpr Real rounding = 1e-9;
+    return d > (1 + rounding) * opens_at();
+  }
   /// N after a way d; infinite d: all that opens has opened.
   Real normal_force(Real d) const {
     if (opening == 0) return plane->clamping;
-    return std::isinf(d) ? 0
-                         : std::max(0.0, plane->clamping - plane->normal_stiffness * opening * d);
+    if (is_open(d)) return 0;
+    return std::max(0.0, plane->clamping - plane->normal_stiffness * opening * d);
   }
   Real shear_force(Real d) const {
-    const Real normal = normal_force(d);
-    if (normal <= 0 || tangential == 0) return 0;
-    const Real strength = normal * plane->friction + plane->cohesion;
+    if (is_open(d) || tangential == 0) return 0;
+    const Real strength = normal_force(d) * plane->friction + plane->cohesion;
     return std::isinf(d) ? strength : std::min(strength, plane->shear_stiffness * tangential * d);
   }
   /// Where it yields and where it has opened.
@@ -34,7 +43,7 @@ struct ClampedJoint {
     const Real opening_stiffness = plane->normal_stiffness * opening;
     ways.push_back((plane->clamping * plane->friction + plane->cohesion) /
                    (plane->shear_stiffness * tangential + opening_stiffness * plane->friction));
-    if (opening > 0) ways.push_back(plane->clamping / opening_stiffness);
+    if (opening > 0) ways.push_back(opens_at());
   }
 };
 
@@ -89,8 +98,9 @@ Movement with_in_situ_stress(std::span<const ContactPlane> planes, const Movemen
                              const Vec3& r) {
   const auto clamped = clamped_joints(planes, movement);
   if (clamped.empty()) return movement;
-  // The sliding force is piecewise linear in d (and where a plane that is slid on opens, convex):
-  // its least value is at an event or at the end.
+  // Between events the sliding force is linear in d (where a plane that is slid on opens, concave), so that its least
+  // value is at an event or at the end. It rises by a step where a joint with cohesion opens: what counts is the
+  // limit from before (ClampedJoint::is_open).
   std::vector<Real> ways{0, std::numeric_limits<Real>::infinity()};
   for (const ClampedJoint& joint : clamped) joint.add_events(ways);
   Movement best = after(planes, movement, r, clamped, ways[1]);

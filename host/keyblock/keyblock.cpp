@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -30,14 +31,6 @@ std::vector<Vec3> normals_of(const std::vector<ContactPlane>& planes) {
   return normals;
 }
 
-/// The force at the free faces that brings a rotation to the target, against their motion.
-SupportForce rotation_support(const Rotation& rotation, const Vec3& free_centre, Real target) {
-  const Vec3 motion = cross(rotation.axis, free_centre - rotation.point);
-  const Real deficit = target * rotation.driving - rotation.resisting;
-  if (!(norm(motion) > 0)) return {0, -normalized(rotation.velocity)};
-  return {std::max(0.0, deficit / (target * norm(motion))), -normalized(motion)};
-}
-
 /// The state between batches: which blocks are left, and what each of them is.
 class KeyblockSearch {
  public:
@@ -53,6 +46,7 @@ class KeyblockSearch {
   void find_batches(std::vector<Index> candidates);
   std::vector<Index> move_single_blocks(const std::vector<Index>& candidates);
   std::vector<Index> move_groups();
+  std::vector<Index> group_seeds() const;
   std::vector<Judged> judge(const std::vector<Index>& candidates) const;
   std::vector<Index> left() const;
   bool stays(Index block) const;
@@ -60,6 +54,7 @@ class KeyblockSearch {
   Keyblock describe(const Body& body, const BlockVerdict& verdict) const;
   void describe_translation(Keyblock& key, const Body& body, const BlockVerdict& verdict) const;
   void describe_rotation(Keyblock& key, const Body& body, const BlockVerdict& verdict) const;
+  SupportForce support_of(const Body& body, const BlockVerdict& verdict) const;
   const std::string& plane_name(const Body& body, Index face) const;
   void start_batch();
 
@@ -71,6 +66,8 @@ class KeyblockSearch {
   Index batch_ = 0;
   KeyblockReport report_;
   std::vector<std::optional<Keyblock>> stable_;  // of each block, as last looked at
+  bool groups_searched_ = false;                 // once, everywhere
+  std::vector<Index> gone_since_;                // what has left since groups were searched
 };
 
 KeyblockSearch::KeyblockSearch(const BlockArrays& blocks, const Model& model)
@@ -115,7 +112,7 @@ std::vector<KeyblockSearch::Judged> KeyblockSearch::judge(
       return;
     Body body = bodies_.body({block}, report_.batch);
     one.verdict = bodies_.judge(body, report_.batch);
-    const bool removable = one.verdict.movement || one.verdict.rotation;
+    const bool removable = one.verdict.movement || !one.verdict.rotations.empty();
     if (removable) one.body = std::move(body);  // what is not described needs no faces
   };
   const auto count = static_cast<std::int64_t>(candidates.size());
@@ -143,21 +140,11 @@ void KeyblockSearch::describe_translation(Keyblock& key, const Body& body,
   key.resisting_force = movement.resisting;
   key.sliding_force = movement.sliding_force();
   key.factor_of_safety = movement.factor_of_safety();
-  const Real target = spec_.target_factor_of_safety;
-  const SupportForce support =
-      spec_.support_direction ? SupportForce{support_force_along(verdict.planes, movement,
-                                                                 *spec_.support_direction, target),
-                                             *spec_.support_direction}
-                              : least_support(verdict.planes, movement, target);
-  key.support_force = support.force;
-  key.support_direction = without_negative_zero(support.direction);
-  key.contact = verdict.planes;
-  key.movement = movement;
 }
 
 void KeyblockSearch::describe_rotation(Keyblock& key, const Body& body,
                                        const BlockVerdict& verdict) const {
-  const Rotation& rotation = *verdict.rotation;
+  const Rotation& rotation = verdict.rotations[0];
   const Real arm = norm(rotation.velocity);
   key.mode = SlidingMode::rotation;
   key.planes.push_back(plane_name(body, rotation.face));
@@ -166,11 +153,21 @@ void KeyblockSearch::describe_rotation(Keyblock& key, const Body& body,
   key.resisting_force = rotation.resisting / arm;
   key.sliding_force = rotation.sliding_force();
   key.factor_of_safety = rotation.factor_of_safety();
-  key.rotation = rotation;
-  const SupportForce support =
-      rotation_support(rotation, bodies_.free_centre(body), spec_.target_factor_of_safety);
-  key.support_force = support.force;
-  key.support_direction = without_negative_zero(support.direction);
+}
+
+/// What brings each motion that the block can start to the target.
+SupportForce KeyblockSearch::support_of(const Body& body, const BlockVerdict& verdict) const {
+  const Real target = spec_.target_factor_of_safety;
+  std::vector<SupportCondition> conditions;
+  if (verdict.movement) conditions = support_conditions(verdict.planes, *verdict.movement, target);
+  if (!verdict.rotations.empty()) {
+    const Vec3 at = bodies_.free_centre(body);
+    for (const Rotation& rotation : verdict.rotations)
+      conditions.push_back(support_condition(rotation, at, target));
+  }
+  if (const auto& along = spec_.support_direction)
+    return {support_force_along(conditions, *along), *along};
+  return least_support(conditions);
 }
 
 Keyblock KeyblockSearch::describe(const Body& body, const BlockVerdict& verdict) const {
@@ -187,6 +184,12 @@ Keyblock KeyblockSearch::describe(const Body& body, const BlockVerdict& verdict)
     describe_rotation(key, body, verdict);
   else
     describe_translation(key, body, verdict);
+  key.contact = verdict.planes;
+  key.movement = verdict.movement;
+  key.rotations = verdict.rotations;
+  const SupportForce support = support_of(body, verdict);
+  key.support_force = support.force;
+  key.support_direction = without_negative_zero(support.direction);
   key.support_pressure = key.free_area > 0 ? key.support_force / key.free_area : 0;
   return key;
 }
@@ -206,7 +209,8 @@ std::vector<Index> KeyblockSearch::move_single_blocks(const std::vector<Index>& 
     const auto& [body, verdict] = judged[i];
     report_.block_class[b] = verdict.block_class;
     stable_[b].reset();
-    if (verdict.block_class == BlockClass::stable && (verdict.movement || verdict.rotation))
+    if (verdict.block_class == BlockClass::stable &&
+        (verdict.movement || !verdict.rotations.empty()))
       stable_[b] = describe(body, verdict);
     if (verdict.block_class != BlockClass::key) continue;
     if (removed.empty()) start_batch();
@@ -218,12 +222,31 @@ std::vector<Index> KeyblockSearch::move_single_blocks(const std::vector<Index>& 
   return removed;
 }
 
+/// Where groups may be that were not found before: what a block takes with it is known by the blocks that
+/// chains of `largest_group` contacts reach.
+std::vector<Index> KeyblockSearch::group_seeds() const {
+  if (!groups_searched_) return left();
+  std::vector<std::uint8_t> seen(report_.batch.size(), 0);
+  std::vector<Index> front = gone_since_, seeds;
+  for (Index step = 0; step < spec_.largest_group && !front.empty(); ++step) {
+    std::erase_if(front = bodies_.contacts().neighbours(front, report_.batch), [&](Index b) {
+      return std::exchange(seen[static_cast<std::size_t>(b)], std::uint8_t{1}) != 0;
+    });
+    seeds.insert(seeds.end(), front.begin(), front.end());
+  }
+  std::erase_if(seeds, [&](Index b) { return !stays(b); });
+  std::sort(seeds.begin(), seeds.end());
+  return seeds;
+}
+
 /// The groups that move now are a batch; the blocks that it removed.
 std::vector<Index> KeyblockSearch::move_groups() {
   const auto may_move = [&](Index block) {
     return stays(block) && blocks_.finite[static_cast<std::size_t>(block)] != 0;
   };
-  auto groups = find_groups(bodies_, left(), report_.batch, spec_.largest_group, may_move);
+  auto groups = find_groups(bodies_, group_seeds(), report_.batch, spec_.largest_group, may_move);
+  groups_searched_ = true;
+  gone_since_.clear();
   std::vector<Index> removed;
   if (groups.empty()) return removed;
   std::sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
@@ -249,6 +272,7 @@ void KeyblockSearch::find_batches(std::vector<Index> candidates) {
     std::vector<Index> removed = move_single_blocks(candidates);
     if (removed.empty()) removed = move_groups();
     if (removed.empty()) return;
+    gone_since_.insert(gone_since_.end(), removed.begin(), removed.end());
     candidates = bodies_.contacts().neighbours(removed, report_.batch);
     std::erase_if(candidates, [&](Index b) { return !stays(b); });
   }
@@ -263,6 +287,7 @@ void KeyblockSearch::excavate(Index stage) {
       report_.batch[static_cast<std::size_t>(b)] = excavated;
       removed.push_back(b);
     }
+  gone_since_.insert(gone_since_.end(), removed.begin(), removed.end());
   std::vector<Index> candidates = bodies_.contacts().neighbours(removed, report_.batch);
   std::erase_if(candidates, [&](Index b) { return !stays(b); });
   find_batches(std::move(candidates));

@@ -43,14 +43,17 @@ struct Keyblock {
   Real sliding_force = 0;           ///< N: driving minus resisting force, > 0
   /// Resisting over driving; NaN where nothing resists (null in JSON).
   Real factor_of_safety = 0;
-  RemovableSpace removable;          ///< translations that no neighbour prevents
-  std::optional<Rotation> rotation;  ///< where it governs: mode rotation
-  Real free_area = 0;                ///< m² of free faces when its batch moves
-  Real support_force = 0;            ///< N for the target factor of safety, along support_direction
-  Real support_pressure = 0;         ///< Pa = support_force / free_area
-  Vec3 support_direction{};          ///< unit
+  RemovableSpace removable;  ///< translations that no neighbour prevents
+  /// The least safe one first; it governs where the mode is rotation.
+  std::vector<Rotation> rotations;
+  Real free_area = 0;  ///< m² of free faces when its batch moves
+  /// N for the target factor of safety, along support_direction, of translation and all rotations; infinite where no force
+  /// along it suffices.
+  Real support_force = 0;
+  Real support_pressure = 0;          ///< Pa = support_force / free_area
+  Vec3 support_direction{};           ///< unit
   std::vector<ContactPlane> contact;  ///< the planes that it leans on
-  Movement movement;                  ///< into `contact`; of a translation
+  std::optional<Movement> movement;   ///< the translation, into `contact`, if there is one
 };
 
 struct KeyblockReport {

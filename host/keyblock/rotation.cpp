@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "host/keyblock/pyramid.hpp"
+#include "host/keyblock/sliding.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -14,6 +15,9 @@ using Patches = std::span<const ContactPatch>;
 
 /// Rounding of coordinates, over their size.
 constexpr Real coordinate_rounding = 1e-14;
+
+/// Their corners' lines are some 10⁵ then; blocks of more planes of contact hardly ever are removable.
+constexpr std::size_t most_planes_for_lines = 64;
 
 /// Whether turning about the axis through `point` moves no corner of a contact into the rock.
 bool is_admissible(Patches patches, const Vec3& point, const Vec3& axis) {
@@ -42,27 +46,66 @@ Mat3 inertia_about(const RigidBody& body, const Vec3& arm) {
   return j;
 }
 
-/// The moments about an axis: r as its parts along and across the normal of the plane that the
-/// block lifts off, and the loads' own moment.
-Rotation with_moments(const ContactPatch& patch, const RigidBody& body, Rotation rotation) {
-  const Vec3 arm = body.centroid - rotation.point;
-  rotation.velocity = cross(rotation.axis, arm);
-  const Vec3 pressing = dot(body.force, patch.normal) * patch.normal;
+/// What presses a block on the plane or the two planes of its hinge.
+struct Hinge {
+  std::size_t first = 0, second = 0;  ///< patches; the same one for an edge or a corner of one
+};
+
+/// The part of r that presses on the hinge: N n, or N_i n_i + N_j n_j of two planes; nothing where one is not pressed.
+std::optional<Vec3> pressing_part(Patches patches, const Hinge& hinge, const Vec3& r) {
+  const Vec3 &n_i = patches[hinge.first].normal, &n_j = patches[hinge.second].normal;
+  const Real least = direction_tolerance * norm(r);
+  if (hinge.first == hinge.second) {
+    if (dot(r, n_i) <= least) return {};
+    return dot(r, n_i) * n_i;
+  }
+  if (norm(cross(n_i, n_j)) <= direction_tolerance) return {};
+  const Real first = dot(r, reciprocal_normal(n_i, n_j)),
+             second = dot(r, reciprocal_normal(n_j, n_i));
+  if (first <= least || second <= least) return {};
+  return first * n_i + second * n_j;
+}
+
+/// Whether some corner of the patch leaves its plane.
+bool lifts(const ContactPatch& patch, const Vec3& point, const Vec3& axis) {
+  return std::any_of(patch.corners.begin(), patch.corners.end(), [&](const Vec3& x) {
+    const Vec3 arm = x - point;
+    return dot(cross(axis, arm), patch.normal) < -1e-6 * norm(arm);
+  });
+}
+
+/// N m: the friction of planes that the load presses on and that the block only slides along, at the foot of the centroid.
+Real friction_moment(Patches patches, const RigidBody& body, const Rotation& rotation) {
+  Real sum = 0;
+  for (const ContactPatch& patch : patches) {
+    const Real pressed = dot(body.force, patch.normal);
+    if (!(pressed > 0) || patch.friction == 0 || lifts(patch, rotation.point, rotation.axis))
+      continue;
+    const Vec3 foot =
+        body.centroid + dot(patch.corners[0] - body.centroid, patch.normal) * patch.normal;
+    sum += patch.friction * pressed * norm(cross(rotation.axis, foot - rotation.point));
+  }
+  return sum;
+}
+
+struct Moments {
+  Real driving = 0, resisting = 0;
+};
+
+/// About an axis: of the part of r that presses on the hinge, of the rest of r, and of the loads' own moment.
+Moments moments_about(const Vec3& axis, const Vec3& point, const RigidBody& body,
+                      const Vec3& pressing) {
+  const Vec3 velocity = cross(axis, body.centroid - point);
+  Moments sum;
   for (const Real moment :
-       {dot(pressing, rotation.velocity), dot(body.force - pressing, rotation.velocity),
-        dot(body.moment, rotation.axis)})
-    (moment > 0 ? rotation.driving : rotation.resisting) += std::abs(moment);
-  return rotation;
+       {dot(pressing, velocity), dot(body.force - pressing, velocity), dot(body.moment, axis)})
+    (moment > 0 ? sum.driving : sum.resisting) += std::abs(moment);
+  return sum;
 }
 
 /// Below this share of |r| times the arm a moment is rounding.
-bool is_driven(const Rotation& rotation, const RigidBody& body) {
-  const Real size = norm(body.force) * norm(body.centroid - rotation.point) + norm(body.moment);
-  return rotation.driving > 1e-9 * size && norm(rotation.velocity) > 0;
-}
-
-Real safety(const Rotation& rotation) {
-  return rotation.resisting / rotation.driving;
+Real rounding_of_moments(const RigidBody& body, const Vec3& point) {
+  return 1e-9 * (norm(body.force) * norm(body.centroid - point) + norm(body.moment));
 }
 
 /// (net moment)² over the moment of inertia about the axis: of motions that start together, the one
@@ -74,19 +117,102 @@ Real vigour(const Rotation& rotation, const RigidBody& body) {
   return net * net / dot(a, {dot(inertia[0], a), dot(inertia[1], a), dot(inertia[2], a)});
 }
 
-/// The less safe one; of equals (to rounding) the more vigorous, then the first.
-void keep_worse(std::optional<Rotation>& worst, const Rotation& rotation, const RigidBody& body) {
-  if (!worst) {
-    worst = rotation;
-    return;
-  }
-  const Real difference = safety(rotation) - safety(*worst);
-  const bool same = std::abs(difference) <= 1e-12;
-  if (same ? vigour(rotation, body) > (1 + 1e-12) * vigour(*worst, body) : difference < 0)
-    worst = rotation;
-}
+class RotationSearch {
+ public:
+  RotationSearch(Patches patches, const RigidBody& body) : patches_(patches), body_(body) {}
 
-/// Edge k of a patch as an axis, in the sense that lifts the patch's inside.
+  std::vector<Rotation> run() {
+    for (std::size_t p = 0; p < patches_.size(); ++p) {
+      if (const auto pressing = pressing_part(patches_, {p, p}, body_.force))
+        for (std::size_t k = 0; k < patches_[p].corners.size(); ++k) {
+          turn_about(about_edge(patches_[p], k), *pressing, {p, p});
+          turn_freely(patches_[p].corners[k], *pressing, p);
+        }
+      if (patches_.size() > most_planes_for_lines) continue;
+      for (std::size_t q = p + 1; q < patches_.size(); ++q) turn_about_lines({p, q});
+    }
+    sort();
+    return std::move(found_);
+  }
+
+ private:
+  bool is_possible(const Rotation& rotation, const Hinge& hinge) const {
+    return is_admissible(patches_, rotation.point, rotation.axis) &&
+           lifts(patches_[hinge.first], rotation.point, rotation.axis) &&
+           lifts(patches_[hinge.second], rotation.point, rotation.axis);
+  }
+
+  void turn_about(Rotation rotation, const Vec3& pressing, const Hinge& hinge) {
+    const Moments moments = moments_about(rotation.axis, rotation.point, body_, pressing);
+    rotation.velocity = cross(rotation.axis, body_.centroid - rotation.point);
+    if (moments.driving <= rounding_of_moments(body_, rotation.point) ||
+        !(norm(rotation.velocity) > 0) || !is_possible(rotation, hinge))
+      return;
+    rotation.driving = moments.driving;
+    rotation.resisting = moments.resisting + friction_moment(patches_, body_, rotation);
+    rotation.safety = rotation.resisting / rotation.driving;
+    rotation.face = patches_[hinge.first].face;
+    found_.push_back(rotation);
+  }
+
+  /// About lines through a corner of each of two planes, in either sense.
+  void turn_about_lines(const Hinge& hinge) {
+    const auto pressing = pressing_part(patches_, hinge, body_.force);
+    if (!pressing) return;
+    for (const Vec3& from : patches_[hinge.first].corners)
+      for (const Vec3& to : patches_[hinge.second].corners) {
+        if (norm(to - from) <= coordinate_rounding * norm(to)) continue;
+        Rotation rotation;
+        rotation.point = from;
+        rotation.axis = normalized(to - from);
+        turn_about(rotation, *pressing, hinge);
+        rotation.axis = -rotation.axis;
+        turn_about(rotation, *pressing, hinge);
+      }
+  }
+
+  /// The free rotation about a corner, of a block that is turned over and not only twisted.
+  void turn_freely(const Vec3& corner, const Vec3& pressing, std::size_t patch) {
+    const Vec3 arm = body_.centroid - corner;
+    const Vec3 acceleration =
+        solution(inertia_about(body_, arm), cross(arm, body_.force) + body_.moment);
+    if (!(norm(acceleration) > 0)) return;
+    Rotation rotation;
+    rotation.about = Rotation::About::corner;
+    rotation.point = corner;
+    rotation.axis = normalized(acceleration);
+    const Vec3& n = patches_[patch].normal;
+    const Vec3 over = rotation.axis - dot(rotation.axis, n) * n;
+    const Moments turning = moments_about(over, corner, body_, pressing);
+    const std::size_t before = found_.size();
+    turn_about(rotation, pressing, {patch, patch});
+    if (found_.size() == before) return;
+    const Rotation& made = found_.back();
+    if (turning.driving <= turning.resisting || made.driving <= made.resisting)
+      found_.pop_back();
+    else
+      found_.back().safety = turning.resisting / turning.driving;
+  }
+
+  /// The least safe first; of equals (to rounding) the more vigorous one.
+  void sort() {
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const Rotation& a, const Rotation& b) { return a.safety < b.safety; });
+    const auto equals = std::find_if(found_.begin(), found_.end(), [&](const Rotation& r) {
+      return r.safety > found_.front().safety + 1e-12;
+    });
+    std::stable_sort(found_.begin(), equals, [&](const Rotation& a, const Rotation& b) {
+      return vigour(a, body_) > vigour(b, body_);
+    });
+  }
+
+  Patches patches_;
+  const RigidBody& body_;
+  std::vector<Rotation> found_;
+};
+
+}  // namespace
+
 Rotation about_edge(const ContactPatch& patch, std::size_t k) {
   const Vec3 &from = patch.corners[k], &to = patch.corners[(k + 1) % patch.corners.size()];
   Rotation rotation;
@@ -99,49 +225,22 @@ Rotation about_edge(const ContactPatch& patch, std::size_t k) {
   return rotation;
 }
 
-/// The free rotation about a corner; only where it turns the block at all.
-std::optional<Rotation> about_corner(const ContactPatch& patch, const Vec3& corner,
-                                     const RigidBody& body) {
-  const Vec3 arm = body.centroid - corner;
-  const Vec3 moment = cross(arm, body.force) + body.moment;
-  const Vec3 acceleration = solution(inertia_about(body, arm), moment);
-  if (!(norm(acceleration) > 0)) return {};
-  Rotation rotation;
-  rotation.about = Rotation::About::corner;
-  rotation.point = corner;
-  rotation.axis = normalized(acceleration);
-  rotation = with_moments(patch, body, rotation);
-  if (rotation.driving <= rotation.resisting) return {};
-  return rotation;
-}
-
-}  // namespace
-
 Real Rotation::factor_of_safety() const {
-  return resisting > 0 ? resisting / driving : std::numeric_limits<Real>::quiet_NaN();
+  return resisting > 0 ? safety : std::numeric_limits<Real>::quiet_NaN();
 }
 
 Real Rotation::sliding_force() const {
   return (driving - resisting) / norm(velocity);
 }
 
+std::vector<Rotation> find_rotations(Patches patches, const RigidBody& body) {
+  return RotationSearch(patches, body).run();
+}
+
 std::optional<Rotation> find_rotation(Patches patches, const RigidBody& body) {
-  std::optional<Rotation> worst;
-  const auto consider = [&](Rotation rotation, const ContactPatch& patch) {
-    if (!is_driven(rotation, body)) return;
-    if (!is_admissible(patches, rotation.point, rotation.axis)) return;
-    rotation.face = patch.face;
-    keep_worse(worst, rotation, body);
-  };
-  for (const ContactPatch& patch : patches) {
-    if (dot(body.force, patch.normal) <= direction_tolerance * norm(body.force)) continue;
-    for (std::size_t k = 0; k < patch.corners.size(); ++k) {
-      consider(with_moments(patch, body, about_edge(patch, k)), patch);
-      if (const auto rotation = about_corner(patch, patch.corners[k], body))
-        consider(*rotation, patch);
-    }
-  }
-  return worst;
+  const auto all = find_rotations(patches, body);
+  if (all.empty()) return {};
+  return all.front();
 }
 
 }  // namespace rockfold

@@ -98,9 +98,9 @@ BlockVerdict judge_block(std::span<const BlockFace> faces, const Vec3& load, Rea
   verdict.planes = std::move(planes);
   verdict.resultant = resultant(verdict.planes, load, water_pressure);
   verdict.free_area = free_area(faces);
-  verdict.movement = find_movement(verdict.planes, verdict.resultant);
-  if (verdict.movement)
-    verdict.movement = with_in_situ_stress(verdict.planes, *verdict.movement, verdict.resultant);
+  auto movements = possible_movements(verdict.planes, verdict.resultant);
+  for (Movement& m : movements) m = with_in_situ_stress(verdict.planes, m, verdict.resultant);
+  verdict.movement = least_safe(movements, verdict.resultant);
   const bool moves = verdict.movement && verdict.movement->sliding_force() >
                                              equilibrium_tolerance * norm(verdict.resultant);
   verdict.block_class = moves ? BlockClass::key : BlockClass::stable;
@@ -108,16 +108,19 @@ BlockVerdict judge_block(std::span<const BlockFace> faces, const Vec3& load, Rea
 }
 
 bool BlockVerdict::rotates() const {
-  if (!rotation) return false;
+  if (rotations.empty()) return false;
   if (!movement) return true;
   if (movement->mode == SlidingMode::lifting && movement->resisting == 0) return false;
-  return rotation->resisting * movement->driving < movement->resisting * rotation->driving;
+  return rotations[0].safety * movement->driving < movement->resisting;
 }
 
-void add_rotation(BlockVerdict& verdict, const std::optional<Rotation>& rotation) {
-  verdict.rotation = rotation;
-  if (rotation &&
-      rotation->driving - rotation->resisting > equilibrium_tolerance * rotation->driving)
+Real BlockVerdict::sliding_force() const {
+  return rotates() ? rotations[0].sliding_force() : movement->sliding_force();
+}
+
+void add_rotations(BlockVerdict& verdict, std::vector<Rotation> rotations) {
+  verdict.rotations = std::move(rotations);
+  if (!verdict.rotations.empty() && verdict.rotations[0].safety < 1 - equilibrium_tolerance)
     verdict.block_class = BlockClass::key;
 }
 

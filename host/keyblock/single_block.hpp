@@ -41,15 +41,17 @@ struct BlockVerdict {
   Real free_area = 0;                ///< m²; zero unless removable
   std::vector<ContactPlane> planes;  ///< empty unless removable
   std::optional<Movement> movement;  ///< of a removable block that r would move without friction
-  std::optional<Rotation>
-      rotation;  ///< the least safe one, of a removable block whose shape is known
+  /// Of a removable block whose shape is known; the least safe one first.
+  std::vector<Rotation> rotations;
 
   /// Whether it is the rotation, not the translation, that governs: the lower factor of safety.
   bool rotates() const;
+  /// Of the motion that governs, N; there must be one.
+  Real sliding_force() const;
 };
 
-/// Completes a removable block's verdict by its rotation.
-void add_rotation(BlockVerdict& verdict, const std::optional<Rotation>& rotation);
+/// Completes a removable block's verdict by its rotations, the least safe one first.
+void add_rotations(BlockVerdict& verdict, std::vector<Rotation> rotations);
 
 /// The class and motion of a block under `load` (weight, earthquake, …; N) and a water pressure
 /// (Pa, ≥ 0) on the faces in contact, which, with the faces' own water, pushes the block off them:

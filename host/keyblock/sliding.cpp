@@ -81,13 +81,6 @@ std::optional<Movement> two_planes(Planes planes, std::size_t i, std::size_t j, 
   return m;
 }
 
-/// The less safe one. Several motions of one mode stand only where they differ by nothing but which
-/// planes carry the block (three planes along one line): statics leaves that open, and the least
-/// resistance is taken.
-void keep_worse(std::optional<Movement>& worst, const std::optional<Movement>& m) {
-  if (m && (!worst || m->sliding_force() > worst->sliding_force())) worst = m;
-}
-
 }  // namespace
 
 Real Movement::factor_of_safety() const {
@@ -100,16 +93,29 @@ Vec3 reciprocal_normal(const Vec3& n_i, const Vec3& n_j) {
   return (1.0 / dot(line, line)) * cross(n_j, line);
 }
 
-std::optional<Movement> find_movement(Planes planes, const Vec3& r) {
-  if (!(norm(r) > 0)) return {};
-  if (is_admissible(planes, r, norm(r))) return lifting(r);
-  std::optional<Movement> worst;
-  for (std::size_t i = 0; i < planes.size(); ++i) keep_worse(worst, single_plane(planes, i, r));
-  if (worst) return worst;
+std::vector<Movement> possible_movements(Planes planes, const Vec3& r) {
+  std::vector<Movement> movements;
+  if (!(norm(r) > 0)) return movements;
+  if (is_admissible(planes, r, norm(r))) return {lifting(r)};
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (const auto m = single_plane(planes, i, r)) movements.push_back(*m);
+  if (!movements.empty()) return movements;
   for (std::size_t i = 0; i < planes.size(); ++i)
     for (std::size_t j = i + 1; j < planes.size(); ++j)
-      keep_worse(worst, two_planes(planes, i, j, r));
+      if (const auto m = two_planes(planes, i, j, r)) movements.push_back(*m);
+  return movements;
+}
+
+std::optional<Movement> least_safe(std::span<const Movement> movements, const Vec3& r) {
+  constexpr Real rounding = 1e-12;
+  std::optional<Movement> worst;
+  for (const Movement& m : movements)
+    if (!worst || m.sliding_force() > worst->sliding_force() + rounding * norm(r)) worst = m;
   return worst;
+}
+
+std::optional<Movement> find_movement(Planes planes, const Vec3& r) {
+  return least_safe(possible_movements(planes, r), r);
 }
 
 }  // namespace rockfold

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "src/base/types.hpp"
 
@@ -42,8 +43,15 @@ struct Movement {
   Real factor_of_safety() const;
 };
 
-/// The motion of a block with these contact planes under the resultant r, N; nothing where r has no
-/// component along any direction that the joints allow (the block is at rest without any friction).
+/// The motions of a block with these contact planes under the resultant r, N; none where r has no component along any
+/// direction that the joints allow (the block is at rest without any friction). Several differ by nothing but which planes
+/// carry the block (more than two along one line): statics leaves that open.
+std::vector<Movement> possible_movements(std::span<const ContactPlane> planes, const Vec3& r);
+
+/// The one with the largest sliding force, of equals (to rounding) the first.
+std::optional<Movement> least_safe(std::span<const Movement> movements, const Vec3& r);
+
+/// The least safe one of the possible movements.
 std::optional<Movement> find_movement(std::span<const ContactPlane> planes, const Vec3& r);
 
 /// b with b·n_i = 1, b·n_j = 0 in the plane of n_i and n_j: N_i = r·b is the normal force on plane

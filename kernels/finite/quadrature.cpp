@@ -121,37 +121,39 @@ class Fitter {
 
   Quadrature run() {
     result_.functions = functions_.nodes * functions_.functions;
-    const int degree = quadrature_degree(functions_);
     for (int form = 0; form < functions_.forms; ++form)
-      for (const CellPart& part : cell_split(covers_.lattice.kind, form == 1).part)
-        add_kind(part, degree);
-    result_.kinds = static_cast<int>(rules_.size());
+      for (const CellPart& part : cell_split(covers_.lattice.kind, form == 1).part) add_kind(part);
     result_.points = static_cast<int>(rules_.front().point.size());
     add_regular();
-    add_cut();
+    if (degree_ == 0)
+      add_cut();
+    else
+      add_cut_in_boxes();
     return std::move(result_);
   }
 
  private:
-  void add_kind(const CellPart& part, int degree) {
+  void add_kind(const CellPart& part) {
     const auto& split = cell_split(covers_.lattice.kind,
                                    rules_.size() >= static_cast<std::size_t>(functions_.parts));
-    const auto points = part_points(split, part, degree);
-    rules_.push_back({points, fitting(points, degree)});
-    for (const Vec3& eta : points) {
-      result_.place.push_back(eta);
-      const auto gradients = functions_.gradients(static_cast<int>(rules_.size()) - 1, eta);
-      result_.gradient.insert(result_.gradient.end(), gradients.begin(), gradients.end());
-    }
+    const auto points = part_points(split, part, degree_);
+    rules_.push_back({points, fitting(points, degree_)});
+    for (const Vec3& eta : points) add_point(static_cast<int>(rules_.size()) - 1, eta);
+    ++result_.kinds;
+  }
+
+  void add_point(int part, const Vec3& eta) {
+    result_.place.push_back(eta);
+    const auto gradients = functions_.gradients(part, eta);
+    result_.gradient.insert(result_.gradient.end(), gradients.begin(), gradients.end());
   }
 
   int kind_of(Index cell, int part) const {
     return functions_.parts * LatticeFunctions::form(covers_.lattice, cell) + part;
   }
 
-  void add_element(int kind, const Real* moments, Real share) {
+  void add_element(int kind, const Rule& rule, const Real* moments, Real share) {
     result_.kind.push_back(kind);
-    const Rule& rule = rules_[kind];
     const std::size_t n = rule.point.size();
     for (std::size_t q = 0; q < n; ++q) {
       Real sum = 0;
@@ -164,26 +166,67 @@ class Fitter {
     for (Index r = 0; r < covers_.regular_count(); ++r)
       for (int t = 0; t < functions_.parts; ++t) {
         const int kind = kind_of(covers_.regular_cell[r], t);
-        add_element(kind, functions_.part[kind].moment.data(), 1);
+        add_element(kind, rules_[kind], functions_.part[kind].moment.data(), 1);
       }
   }
 
   void add_cut() {
-    if (covers_.cut_count() == 0) return;
-    const std::size_t terms = moments_.local.size() / moments_.volume.size();
-    std::vector<Real> sum(terms);
     for (Index e = 0; e < covers_.cut_count(); ++e) {
-      std::fill(sum.begin(), sum.end(), 0);
-      for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q)
-        for (std::size_t m = 0; m < terms; ++m) sum[m] += moments_.local[terms * q + m];
-      add_element(kind_of(covers_.element_cell[e], covers_.element_part[e]), sum.data(),
-                  functions_.share);
+      const int kind = kind_of(covers_.element_cell[e], covers_.element_part[e]);
+      add_element(kind, rules_[kind], sum_pieces(moments_.local, e).data(), functions_.share);
     }
+  }
+
+  void add_cut_in_boxes() {
+    const std::vector<Vec3> points = cell_points(degree_);
+    const Rule rule{points, fitting(points, degree_)};
+    const auto powers = exponents(degree_);
+    for (Index e = 0; e < covers_.cut_count(); ++e) {
+      const Vec3& origin = moments_.origin[e];
+      const Vec3 edge = box_about(origin, e);
+      std::vector<Real> sum = sum_pieces(moments_.amid, e);
+      for (std::size_t m = 0; m < powers.size(); ++m)
+        for (int d = 0; d < 3; ++d) sum[m] /= std::pow(edge[d], powers[m][d]);
+      const int part = kind_of(covers_.element_cell[e], covers_.element_part[e]);
+      for (const Vec3& p : points) {
+        Vec3 eta = origin;
+        for (int d = 0; d < 3; ++d) eta[d] += edge[d] * p[d];
+        add_point(part, eta);
+      }
+      add_element(result_.kinds++, rule, sum.data(), functions_.share);
+    }
+  }
+
+  /// Of one cut element.
+  std::vector<Real> sum_pieces(const std::vector<Real>& moment, Index e) const {
+    const std::size_t terms = moment.size() / covers_.piece_block.size();
+    std::vector<Real> sum(terms, 0);
+    for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q)
+      for (std::size_t m = 0; m < terms; ++m) sum[m] += moment[terms * q + m];
+    return sum;
+  }
+
+  /// The edges of the box with the given centre that holds the element, η.
+  Vec3 box_about(const Vec3& centre, Index e) const {
+    Vec3 half{};
+    const Index first = 3 * covers_.triangle_begin[covers_.piece_begin[e]],
+                last = 3 * covers_.triangle_begin[covers_.piece_begin[e + 1]];
+    for (Index c = first; c < last; ++c) {
+      const Real* x = &covers_.vertex_xyz[3 * covers_.triangle_vertex[c]];
+      for (int d = 0; d < 3; ++d) {
+        const Vec3& row = functions_.reciprocal[d];
+        const Real eta = row[0] * x[0] + row[1] * x[1] + row[2] * x[2];
+        half[d] = std::max(half[d], std::abs(eta - centre[d]));
+      }
+    }
+    for (Real& h : half) h = std::max(h, 1e-15);  // of a piece that rounding has flattened
+    return 2.0 * half;
   }
 
   const CoverArrays& covers_;
   const PieceMoments& moments_;
   const LatticeFunctions functions_;
+  const int degree_ = quadrature_degree(functions_);
   std::vector<Rule> rules_;  // of each kind
   Quadrature result_;
 };

@@ -1,7 +1,8 @@
 // Points and weights at which polynomials over a manifold element of any shape are integrated exactly.
 //
-// An element may be any polyhedron inside its part of a lattice cell. The points are those of the part, the same for all its
-// elements; only the weights are an element's own: those that reproduce its exact moments (weights may be negative).
+// An element may be any polyhedron inside its part of a lattice cell. Whole elements share the points of their part. A cut
+// element has points of its own in a box around it, with the weights that reproduce its exact moments (they may be negative):
+// a sliver in a corner of its cell, where slopes nearly vanish, keeps all their digits.
 // Sources: exact simplex integration, thesis 4.2.3; moment fitting: Mueller, Kummer & Oberlack, Int. J. Numer. Meth. Eng. 96 (2013).
 #pragma once
 
@@ -12,10 +13,10 @@
 
 namespace rockfold::finite {
 
-/// Splits of a lattice have up to two forms (tet5); "kind" f·parts + t is part t of form f. The rule is exact for the strain energy
-/// of small strain.
+/// Splits of a lattice have up to two forms (tet5); "kind" f·parts + t is part t of form f. The cut elements' kinds follow, one
+/// each; where slopes are constant there are none of these. The rule is exact for the strain energy of small strain.
 struct Quadrature {
-  int kinds = 0;   ///< forms · parts
+  int kinds = 0;
   int points = 0;  ///< Q of each element
   int functions =
       0;  ///< of an element: nodes of a part · functions of a cover, node-major: a·n + k

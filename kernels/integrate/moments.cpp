@@ -18,6 +18,7 @@ using integrate::BodyIntegral;
 struct Boundary {
   Array<Index> triangle_begin, triangle_vertex;
   Array<Real> eta;
+  Array<Real> origin;  ///< [Q][3] of each piece's element; empty: not wanted
 };
 
 Real cell_volume(const Lattice& lattice) {
@@ -25,9 +26,9 @@ Real cell_volume(const Lattice& lattice) {
 }
 
 /// A piece that rounding has flattened: a point of the least volume at the mean of its boundary's corners.
-KOKKOS_INLINE_FUNCTION void point_moments(const Boundary& piece, Index begin, Index end, int degree,
-                                          Real* moments) {
-  Real mean[3] = {0, 0, 0};
+KOKKOS_INLINE_FUNCTION void point_moments(const Boundary& piece, Index begin, Index end,
+                                          const Real* origin, int degree, Real* moments) {
+  Real mean[3] = {-origin[0], -origin[1], -origin[2]};
   for (Index c = 3 * begin; c < 3 * end; ++c)
     for (int d = 0; d < 3; ++d)
       mean[d] += piece.eta(3 * piece.triangle_vertex(c) + d) / (3 * (end - begin));
@@ -35,10 +36,13 @@ KOKKOS_INLINE_FUNCTION void point_moments(const Boundary& piece, Index begin, In
   for (int m = 0; m < integrate::count_to(degree); ++m) moments[m] *= integrate::volume_floor;
 }
 
-/// [Q][count_to(Degree)] in units of the cell; returns the first piece that is inside out, or `pieces` if none is.
+/// [Q][count_to(Degree)] in units of the cell, about its centre and `amid` the piece's element; returns the first piece that is
+/// inside out, or `pieces` if none is.
 template <int Degree>
-Index integrate_pieces(const Boundary& piece, Index pieces, const Array<Real>& moments) {
+Index integrate_pieces(const Boundary& piece, Index pieces, const Array<Real>& moments,
+                       const Array<Real>& amid) {
   constexpr int terms = integrate::count_to(Degree);
+  const bool centred = amid.extent(0) > 0;
   Index first_bad = pieces;
   Kokkos::parallel_reduce(
       "rockfold::integrate::piece_moments", device::Range(0, pieces),
@@ -49,10 +53,26 @@ Index integrate_pieces(const Boundary& piece, Index pieces, const Array<Real>& m
             integrate::integrate_body<Degree>(begin, end, piece.triangle_vertex, piece.eta, about);
         // `!(… > …)` also catches NaN. The kept index is the smallest, whatever the order of threads.
         if (!(body.sum[0] > -integrate::volume_rounding) && q < bad) bad = q;
-        if (body.sum[0] > integrate::volume_floor)
-          body.shift(about);
+        const bool flat = !(body.sum[0] > integrate::volume_floor);
+        if (centred) {
+          BodyIntegral<Degree> shifted = body;
+          Real origin[3], by[3];
+          for (int d = 0; d < 3; ++d) {
+            origin[d] = piece.origin(3 * static_cast<std::size_t>(q) + d);
+            by[d] = about[d] - origin[d];
+          }
+          if (flat)
+            point_moments(piece, begin, end, origin, Degree, shifted.sum);
+          else
+            shifted.shift(by);
+          for (int m = 0; m < terms; ++m)
+            amid(static_cast<std::size_t>(terms) * q + m) = shifted.sum[m];
+        }
+        const Real centre[3] = {0, 0, 0};
+        if (flat)
+          point_moments(piece, begin, end, centre, Degree, body.sum);
         else
-          point_moments(piece, begin, end, Degree, body.sum);
+          body.shift(about);
         for (int m = 0; m < terms; ++m)
           moments(static_cast<std::size_t>(terms) * q + m) = body.sum[m];
       },
@@ -60,19 +80,19 @@ Index integrate_pieces(const Boundary& piece, Index pieces, const Array<Real>& m
   return first_bad < pieces ? first_bad : pieces;
 }
 
-Index integrate_pieces(const Boundary& piece, Index pieces, int degree,
-                       const Array<Real>& moments) {
+Index integrate_pieces(const Boundary& piece, Index pieces, int degree, const Array<Real>& moments,
+                       const Array<Real>& amid) {
   switch (degree) {
     case 2:
-      return integrate_pieces<2>(piece, pieces, moments);
+      return integrate_pieces<2>(piece, pieces, moments, amid);
     case 4:
-      return integrate_pieces<4>(piece, pieces, moments);
+      return integrate_pieces<4>(piece, pieces, moments, amid);
     case 6:
-      return integrate_pieces<6>(piece, pieces, moments);
+      return integrate_pieces<6>(piece, pieces, moments, amid);
     case 8:
-      return integrate_pieces<8>(piece, pieces, moments);
+      return integrate_pieces<8>(piece, pieces, moments, amid);
     case 10:
-      return integrate_pieces<10>(piece, pieces, moments);
+      return integrate_pieces<10>(piece, pieces, moments, amid);
     default:
       throw Error(ErrorKind::analysis, "moments of degree " + std::to_string(degree) +
                                            " were asked for, expected 2, 4, 6, 8 or 10");
@@ -95,6 +115,29 @@ Array<Real> local_vertices(const CoverArrays& covers) {
                            reciprocal[3 * d + 2] * xyz(3 * v + 2);
       });
   return eta;
+}
+
+/// The mean of the corners of each cut element's boundary, η.
+std::vector<Vec3> element_origins(const CoverArrays& covers, const std::vector<Real>& eta) {
+  std::vector<Vec3> origins;
+  for (Index e = 0; e < covers.cut_count(); ++e) {
+    const Index first = 3 * covers.triangle_begin[covers.piece_begin[e]],
+                last = 3 * covers.triangle_begin[covers.piece_begin[e + 1]];
+    Vec3 sum{};
+    for (Index c = first; c < last; ++c)
+      for (int d = 0; d < 3; ++d) sum[d] += eta[3 * covers.triangle_vertex[c] + d];
+    origins.push_back(1.0 / std::max(last - first, Index{1}) * sum);
+  }
+  return origins;
+}
+
+/// [Q][3] of the element of each piece.
+std::vector<Real> of_pieces(const CoverArrays& covers, const std::vector<Vec3>& origins) {
+  std::vector<Real> result;
+  for (Index e = 0; e < covers.cut_count(); ++e)
+    for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
+      result.insert(result.end(), origins[e].begin(), origins[e].end());
+  return result;
 }
 
 void report_bad_piece(const CoverArrays& covers, Index q, Real volume) {
@@ -122,19 +165,27 @@ PieceMoments piece_moments(const CoverArrays& covers) {
 PieceMoments piece_moments(const CoverArrays& covers, int degree) {
   const Index pieces = covers.piece_count();
   const std::size_t terms = integrate::count_to(degree);
-  const Boundary boundary{
-      device::to_device("integrate::triangle_begin", covers.triangle_begin),
-      device::to_device("integrate::triangle_vertex", covers.triangle_vertex),
-      local_vertices(covers),
-  };
-  const auto moments = device::allocate<Real>("integrate::moments", terms * pieces);
-  const Index bad = integrate_pieces(boundary, pieces, degree, moments);
-
   PieceMoments result;
   result.degree = degree;
+  Boundary boundary{device::to_device("integrate::triangle_begin", covers.triangle_begin),
+                    device::to_device("integrate::triangle_vertex", covers.triangle_vertex),
+                    local_vertices(covers),
+                    {}};
+  const auto moments = device::allocate<Real>("integrate::moments", terms * pieces);
+  Array<Real> amid;
+  if (degree > 2) {  // slopes of the functions below are constant
+    result.origin = element_origins(covers, device::to_host(boundary.eta));
+    boundary.origin =
+        device::to_device("integrate::piece_origin", of_pieces(covers, result.origin));
+    amid = device::allocate<Real>("integrate::amid", terms * pieces);
+  }
+  const Index bad = integrate_pieces(boundary, pieces, degree, moments, amid);
+
   result.local = device::to_host(moments);
+  if (degree > 2) result.amid = device::to_host(amid);
   const Real cell = cell_volume(covers.lattice);
   for (Real& m : result.local) m *= cell;
+  for (Real& m : result.amid) m *= cell;
   result.volume.resize(pieces);
   result.first.resize(pieces);
   for (std::size_t q = 0; q < result.volume.size(); ++q) {

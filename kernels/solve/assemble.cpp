@@ -1,5 +1,6 @@
 // Values of the operator: the constants of the lattice for stencil rows and whole cells, integrals for cut elements.
 #include "kernels/solve/assemble_kernel.hpp"
+#include "kernels/solve/shifted_function_kernel.hpp"
 
 namespace rockfold::solve {
 namespace {
@@ -28,9 +29,9 @@ std::vector<Real> whole_parts(const ElementTable& table) {
       "rockfold::solve::whole_parts", materials * count * parts.width,
       KOKKOS_LAMBDA(const Index i) {
         const int f = i % parts.width, part = i / parts.width % count;
-        const ElementRow row(parts, part, f, parts.whole(part));
+        const ElementRow row(parts, function_terms(parts, part, f), parts.whole(part));
         for (int g = 0; g < parts.width; ++g)
-          row.couple(parts, part, g, elastic(i / parts.width / count),
+          row.couple(parts, function_terms(parts, part, g), elastic(i / parts.width / count),
                      &result((i * width + g) * entry_size));
       });
   return device::to_host(result);
@@ -138,17 +139,36 @@ void assemble(const DeviceBlocks& block, const ElementTable& table, const Consta
     const Index e = parts.parts * table.regular + c;
     const int part = table.part(e);
     const Elastic m = table.elastic(table.material(e));
-    const ElementRow row(parts, part, a * n + sink.k, table.moments(e));
+    const ElementRow row(parts, function_terms(parts, part, a * n + sink.k), table.moments(e));
     for (int b = 0; b < parts.nodes; ++b) {
       const Index at = sink.find(table.cover(e, b));
       for (int l = 0; l < n; ++l) {
         Real entry[entry_size];
-        row.couple(parts, part, b * n + l, m, entry);
+        row.couple(parts, function_terms(parts, part, b * n + l), m, entry);
         sink.add(at, l, entry);
       }
     }
   };
-  fill_rows(block, parts.cell_nodes, parts.nodes, add_cell, add_cut);
+  const auto add_amid = KOKKOS_LAMBDA(const RowSink& sink, Index c, int a) {
+    const Index e = parts.parts * table.regular + c;
+    const int part = table.part(e);
+    const Elastic m = table.elastic(table.material(e));
+    const Real* origin = &table.origin(3 * static_cast<std::size_t>(c));
+    const ElementRow row(parts, ShiftedFunction(parts, part, a, sink.k, origin).terms(),
+                         &table.amid_moment(static_cast<std::size_t>(c) * parts.moments));
+    for (int b = 0; b < parts.nodes; ++b) {
+      const Index at = sink.find(table.cover(e, b));
+      for (int l = 0; l < n; ++l) {
+        Real entry[entry_size];
+        row.couple(parts, ShiftedFunction(parts, part, b, l, origin).terms(), m, entry);
+        sink.add(at, l, entry);
+      }
+    }
+  };
+  if (table.amid_moment.extent(0) > 0)
+    fill_rows(block, parts.cell_nodes, parts.nodes, add_cell, add_amid);
+  else
+    fill_rows(block, parts.cell_nodes, parts.nodes, add_cell, add_cut);
 }
 
 DeviceBlocks upload(const BlockRows& rows, int functions) {

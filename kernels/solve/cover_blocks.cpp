@@ -5,26 +5,6 @@ namespace {
 
 constexpr int most_entries = most_block_width * most_block_width;
 
-/// Pivots of a matrix of unit diagonal below this are rounding.
-constexpr Real least_pivot = 1e-10;
-
-/// Where the couplings of each cover with itself stand: its slot of block rows, or −1 − its run.
-Array<Index> places(const Operator& op) {
-  auto place = device::allocate<Index>("solve::cover_place", op.covers);
-  const DeviceStencil stencil = op.stencil;
-  const auto row = op.block.row;
-  device::for_each(
-      "rockfold::solve::place_blocks", op.block.slots(), KOKKOS_LAMBDA(const Index slot) {
-        if (row(slot) != none) place(row(slot)) = slot;
-      });
-  device::for_each(
-      "rockfold::solve::place_runs", stencil.runs(), KOKKOS_LAMBDA(const Index run) {
-        for (Index i = 0; i < stencil.length(run); ++i)
-          place(stencil.first(run) + stencil.stride * i) = -1 - run;
-      });
-  return place;
-}
-
 /// αK + βM of a cover with itself.
 KOKKOS_INLINE_FUNCTION void own_matrix(const DeviceBlocks& block, const DeviceStencil& stencil,
                                        Index place, const Combination& c, int n, Real* a) {
@@ -48,19 +28,6 @@ KOKKOS_INLINE_FUNCTION void own_matrix(const DeviceBlocks& block, const DeviceSt
     }
 }
 
-/// The row of `unknown` among those that points act on, or none.
-KOKKOS_INLINE_FUNCTION Index find_row(const Array<Index>& row, Index unknown) {
-  Index low = 0, high = static_cast<Index>(row.extent(0));
-  while (low < high) {
-    const Index middle = (low + high) / 2;
-    if (row(middle) < unknown)
-      low = middle + 1;
-    else
-      high = middle;
-  }
-  return low < static_cast<Index>(row.extent(0)) && row(low) == unknown ? low : none;
-}
-
 /// a += factor · Nᵀ k N of cover p with itself.
 KOKKOS_INLINE_FUNCTION void add_springs(const Springs& s, Real factor, Index p, Index covers, int n,
                                         Real* a) {
@@ -81,61 +48,44 @@ KOKKOS_INLINE_FUNCTION void add_springs(const Springs& s, Real factor, Index p, 
   }
 }
 
-/// a ← its inverse; a symmetric with unit (or zero) diagonal. Cholesky: a = L Lᵀ, then L⁻¹, then L⁻ᵀ L⁻¹.
-KOKKOS_INLINE_FUNCTION void invert_symmetric(int n, Real* a) {
-  for (int j = 0; j < n; ++j) {
-    Real pivot = a[j * n + j];
-    for (int k = 0; k < j; ++k) pivot -= a[j * n + k] * a[j * n + k];
-    const bool resists = pivot > least_pivot;
-    const Real root = resists ? device::math::sqrt(pivot) : 1;
-    a[j * n + j] = root;
-    for (int k = 0; !resists && k < j; ++k) a[j * n + k] = 0;  // left to itself
-    for (int i = j + 1; i < n; ++i) {
-      Real sum = a[i * n + j];
-      for (int k = 0; k < j; ++k) sum -= a[i * n + k] * a[j * n + k];
-      a[i * n + j] = resists ? sum / root : 0;
-    }
-  }
-  for (int j = 0; j < n; ++j) {
-    a[j * n + j] = 1 / a[j * n + j];
-    for (int i = j + 1; i < n; ++i) {
-      Real sum = 0;
-      for (int k = j; k < i; ++k) sum -= a[i * n + k] * a[k * n + j];
-      a[i * n + j] = sum / a[i * n + i];
-    }
-  }
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j <= i; ++j) {
-      Real sum = 0;
-      for (int k = i; k < n; ++k) sum += a[k * n + i] * a[k * n + j];
-      a[j * n + i] = sum;  // into the upper half: row i of L⁻¹ is needed no more
-    }
-}
-
 }  // namespace
 
-CoverBlocks make_cover_blocks(const Operator& op) {
+CoverBlocks make_cover_blocks(Index covers, int functions) {
   CoverBlocks blocks;
-  blocks.covers = op.covers;
-  blocks.functions = op.functions;
+  blocks.covers = covers;
+  blocks.functions = functions;
   blocks.inverse = device::allocate<Real>(
-      "solve::cover_blocks", static_cast<std::size_t>(op.covers) * blocks.width() * blocks.width());
-  blocks.scale = device::make_field("solve::cover_scale", op.unknowns);
+      "solve::cover_blocks", static_cast<std::size_t>(covers) * blocks.width() * blocks.width());
+  blocks.scale = device::make_field("solve::cover_scale", covers * functions);
   return blocks;
 }
 
-void set_values(const CoverBlocks& blocks, const Operator& op, const Springs& springs,
-                const Combination& c, Real spring_factor) {
-  const CoverBlocks to = blocks;
+Array<Index> cover_places(const Operator& op) {
+  auto place = device::allocate<Index>("solve::cover_place", op.covers);
   const DeviceStencil stencil = op.stencil;
-  const DeviceBlocks block = op.block;
-  const auto place = places(op);
+  const auto row = op.block.row;
   device::for_each(
-      "rockfold::solve::cover_blocks", op.covers, KOKKOS_LAMBDA(const Index p) {
+      "rockfold::solve::place_blocks", op.block.slots(), KOKKOS_LAMBDA(const Index slot) {
+        if (row(slot) != none) place(row(slot)) = slot;
+      });
+  device::for_each(
+      "rockfold::solve::place_runs", stencil.runs(), KOKKOS_LAMBDA(const Index run) {
+        for (Index i = 0; i < stencil.length(run); ++i)
+          place(stencil.first(run) + stencil.stride * i) = -1 - run;
+      });
+  return place;
+}
+
+void invert_cover_blocks(const CoverBlocks& blocks, const Springs& springs, Real spring_factor) {
+  const CoverBlocks to = blocks;
+  const Springs s = springs;
+  device::for_each(
+      "rockfold::solve::invert_cover_blocks", to.covers, KOKKOS_LAMBDA(const Index p) {
         Real a[most_entries];
         const int n = to.functions, width = to.width();
-        own_matrix(block, stencil, place(p), c, n, a);
-        if (springs.any()) add_springs(springs, spring_factor, p, to.covers, n, a);
+        Real* inverse = &to.inverse(static_cast<std::size_t>(p) * width * width);
+        for (int e = 0; e < width * width; ++e) a[e] = inverse[e];
+        if (s.any()) add_springs(s, spring_factor, p, to.covers, n, a);
         for (int i = 0; i < width; ++i) {
           const Real d = a[i * width + i];
           to.scale(i / 3 * to.covers + p, i % 3) = d > 0 ? 1 / device::math::sqrt(d) : 0;
@@ -145,11 +95,25 @@ void set_values(const CoverBlocks& blocks, const Operator& op, const Springs& sp
             a[i * width + j] *=
                 to.scale(i / 3 * to.covers + p, i % 3) * to.scale(j / 3 * to.covers + p, j % 3);
         invert_symmetric(width, a);
-        Real* inverse = &to.inverse(static_cast<std::size_t>(p) * width * width);
         for (int i = 0; i < width; ++i)
           for (int j = 0; j < width; ++j)
             inverse[i * width + j] = i <= j ? a[i * width + j] : a[j * width + i];
       });
+}
+
+void set_values(const CoverBlocks& blocks, const Operator& op, const Springs& springs,
+                const Combination& c, Real spring_factor) {
+  const CoverBlocks to = blocks;
+  const DeviceStencil stencil = op.stencil;
+  const DeviceBlocks block = op.block;
+  const auto place = cover_places(op);
+  device::for_each(
+      "rockfold::solve::cover_blocks", op.covers, KOKKOS_LAMBDA(const Index p) {
+        const int width = to.width();
+        own_matrix(block, stencil, place(p), c, to.functions,
+                   &to.inverse(static_cast<std::size_t>(p) * width * width));
+      });
+  invert_cover_blocks(blocks, springs, spring_factor);
 }
 
 }  // namespace rockfold::solve

@@ -17,14 +17,54 @@ struct CoverBlocks {
 
   KOKKOS_INLINE_FUNCTION int width() const { return 3 * functions; }
 };
-CoverBlocks make_cover_blocks(const Operator& op);
+CoverBlocks make_cover_blocks(Index covers, int functions);
 
 /// Of αK + βM + γ NᵀkN.
 void set_values(const CoverBlocks& blocks, const Operator& op, const Springs& springs,
                 const Combination& c, Real spring_factor);
 
+/// With the springs, from `blocks.inverse` as it holds the blocks themselves.
+void invert_cover_blocks(const CoverBlocks& blocks, const Springs& springs, Real spring_factor);
+
+/// Where the couplings of each cover with itself stand: its slot of block rows, or −1 − its run.
+Array<Index> cover_places(const Operator& op);
+
 /// The widest block: ten functions.
 inline constexpr int most_block_width = 30;
+
+/// Pivots of a matrix of unit diagonal below this are rounding.
+constexpr Real least_pivot = 1e-10;
+
+/// a ← its inverse; a symmetric with unit (or zero) diagonal. Cholesky: a = L Lᵀ, then L⁻¹, then L⁻ᵀ L⁻¹.
+KOKKOS_INLINE_FUNCTION void invert_symmetric(int n, Real* a) {
+  for (int j = 0; j < n; ++j) {
+    Real pivot = a[j * n + j];
+    for (int k = 0; k < j; ++k) pivot -= a[j * n + k] * a[j * n + k];
+    const bool resists = pivot > least_pivot;
+    const Real root = resists ? device::math::sqrt(pivot) : 1;
+    a[j * n + j] = root;
+    for (int k = 0; !resists && k < j; ++k) a[j * n + k] = 0;  // left to itself
+    for (int i = j + 1; i < n; ++i) {
+      Real sum = a[i * n + j];
+      for (int k = 0; k < j; ++k) sum -= a[i * n + k] * a[j * n + k];
+      a[i * n + j] = resists ? sum / root : 0;
+    }
+  }
+  for (int j = 0; j < n; ++j) {
+    a[j * n + j] = 1 / a[j * n + j];
+    for (int i = j + 1; i < n; ++i) {
+      Real sum = 0;
+      for (int k = j; k < i; ++k) sum -= a[i * n + k] * a[k * n + j];
+      a[i * n + j] = sum / a[i * n + i];
+    }
+  }
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j <= i; ++j) {
+      Real sum = 0;
+      for (int k = i; k < n; ++k) sum += a[k * n + i] * a[k * n + j];
+      a[j * n + i] = sum;  // into the upper half: row i of L⁻¹ is needed no more
+    }
+}
 
 /// z = B r for one cover; r and z by index 3k + d.
 KOKKOS_INLINE_FUNCTION void precondition_cover(const CoverBlocks& blocks, Index p, const Real* r,

@@ -27,35 +27,32 @@ struct ElementRow {
   Real slope[3][most_slope_terms];  ///< Σ_m (coefficients of ∂_i φ_f)_m · moment(m + n)
   Real value[most_terms];           ///< Σ_m (coefficients of φ_f)_m · moment(m + n)
 
-  KOKKOS_INLINE_FUNCTION ElementRow(const PartTable& table, int part, int f, const Real* moments) {
+  KOKKOS_INLINE_FUNCTION ElementRow(const PartTable& table, const FunctionTerms& f,
+                                    const Real* moments) {
     const int terms = table.terms, slope_terms = table.slope_terms;
     for (int n = 0; n < terms; ++n) {
       const Index* sum = &table.sum_index(n * terms);
-      const Real* phi = table.values(part, f);
       value[n] = 0;
-      for (int m = 0; m < terms; ++m) value[n] += phi[m] * moments[sum[m]];
+      for (int m = 0; m < terms; ++m) value[n] += f.value[m] * moments[sum[m]];
       if (n >= slope_terms) continue;
       for (int i = 0; i < 3; ++i) {
-        const Real* d = table.slopes(part, f, i);
         slope[i][n] = 0;
-        for (int m = 0; m < slope_terms; ++m) slope[i][n] += d[m] * moments[sum[m]];
+        for (int m = 0; m < slope_terms; ++m) slope[i][n] += f.slope[i][m] * moments[sum[m]];
       }
     }
   }
 
   /// entry[10] = K_fg, M_fg.
-  KOKKOS_INLINE_FUNCTION void couple(const PartTable& table, int part, int g, const Elastic& m,
-                                     Real* entry) const {
+  KOKKOS_INLINE_FUNCTION void couple(const PartTable& table, const FunctionTerms& g,
+                                     const Elastic& m, Real* entry) const {
     Real s[3][3];
-    for (int j = 0; j < 3; ++j) {
-      const Real* d = table.slopes(part, g, j);
-      for (int i = 0; i < 3; ++i) s[i][j] = dot_terms(slope[i], d, table.slope_terms);
-    }
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i) s[i][j] = dot_terms(slope[i], g.slope[j], table.slope_terms);
     const Real shear = m.mu * (s[0][0] + s[1][1] + s[2][2]);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
         entry[3 * i + j] = m.lambda * s[i][j] + m.mu * s[j][i] + (i == j ? shear : 0);
-    entry[9] = m.density * dot_terms(value, table.values(part, g), table.terms);
+    entry[9] = m.density * dot_terms(value, g.value, table.terms);
   }
 };
 

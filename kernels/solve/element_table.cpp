@@ -9,23 +9,26 @@ namespace {
 
 using device::to_device;
 
-/// [E][terms]: pieces summed, times the share of the split.
-std::vector<Real> sum_pieces(const CoverArrays& covers, const PieceMoments& moments, int degree,
-                             Real share) {
-  const std::size_t terms = integrate::count_to(degree),
-                    given = integrate::count_to(moments.degree);
-  if (covers.cut_count() > 0 &&
-      (given < terms || moments.local.size() != given * covers.piece_block.size()))
-    throw Error(ErrorKind::analysis, "moments of " + std::to_string(moments.volume.size()) +
-                                         " pieces up to degree " + std::to_string(moments.degree) +
-                                         " were given, expected " +
-                                         std::to_string(covers.piece_count()) +
-                                         " pieces up to degree " + std::to_string(degree));
+void require_degree(const CoverArrays& covers, const PieceMoments& moments, int degree) {
+  if (covers.cut_count() == 0) return;
+  if (moments.degree >= degree &&
+      moments.local.size() == integrate::count_to(moments.degree) * covers.piece_block.size())
+    return;
+  throw Error(ErrorKind::analysis, "moments of " + std::to_string(moments.volume.size()) +
+                                       " pieces up to degree " + std::to_string(moments.degree) +
+                                       " were given, expected " +
+                                       std::to_string(covers.piece_count()) +
+                                       " pieces up to degree " + std::to_string(degree));
+}
+
+/// [E][count_to(degree)]: `moment` of pieces, known up to degree `given`, summed, times the share of the split.
+std::vector<Real> sum_pieces(const CoverArrays& covers, const std::vector<Real>& moment, int given,
+                             int degree, Real share) {
+  const std::size_t terms = integrate::count_to(degree), stride = integrate::count_to(given);
   std::vector<Real> sums(terms * covers.element_cell.size(), 0.0);
   for (Index e = 0; e < covers.cut_count(); ++e)
     for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
-      for (std::size_t m = 0; m < terms; ++m)
-        sums[terms * e + m] += share * moments.local[given * q + m];
+      for (std::size_t m = 0; m < terms; ++m) sums[terms * e + m] += share * moment[stride * q + m];
   return sums;
 }
 
@@ -67,8 +70,19 @@ ElementTable make_element_table(const CoverArrays& covers, const PieceMoments& m
   }
   table.regular_form = to_device("solve::regular_form", form);
   table.element_part = to_device("solve::element_part", part);
-  table.cut_moment = to_device(
-      "solve::cut_moment", sum_pieces(covers, moments, functions.moment_degree(), functions.share));
+  const int degree = functions.moment_degree();
+  require_degree(covers, moments, degree);
+  table.cut_moment =
+      to_device("solve::cut_moment",
+                sum_pieces(covers, moments.local, moments.degree, degree, functions.share));
+  if (degree > 2 && !moments.amid.empty()) {
+    table.amid_moment =
+        to_device("solve::amid_moment",
+                  sum_pieces(covers, moments.amid, moments.degree, degree, functions.share));
+    std::vector<Real> origin;
+    for (const Vec3& eta : moments.origin) origin.insert(origin.end(), eta.begin(), eta.end());
+    table.origin = to_device("solve::element_origin", origin);
+  }
   table.elastic = to_device("solve::elastic", make_elastic(materials));
   return table;
 }

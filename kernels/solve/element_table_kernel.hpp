@@ -16,7 +16,9 @@ struct ElementTable {
   Array<Index> element_material;
   Array<std::uint8_t> element_part;  ///< [E] form · parts + part
   Array<Real> cut_moment;            ///< [E][moments], m³, times the share of the split
-  Array<Elastic> elastic;            ///< [materials]
+  Array<Real> amid_moment;  ///< [E][moments] likewise about `origin`; empty for linear functions
+  Array<Real> origin;       ///< [E][3] η amid the element
+  Array<Elastic> elastic;   ///< [materials]
 
   KOKKOS_INLINE_FUNCTION Index count() const { return parts.parts * regular + cut; }
   KOKKOS_INLINE_FUNCTION bool whole(Index e) const { return e < parts.parts * regular; }

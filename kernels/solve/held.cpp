@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernels/solve/held_kernel.hpp"
+#include "src/base/interrupt.hpp"
 
 namespace rockfold::solve {
 namespace {
@@ -43,27 +44,39 @@ void update_multipliers(HeldSystem& system) {
   scale_by_stiffness(springs, factor, 0.5, springs.multiplier);
 }
 
-/// With fewer covers multigrid does not pay even in a static analysis.
-constexpr Index least_for_multigrid = 2000;
+/// With fewer covers multigrid does not pay even in a static analysis: of one function, of several.
+constexpr Index least_for_multigrid = 2000, least_for_cover_grid = 100;
 /// Iterations of a dynamic step from which multigrid would be faster.
 constexpr Index many_iterations = 80;
 
 /// Whether the next solve is to use multigrid. A mass matrix needs none; nor do short time steps.
 bool wants_grid(const HeldSystem& system) {
-  if (system.grid.levels.empty() || system.grid_failed || system.combination.stiffness == 0)
+  if ((system.grid.levels.empty() && system.cover_grid.levels.empty()) || system.grid_failed ||
+      !(system.largest_diagonal > 0) || system.combination.stiffness == 0)
     return false;
   return system.preconditioner == Preconditioner::multigrid || system.combination.mass == 0 ||
          system.slow;
 }
 
-Preconditioning choose(HeldSystem& system) {
-  const CoverBlocks* covers = system.op.functions > 1 ? &system.cover_blocks : nullptr;
-  if (!wants_grid(system)) return {system.inverse, nullptr, covers};
-  if (!system.grid_current && system.largest_diagonal > 0)
-    set_values(system.grid, system.op, system.springs, system.combination, system.spring_factor,
-               system.inverse, system.largest_diagonal);
-  system.grid_current = system.largest_diagonal > 0;
-  return {system.inverse, system.grid_current ? &system.grid : nullptr, covers};
+Preconditioning choose(HeldSystem& system, const Apply& a) {
+  Preconditioning m;
+  m.inverse = system.inverse;
+  m.covers = system.op.functions > 1 ? &system.cover_blocks : nullptr;
+  m.spring_factor = system.spring_factor;
+  if (!wants_grid(system)) return m;
+  if (system.op.functions > 1) {
+    if (!system.grid_current)
+      set_values(system.cover_grid, a, system.work, system.op, system.cover_blocks, system.springs,
+                 system.combination, system.spring_factor);
+    m.cover_grid = &system.cover_grid;
+  } else {
+    if (!system.grid_current)
+      set_values(system.grid, system.op, system.springs, system.combination, system.spring_factor,
+                 system.inverse, system.largest_diagonal);
+    m.grid = &system.grid;
+  }
+  system.grid_current = true;
+  return m;
 }
 
 bool any_augmented(const Springs& springs) {
@@ -77,16 +90,20 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
   HeldSystem system;
   system.preconditioner = preconditioner;
   MergedPoints merged = merge_points(fixed);
-  if (covers.order == 0 &&
-      (preconditioner == Preconditioner::multigrid ||
-       (preconditioner == Preconditioner::automatic && op.covers >= least_for_multigrid)))
-    system.grid = make_multigrid(covers, merged.fixed.points);
+  const Index least = covers.order == 0 ? least_for_multigrid : least_for_cover_grid;
+  if (preconditioner == Preconditioner::multigrid ||
+      (preconditioner == Preconditioner::automatic && op.covers >= least)) {
+    if (covers.order == 0)
+      system.grid = make_multigrid(covers, merged.fixed.points);
+    else
+      system.cover_grid = make_cover_grid(covers, merged.fixed.points);
+  }
   system.springs = build_springs(merged.fixed, op.unknowns);
   system.shares = std::move(merged.shares);
   system.work = make_pcg_work(op.unknowns);
   system.inverse = Blocks("rockfold::solve::inverse_diagonal", op.unknowns);
   system.load = device::make_field("solve::load", op.unknowns);
-  if (op.functions > 1) system.cover_blocks = make_cover_blocks(op);
+  if (op.functions > 1) system.cover_blocks = make_cover_blocks(op.covers, op.functions);
   system.op = std::move(op);
   return system;
 }
@@ -98,7 +115,7 @@ void set_combination(HeldSystem& system, const Combination& c, Real spring_facto
     system.other.diagonal(system.inverse);
   else
     diagonal_blocks(system.op, c, system.inverse);
-  if (stiffen) stiffen_springs(system.springs, spring_factor, system.inverse);
+  if (stiffen) stiffen_springs(system.springs, spring_factor, system.op.covers, system.inverse);
   add_spring_diagonal(system.springs, spring_factor, system.inverse);
   const Blocks diagonal = system.inverse;
   system.largest_diagonal = device::largest(
@@ -126,29 +143,36 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
   };
   PcgOptions pcg = options.pcg;
   SolveReport report;
+  // Where forces cancel there may be less left than a share of it could be told from rounding.
+  const auto small_enough = [&](const PcgReport& done) {
+    return done.converged || done.residual <= pcg.tolerance;
+  };
   auto solve = [&](Real reduction) {
     Kokkos::deep_copy(system.load, b);
     add_spring_load(springs, factor, goal, system.load);
     pcg.reduction = reduction;
-    Preconditioning m = choose(system);
+    Preconditioning m = choose(system, a);
     PcgReport done = solve_pcg(system.work, a, m, system.load, x, pcg);
-    if (m.grid && std::isnan(done.residual)) {  // not positive in single precision: do without it
+    // Not positive in its precision, or covers too nearly dependent for it: do without.
+    if (m.any_grid() && !small_enough(done) && done.iterations < pcg.max_iterations &&
+        !interrupt_signal) {
       system.grid_failed = true;
       m.grid = nullptr;
-      Kokkos::deep_copy(x, 0.0);
+      m.cover_grid = nullptr;
+      if (std::isnan(done.residual)) Kokkos::deep_copy(x, 0.0);
+      report.iterations += done.iterations;
       done = solve_pcg(system.work, a, m, system.load, x, pcg);
     }
-    if (!m.grid && system.combination.stiffness != 0)
+    if (!m.any_grid() && system.combination.stiffness != 0)
       system.slow = system.slow || done.iterations > many_iterations;
-    report.preconditioner = m.grid ? Preconditioner::multigrid
+    report.preconditioner = m.any_grid() ? Preconditioner::multigrid
                             : system.preconditioner == Preconditioner::block_jacobi
                                 ? Preconditioner::block_jacobi
                                 : Preconditioner::node_block_jacobi;
     pcg.reference = done.reference;  // one measure for all solves
     report.iterations += done.iterations;
     report.residual = done.residual;
-    // Where forces cancel there may be less left than a share of it could be told from rounding.
-    report.converged = done.converged || done.residual <= pcg.tolerance;
+    report.converged = small_enough(done);
   };
   const bool augmented = any_augmented(springs);
   solve(augmented ? inner_reduction : 0);

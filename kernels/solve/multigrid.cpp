@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/solve/chebyshev.hpp"
 #include "kernels/solve/multigrid_kernel.hpp"
 
 namespace rockfold::solve {
@@ -33,28 +34,6 @@ void first_step(const GridLevel& level, Real share) {
         }
       });
 }
-
-/// Chebyshev's iteration on [share · largest, largest] (Saad, algorithm 12.1): step k is old · previous step + now · B r.
-class Chebyshev {
- public:
-  Chebyshev(Real largest, Real share)
-      : middle_(0.5 * (1 + share) * largest),
-        half_(0.5 * (1 - share) * largest),
-        rho_(half_ / middle_) {}
-  float first() const { return static_cast<float>(1 / middle_); }
-  void next() {
-    const Real rho = 1 / (2 * middle_ / half_ - rho_);
-    old_ = static_cast<float>(rho * rho_);
-    now_ = static_cast<float>(2 * rho / half_);
-    rho_ = rho;
-  }
-  float old_share() const { return old_; }
-  float new_share() const { return now_; }
-
- private:
-  Real middle_, half_, rho_;
-  float old_ = 0, now_ = 0;
-};
 
 void restrict_residual(const Interpolation& p, const SingleField& fine, const SingleField& coarse) {
   const auto begin = p.child_begin, child = p.child;
@@ -98,8 +77,8 @@ void solve_coarsest(const Multigrid& grid) {
   SingleField now = level.d, next = level.step;
   for (int k = 1; k < coarsest_degree; ++k) {
     polynomial.next();
-    smooth(level.a, level.inverse, polynomial.old_share(), polynomial.new_share(), now, level.r,
-           level.x, next);
+    smooth(level.a, level.inverse, static_cast<float>(polynomial.old_share()),
+           static_cast<float>(polynomial.new_share()), now, level.r, level.x, next);
     std::swap(now, next);
   }
 }
@@ -115,33 +94,16 @@ void cycle(const Multigrid& grid, std::size_t l) {
   Chebyshev polynomial(level.largest, smoothed_share);
   first_step(level, polynomial.first());
   polynomial.next();
-  const float old_share = polynomial.old_share(), new_share = polynomial.new_share();
+  const float old_share = static_cast<float>(polynomial.old_share()),
+              new_share = static_cast<float>(polynomial.new_share());
   smooth(level.a, level.inverse, old_share, new_share, level.d, level.r, level.x, level.step);
   subtract_product(level.a, level.step, level.r);
   restrict_residual(coarse.from, level.r, coarse.r);
   cycle(grid, l + 1);
   add_correction(coarse.from, coarse.x, level.d, level.x);
-  smooth(level.a, level.inverse, 0, polynomial.first(), level.d, level.r, level.x, level.step);
+  smooth(level.a, level.inverse, 0, static_cast<float>(polynomial.first()), level.d, level.r,
+         level.x, level.step);
   smooth(level.a, level.inverse, old_share, new_share, level.step, level.r, level.x, level.d);
-}
-
-/// The largest eigenvalue of a symmetric tridiagonal matrix, by bisection (Golub & Van Loan 8.4.1).
-Real largest_of_tridiagonal(const std::vector<Real>& diagonal, const std::vector<Real>& beside) {
-  Real low = 0, high = 0;
-  for (std::size_t i = 0; i < diagonal.size(); ++i)
-    high = std::max(
-        high, diagonal[i] + (i > 0 ? beside[i - 1] : 0) + (i < beside.size() ? beside[i] : 0));
-  for (int k = 0; k < 40; ++k) {
-    const Real middle = 0.5 * (low + high);
-    Real q = 1;
-    bool all_below = true;
-    for (std::size_t i = 0; i < diagonal.size() && all_below; ++i) {
-      q = diagonal[i] - middle - (i > 0 ? beside[i - 1] * beside[i - 1] / q : 0);
-      all_below = q < 0;
-    }
-    (all_below ? high : low) = middle;
-  }
-  return high;
 }
 
 /// Numbers without pattern in r.

@@ -127,10 +127,13 @@ PartFunctions part_functions(const LatticeFunctions& all, const CellSplit& split
   PartFunctions result;
   for (int a = 0; a < part.nodes; ++a) {
     result.node.push_back(part.node[a]);
+    result.place.push_back(place(split, part.node[a]));
+    const Polynomial n = weight(part, a);
+    result.weight.insert(result.weight.end(), n.term.begin(),
+                         n.term.begin() + count_to(all.weight_degree));
     for (const auto& function : series.function) {
       const Polynomial phi =
-          product(weight(part, a), about_node(function, series.degree, place(split, part.node[a])),
-                  all.degree);
+          product(n, about_node(function, series.degree, result.place.back()), all.degree);
       result.value.insert(result.value.end(), phi.term.begin(), phi.term.end());
       for (int d = 0; d < 3; ++d) {
         const auto terms = slope(phi, d, all.reciprocal, all.slope_terms());
@@ -201,7 +204,9 @@ LatticeFunctions lattice_functions(const Lattice& lattice, const CoverSeries& se
   all.nodes = split.nodes_per_part();
   all.cell_nodes = split.node_count();
   all.functions = series.functions();
-  all.degree = weight_degree(split.part.front()) + series.degree;
+  all.weight_degree = weight_degree(split.part.front());
+  all.series = series;
+  all.degree = all.weight_degree + series.degree;
   all.share = split.share;
   all.reciprocal = lattice.reciprocal();
   if (all.degree > solve::most_degree)
@@ -236,11 +241,13 @@ PartTable make_part_table(const LatticeFunctions& all) {
   table.terms = all.terms();
   table.slope_terms = all.slope_terms();
   table.moments = count_to(all.moment_degree());
+  table.weight_degree = all.weight_degree;
+  table.series_degree = all.series.degree;
   table.share = all.share;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) table.reciprocal[i][j] = all.reciprocal[i][j];
   std::vector<Index> node;
-  std::vector<Real> value, slope, moment;
+  std::vector<Real> value, slope, moment, place, weight, series;
   const auto append = [](auto& to, const auto& from) {
     to.insert(to.end(), from.begin(), from.end());
   };
@@ -249,7 +256,10 @@ PartTable make_part_table(const LatticeFunctions& all) {
     append(value, part.value);
     append(slope, part.slope);
     append(moment, part.moment);
+    append(weight, part.weight);
+    for (const Vec3& eta : part.place) append(place, eta);
   }
+  for (const auto& function : all.series.function) append(series, function);
   std::vector<std::array<int, 3>> power;
   for_each_monomial(all.degree, [&](int a, int b, int c) { power.push_back({a, b, c}); });
   std::vector<Index> sum_index;
@@ -261,6 +271,9 @@ PartTable make_part_table(const LatticeFunctions& all) {
   table.value = device::to_device("solve::part_value", value);
   table.slope = device::to_device("solve::part_slope", slope);
   table.moment = device::to_device("solve::part_moment", moment);
+  table.place = device::to_device("solve::part_place", place);
+  table.weight = device::to_device("solve::part_weight", weight);
+  table.series = device::to_device("solve::cover_series", series);
   return table;
 }
 

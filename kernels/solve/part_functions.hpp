@@ -28,9 +28,11 @@ CoverSeries cover_series(int order);
 
 /// One part of one form of the split.
 struct PartFunctions {
-  std::vector<int> node;    ///< [nodes] into the cell's nodes
-  std::vector<Real> value;  ///< [nodes][functions][terms] of φ_ak
-  std::vector<Real> slope;  ///< [nodes][functions][3][slope_terms] of ∂φ_ak/∂x_d, 1/m
+  std::vector<int> node;     ///< [nodes] into the cell's nodes
+  std::vector<Vec3> place;   ///< [nodes] η_a
+  std::vector<Real> weight;  ///< [nodes][count_to(weight_degree)] of N_a
+  std::vector<Real> value;   ///< [nodes][functions][terms] of φ_ak
+  std::vector<Real> slope;   ///< [nodes][functions][3][slope_terms] of ∂φ_ak/∂x_d, 1/m
   std::vector<Real>
       moment;  ///< [count_to(2·degree)] share · ∫ η^m dV over the whole part, m³; zero for a block
 };
@@ -41,8 +43,10 @@ struct LatticeFunctions {
   int parts = 0;  ///< of a form
   int nodes = 0;  ///< of a part
   int cell_nodes = 0;
-  int functions = 0;  ///< of a cover
-  int degree = 0;     ///< of φ_ak
+  int functions = 0;      ///< of a cover
+  int degree = 0;         ///< of φ_ak
+  int weight_degree = 0;  ///< of N_a
+  CoverSeries series;
   Real share = 1;     ///< see CellSplit
   Mat3 reciprocal{};  ///< gradients of η, 1/m
   std::vector<PartFunctions> part;

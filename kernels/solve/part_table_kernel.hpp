@@ -19,12 +19,16 @@ struct PartTable {
   int forms = 1, parts = 0, nodes = 0, cell_nodes = 0, functions = 0;
   int width = 0;  ///< nodes · functions
   int degree = 0, terms = 0, slope_terms = 0, moments = 0;
+  int weight_degree = 0, series_degree = 0;
   Real share = 1;
   Real reciprocal[3][3] = {};  ///< gradients of η, 1/m
   Array<Index> node;           ///< [forms·parts][nodes]
   Array<Real> value;           ///< [forms·parts][width][terms]
   Array<Real> slope;           ///< [forms·parts][width][3][slope_terms]
   Array<Real> moment;          ///< [forms·parts][moments]
+  Array<Real> place;           ///< [forms·parts][nodes][3]
+  Array<Real> weight;          ///< [forms·parts][nodes][count_to(weight_degree)]
+  Array<Real> series;          ///< [functions][count_to(series_degree)] about the node
   Array<Index> sum_index;      ///< [terms][terms] where the product of two monomials stands
 
   KOKKOS_INLINE_FUNCTION const Real* values(int part, int f) const {
@@ -38,6 +42,17 @@ struct PartTable {
   }
   KOKKOS_INLINE_FUNCTION int cell_node(int part, int a) const { return node(part * nodes + a); }
 };
+
+/// The coefficients of a function and of its slopes.
+struct FunctionTerms {
+  const Real* value;     ///< [terms]
+  const Real* slope[3];  ///< [slope_terms]
+};
+
+KOKKOS_INLINE_FUNCTION FunctionTerms function_terms(const PartTable& table, int part, int f) {
+  return {table.values(part, f),
+          {table.slopes(part, f, 0), table.slopes(part, f, 1), table.slopes(part, f, 2)}};
+}
 
 PartTable make_part_table(const LatticeFunctions& functions);
 

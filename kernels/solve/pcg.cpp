@@ -217,11 +217,37 @@ void turn_grid(const PcgWork& work, const Multigrid& grid, bool first) {
       });
 }
 
+/// turn_grid with the grid of covers with several functions.
+void turn_cover_grid(const PcgWork& work, const Apply& a, const Preconditioning& m, bool first) {
+  precondition(*m.cover_grid, a, m.spring_factor, work.r, work.z);
+  const PcgWork w = work;
+  device::sum_then<1>(
+      "rockfold::solve::pcg_cover_energy", rows(w), w.partial,
+      KOKKOS_LAMBDA(const Index i, Sums<1>& sum) { sum.value[0] += dot_row(w.r, w.z, i); },
+      KOKKOS_LAMBDA(const Sums<1>& sum) {
+        w.scalar(beta) = first ? 0 : sum.value[0] / w.scalar(residual_energy);
+        w.scalar(residual_energy) = sum.value[0];
+      });
+  if (first)
+    Kokkos::deep_copy(work.p, work.z);
+  else
+    turn_blocks(work);
+}
+
+void turn(const PcgWork& work, const Apply& a, const Preconditioning& m, bool first) {
+  if (m.grid)
+    turn_grid(work, *m.grid, first);
+  else if (m.cover_grid)
+    turn_cover_grid(work, a, m, first);
+  else if (!first)
+    turn_blocks(work);
+}
+
 /// r = b − A x, p = B r; returns ‖r‖.
 Real start(const PcgWork& work, const Apply& a, const Preconditioning& m, const Field& b,
            const Field& x) {
   a(x, work.q);
-  if (m.grid)
+  if (m.any_grid())
     start_grid(work, b);
   else if (m.covers)
     start_covers(work, *m.covers, b);
@@ -235,11 +261,11 @@ Real start(const PcgWork& work, const Apply& a, const Preconditioning& m, const 
 /// or b are not fit.
 Real iterate(const PcgWork& work, const Apply& a, const Preconditioning& m, const Field& x,
              Real target, Index max_iterations, Index& iterations) {
-  if (m.grid) turn_grid(work, *m.grid, true);
+  turn(work, a, m, true);
   while (iterations < max_iterations && !interrupt_signal) {
     a(work.p, work.q);
     find_step(work);
-    if (m.grid)
+    if (m.any_grid())
       take_step_grid(work, x);
     else if (m.covers)
       take_step_covers(work, *m.covers, x);
@@ -252,10 +278,7 @@ Real iterate(const PcgWork& work, const Apply& a, const Preconditioning& m, cons
     // A direction without energy: rounding where A is singular or nearly so (no step was taken), or A is not positive.
     if (!(work.host_scalar(direction_energy) > 0)) return residual;
     if (residual <= target) return residual;
-    if (m.grid)
-      turn_grid(work, *m.grid, false);
-    else
-      turn_blocks(work);
+    turn(work, a, m, false);
   }
   return std::numeric_limits<Real>::infinity();
 }

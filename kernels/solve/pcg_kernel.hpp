@@ -5,12 +5,9 @@
 // With multigrid: 48; 144; the cycle; r·z reads 36; p = z + βp reads 36 and writes 24.
 #pragma once
 
-#include <functional>
-
 #include "kernels/device/sums_kernel.hpp"
-#include "kernels/solve/cover_blocks_kernel.hpp"
+#include "kernels/solve/cover_grid_kernel.hpp"
 #include "kernels/solve/multigrid_kernel.hpp"
-#include "kernels/solve/operator_kernel.hpp"
 
 namespace rockfold::solve {
 
@@ -29,32 +26,20 @@ struct PcgReport {
   bool converged = false;  ///< the tolerance, or the reduction asked for, was reached
 };
 
-/// y = A x, A symmetric and positive semi-definite.
-using Apply = std::function<void(const Field& x, const Field& y)>;
-
 /// What approximates A⁻¹: multigrid where there is one, otherwise the inverted blocks of whole covers, otherwise the inverted 3×3
 /// blocks of the diagonal.
 struct Preconditioning {
   Blocks inverse;
   const Multigrid* grid = nullptr;
+  const CoverGrid* cover_grid = nullptr;
   const CoverBlocks* covers = nullptr;
-};
+  Real spring_factor = 1;  ///< of the cover grid
 
-/// The vectors that a solve needs; allocated once.
-struct PcgWork {
-  Field r, p, q;
-  Field z;              ///< empty until a solve without multigrid needs it
-  Array<Real> partial;  ///< sums of chunks
-  Array<Real> scalar;   ///< see pcg.cpp
-  decltype(Kokkos::create_mirror_view(Array<Real>())) host_scalar;
+  bool any_grid() const { return grid != nullptr || cover_grid != nullptr; }
 };
-PcgWork make_pcg_work(Index covers);
 
 /// Solves A x = b from the x given.
 PcgReport solve_pcg(PcgWork& work, const Apply& a, const Preconditioning& preconditioning,
                     const Field& b, const Field& x, const PcgOptions& options);
-
-/// Σ x·y, the same for any number of threads.
-Real dot(const PcgWork& work, const Field& x, const Field& y);
 
 }  // namespace rockfold::solve

@@ -41,6 +41,19 @@ struct PointRows {
 };
 PointRows make_point_rows(const MaterialPoints& points, Index unknowns);
 
+/// The row of `unknown` among those that points act on, or none.
+KOKKOS_INLINE_FUNCTION Index find_row(const Array<Index>& row, Index unknown) {
+  Index low = 0, high = static_cast<Index>(row.extent(0));
+  while (low < high) {
+    const Index middle = (low + high) / 2;
+    if (row(middle) < unknown)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low < static_cast<Index>(row.extent(0)) && row(low) == unknown ? low : none;
+}
+
 /// y += scale · Nᵀ value.
 void scatter(const PointRows& rows, Real scale, const Field& value, const Field& y);
 

@@ -3,6 +3,10 @@
 namespace rockfold::solve {
 namespace {
 
+/// Stiffness of augmented points, in diagonals of what they hold. That of points which one cover moves alone stands in the
+/// blocks of the preconditioner, so that it may be high, and the multipliers have little to do.
+constexpr Real stiffness_alone = 1e4, stiffness_shared = 10;
+
 Index points_of(const Springs& springs) {
   return springs.points.count;
 }
@@ -69,7 +73,7 @@ void add_spring_diagonal(const Springs& springs, Real factor, const Blocks& bloc
       });
 }
 
-void stiffen_springs(const Springs& springs, Real factor, const Blocks& block) {
+void stiffen_springs(const Springs& springs, Real factor, Index covers, const Blocks& block) {
   if (!springs.any()) return;
   const Springs s = springs;
   // A cover shares its diagonal (mean of x, y, z) among its points by their squared weights.
@@ -91,8 +95,13 @@ void stiffen_springs(const Springs& springs, Real factor, const Blocks& block) {
   device::for_each(
       "rockfold::solve::stiffen", points_of(springs), KOKKOS_LAMBDA(const Index n) {
         Real wanted = 0;
-        for (Index i = s.points.begin(n); i < s.points.begin(n + 1); ++i)
-          wanted += 10 / factor * s.share(i);
+        bool of_one_cover = true;
+        for (Index i = s.points.begin(n); i < s.points.begin(n + 1); ++i) {
+          wanted += s.share(i);
+          of_one_cover = of_one_cover && s.points.unknown(i) % covers ==
+                                             s.points.unknown(s.points.begin(n)) % covers;
+        }
+        wanted *= (of_one_cover ? stiffness_alone : stiffness_shared) / factor;
         for (int d = 0; d < 3; ++d) {
           const Real given = s.given_stiffness(n, d);
           s.stiffness(n, d) = s.augmented(n, d) > 0 && wanted > given ? wanted : given;

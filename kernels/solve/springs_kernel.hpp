@@ -34,10 +34,10 @@ void add_spring_load(const Springs& springs, Real factor, const Field& goal, con
 /// The diagonal blocks of factor · Nᵀ k N, added to d.
 void add_spring_diagonal(const Springs& springs, Real factor, const Blocks& d);
 
-/// Raises the stiffness of augmented points to ten times the diagonal that the point has to hold: d are the diagonal
-/// blocks of the operator without springs. Below that (short time steps: heavy; stiff rock) the multipliers would
+/// Raises the stiffness of augmented points to ten times the diagonal that the point has to hold, or ten thousand times where one
+/// cover moves it alone: d are the diagonal blocks of the operator without springs, `covers` their number. Below that (short time steps: heavy; stiff rock) the multipliers would
 /// converge slowly. What they converge to does not depend on it.
-void stiffen_springs(const Springs& springs, Real factor, const Blocks& d);
+void stiffen_springs(const Springs& springs, Real factor, Index covers, const Blocks& d);
 
 /// change(n, d) = √(factor · k) (N x − goal) at augmented points, 0 elsewhere: the next change of the multipliers in the scale
 /// in which their iteration is symmetric. Returns the largest |N x − goal|, m.

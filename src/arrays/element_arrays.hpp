@@ -24,6 +24,10 @@ struct PieceMoments {
   int degree = 0;            ///< of `local`
   /// [Q][(degree+1)(degree+2)(degree+3)/6] ∫ η^m dV, m³; η in units of the cell's edges, monomials as monomial_index has them
   std::vector<Real> local;
+  /// The same integrals about a point amid the cut element that the piece belongs to, for degrees above 2: of a sliver in a
+  /// corner of its cell, where functions and their slopes nearly vanish, they lose no digits.
+  std::vector<Real> amid;    ///< [Q][…]
+  std::vector<Vec3> origin;  ///< [E cut] η of that point
 };
 
 /// What speeds conjugate gradients up. `automatic` chooses by size: see docs/user_guide.md, [solver].

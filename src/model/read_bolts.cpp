@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "src/base/vector.hpp"
 #include "src/model/draft.hpp"
 #include "src/model/read_value.hpp"
@@ -66,6 +68,22 @@ BoltType read_type(TableReader& in, const Draft& draft) {
   if (in.read_reference("type", draft.bolt_types, type) && type != none)
     return draft.model.bolt_types[type];
   return {};
+}
+
+/// Whether a bolt is shorter than its anchor, beyond rounding.
+bool too_short(Real length, const BoltType& type) {
+  return length > 0 && type.anchor_length && *type.anchor_length > (1 + 1e-9) * length;
+}
+
+/// The anchor is a part of the bolt.
+void check_anchor(TableReader& in, const BoltType& type, Real length) {
+  if (!too_short(length, type)) return;
+  const std::string sizes = fmt::format("the anchor of {:g} m is longer than the bolt of {:g} m",
+                                        *type.anchor_length, length);
+  if (in.has("anchor_length"))
+    in.wrong("anchor_length", sizes + ", must be at most the bolt's length");
+  else
+    in.wrong(in.has("toe") ? "toe" : "length", sizes + ": see anchor_length of the bolt type");
 }
 
 void read_bolt_direction(TableReader& in, Vec3& target) {
@@ -170,6 +188,16 @@ void check_masses(TableReader& in, const Draft& draft, const std::vector<Index>&
              "or to none of them");
 }
 
+/// Each type needs a length that holds its anchor; shorter ones are not tried with it.
+void check_anchors(TableReader& in, const Draft& draft, const PatternSearch& search) {
+  for (const Index t : search.types) {
+    const BoltType& type = draft.model.bolt_types[t];
+    if (!search.lengths.empty() && too_short(search.lengths.back(), type))
+      in.wrong("length", fmt::format("no bolt is as long as the anchor of {} ({:g} m)", type.name,
+                                     *type.anchor_length));
+  }
+}
+
 }  // namespace
 
 void read_bolt_types(Draft& draft) {
@@ -204,6 +232,7 @@ void read_bolts(Draft& draft) {
       in.read("length", bolt.length, bolt_length());
     }
     bolt.type = read_type(in, draft);
+    check_anchor(in, bolt.type, bolt.length);
     draft.model.bolts.push_back(std::move(bolt));
   });
 }
@@ -217,6 +246,7 @@ void read_bolt_patterns(Draft& draft) {
     read_pair(in, "spacing", pattern.spacing, length(), Need::required);
     in.read("length", pattern.length, bolt_length());
     pattern.type = read_type(in, draft);
+    check_anchor(in, pattern.type, pattern.length);
     draft.model.bolt_patterns.push_back(std::move(pattern));
   });
 }
@@ -249,6 +279,7 @@ void read_pattern_search(Draft& draft) {
     search.lengths = read_lengths(in, "length", bolt_length());
     search.types = read_searched_types(in, draft);
     check_masses(in, draft, search.types);
+    check_anchors(in, draft, search);
     const auto hold = in.choose("hold", {{"all", "first_batch"}, {}}, Need::optional);
     if (hold) search.hold = static_cast<HoldTarget>(*hold);
     in.read("smallest_block", search.smallest_block, not_negative("m3"), Need::optional);

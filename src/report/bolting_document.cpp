@@ -1,6 +1,7 @@
 // Bolts, patterns and the search for one, as JSON.
 #include "src/report/design_names.hpp"
 #include "src/report/document_parts.hpp"
+#include "src/report/names.hpp"
 
 namespace rockfold {
 
@@ -85,6 +86,7 @@ void add_block_support(Json& keyblock, const BoltingReport& bolting, const Block
   if (support.shotcrete.edge > 0)
     keyblock["shotcrete"] = {{"edge", support.shotcrete.edge}, {"force", support.shotcrete.force}};
   keyblock["supported_factor_of_safety"] = support.held.factor_of_safety;
+  keyblock["supported_mode"] = mode_name(support.mode);
   keyblock["adequate"] = support.held.adequate;
   keyblock["missing_force"] = support.held.missing_force;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "host/bolting/bolting.hpp"
 
@@ -44,5 +45,12 @@ constexpr std::array<const char*, 6> rmr_parameters{
 constexpr std::array<const char*, 5> rmr_classes{"I", "II", "III", "IV", "V"};
 constexpr std::array<const char*, 5> rmr_rock{"very good rock", "good rock", "fair rock",
                                               "poor rock", "very poor rock"};
+
+/// "12", of a group "12+15".
+inline std::string block_ids(const std::vector<Index>& members) {
+  std::string text;
+  for (const Index block : members) text += (text.empty() ? "" : "+") + std::to_string(block + 1);
+  return text;
+}
 
 }  // namespace rockfold

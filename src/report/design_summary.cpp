@@ -29,7 +29,7 @@ std::vector<std::string> support_row(const BlockSupport& support) {
     bolts += c.capacity > 0;
   }
   return {
-      std::to_string(support.block + 1),
+      block_ids(support.members),
       std::to_string(support.crossings.size()),
       std::to_string(bolts),
       fmt::format("{:.1f}", capacity / 1e3),

@@ -10,6 +10,7 @@
 #include "src/base/vector.hpp"
 #include "src/io/stress_measures.hpp"
 #include "src/model/check_model.hpp"
+#include "src/report/design_names.hpp"
 #include "src/report/document_parts.hpp"
 #include "src/report/names.hpp"
 #include "src/report/progress_line.hpp"
@@ -73,16 +74,8 @@ std::string joined_names(const std::vector<std::string>& names) {
   return text.empty() ? "-" : text;
 }
 
-/// "12", of a group "12+15".
-std::string block_ids(const Keyblock& key) {
-  std::string text;
-  for (const Index block : key.members)
-    text += (text.empty() ? "" : "+") + std::to_string(block + 1);
-  return text;
-}
-
 std::vector<std::string> keyblock_row(const Keyblock& key) {
-  return {block_ids(key),
+  return {block_ids(key.members),
           std::to_string(key.batch),
           fmt::format("{:.2f}", key.volume),
           fmt::format("{:.1f}", key.weight / 1e3),
@@ -90,8 +83,9 @@ std::vector<std::string> keyblock_row(const Keyblock& key) {
           joined_names(key.planes),
           std::isfinite(key.factor_of_safety) ? fmt::format("{:.2f}", key.factor_of_safety) : "-",
           fmt::format("{:.1f}", key.sliding_force / 1e3),
-          fmt::format("{:.1f}", key.support_force / 1e3),
-          fmt::format("{:.2f}", key.support_pressure / 1e3)};
+          std::isfinite(key.support_force) ? fmt::format("{:.1f}", key.support_force / 1e3) : "-",
+          std::isfinite(key.support_pressure) ? fmt::format("{:.2f}", key.support_pressure / 1e3)
+                                              : "-"};
 }
 
 const std::vector<Column> keyblock_columns{{"block", "", false},     {"batch", "", false},
@@ -185,13 +179,22 @@ std::string support_summary(const KeyblockReport& report, const BlockArrays& blo
   std::stable_sort(keys.begin(), keys.end(),
                    [](const auto& a, const auto& b) { return a.support_force > b.support_force; });
   Real force = 0, volume = 0;
-  for (const auto& key : keys) force += key.support_force, volume += key.volume;
+  std::size_t unheld = 0;  // along a given direction no force may suffice
+  for (const auto& key : keys) {
+    volume += key.volume;
+    if (std::isfinite(key.support_force))
+      force += key.support_force;
+    else
+      ++unheld;
+  }
 
   std::string text = fact(
       "key blocks", fmt::format("{} of {}, {:.4g} m3", keys.size(), blocks.block_count(), volume));
   text +=
       fact("batches", fmt::format("{} ({})", report.batches.size(), batches_text(report.batches)));
-  text += fact("support force", fmt::format("{:.4g} kN in all", force / 1e3));
+  const std::string beside =
+      unheld > 0 ? fmt::format("; no force along support_direction holds {} of them", unheld) : "";
+  text += fact("support force", fmt::format("{:.4g} kN in all{}", force / 1e3, beside));
   text += doubtful_summary(report);
   std::vector<std::vector<std::string>> rows;
   for (std::size_t k = 0; k < std::min(most, keys.size()); ++k)

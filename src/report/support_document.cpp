@@ -55,7 +55,7 @@ Json keyblock_json(const Keyblock& key, const BlockArrays& blocks) {
       {"resisting_force", key.resisting_force},
       {"normal_forces", key.normal_forces},
       {"removable", {{"edges", key.removable.edges}, {"solid_angle", key.removable.solid_angle}}}};
-  if (key.rotation) json["rotation"] = rotation_json(*key.rotation);
+  if (key.mode == SlidingMode::rotation) json["rotation"] = rotation_json(key.rotations[0]);
   return json;
 }
 

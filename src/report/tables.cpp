@@ -64,7 +64,7 @@ std::string keyblocks_table(const KeyblockReport& keyblocks, const SupportDesign
       "block,batch,volume m3,weight N,mode,planes,direction x,direction y,direction z,"
       "sliding force N,factor of safety,free area m2,support force N,support pressure Pa,"
       "support x,support y,support z,bolts,bolt capacity N,supported factor of safety,adequate,"
-      "missing force N,utilisation %,displacement utilisation %\n";
+      "missing force N,utilisation %,displacement utilisation %,supported mode,blocks\n";
   const auto add = [&](const Keyblock& key, const BlockSupport* support) {
     Row row;
     row << key.block + 1 << key.batch << key.volume << key.weight << mode_name(key.mode)
@@ -75,10 +75,14 @@ std::string keyblocks_table(const KeyblockReport& keyblocks, const SupportDesign
       for (const BoltCrossing& c : support->crossings) capacity += c.capacity;
       row << static_cast<Index>(support->crossings.size()) << capacity
           << support->held.factor_of_safety << support->held.adequate << support->held.missing_force
-          << 100 * support->force_mobilisation << 100 * support->displacement_mobilisation;
+          << 100 * support->force_mobilisation << 100 * support->displacement_mobilisation
+          << mode_name(support->mode);
     } else {
-      row.empty(7);
+      row.empty(8);
     }
+    std::vector<std::string> members;
+    for (const Index block : key.members) members.push_back(std::to_string(block + 1));
+    row << joined(members);
     text += row.line();
   };
   const auto& bolting = design.bolting;

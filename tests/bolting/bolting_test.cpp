@@ -72,6 +72,7 @@ TEST(Bolting, OfAFallingRoofWedgeByOneSpotBolt) {
   EXPECT_EQ(report.adequate, 1);
 }
 
+// The one that ends in the block holds nothing: it is no less at its end than one that holds too little.
 TEST(Bolting, CountsNoBoltThatEndsInTheBlockOrStartsBeyondIt) {
   const CutRock rock =
       cut_rock(roof_wedge + "[[bolt]]\ncollar = [0.1, 0, 0]\ntoe = [0.1, 0, 0.5]\n" +
@@ -80,7 +81,31 @@ TEST(Bolting, CountsNoBoltThatEndsInTheBlockOrStartsBeyondIt) {
   ASSERT_EQ(report.keyblocks[0].crossings.size(), 1u);
   EXPECT_EQ(report.keyblocks[0].crossings[0].capacity, 0);
   EXPECT_FALSE(report.keyblocks[0].held.adequate);
-  EXPECT_EQ(report.keyblocks[0].force_mobilisation, 0);
+  EXPECT_EQ(report.keyblocks[0].force_mobilisation, 1);
+  EXPECT_TRUE(std::isinf(report.keyblocks[0].displacement_mobilisation));
+  EXPECT_EQ(report.keyblocks[0].crossings[0].force_mobilisation, 1);
+  EXPECT_TRUE(std::isinf(report.keyblocks[0].crossings[0].displacement_mobilisation));
+  EXPECT_EQ(report.keyblocks[0].crossings[0].load, 0);
+}
+
+// The last 2 m before the toe: of 6.4 m from z = 0 up through a wedge of 0.49 m, with an adit from z = 4 to 6 above it.
+TEST(Bolting, HoldsByThePartOfItsAnchorThatLiesInRock) {
+  const std::string adit =
+      "[[excavation]]\nname = 'adit'\nshape = 'box'\nmin = [-1, -9, 4]\nmax = [1, 9, 5.5]\n";
+  const auto capacity = [&](const std::string& length, const std::string& more = "") {
+    const CutRock rock =
+        cut_rock(roof_wedge + more +
+                 "[[bolt]]\ncollar = [0.2, 0.1, 0]\ndirection = [0, 0, 1]\nlength = " + length +
+                 "\ncoupling = 'DMFC'\nanchor_length = 2\nforce_capacity = 1e6\n"
+                 "bond_strength = 50e3\ndisplacement_capacity = 0.02\n");
+    return supported(rock).keyblocks.at(0).crossings.at(0).axial_capacity;
+  };
+  EXPECT_NEAR(capacity("3.4"), 100e3, 1e-3);             // all of it in rock
+  EXPECT_NEAR(capacity("3.4", adit), 100e3, 1e-3);       // before the adit
+  EXPECT_NEAR(capacity("5", adit), 50e3, 1e-3);          // 1 m before it, 1 m in the air
+  EXPECT_NEAR(capacity("5.8", adit), 0.5 * 50e3, 1e-3);  // 0.2 m before it and 0.3 m behind
+  EXPECT_NEAR(capacity("2.2"), 50e3 * (2.2 - wedge_height(0.2, 0.1)), 1e-3);  // partly in the block
+  EXPECT_NEAR(capacity("7.8"), 100e3, 1e-3);  // beyond the model, where the rock goes on
 }
 
 TEST(Bolting, AnchorsInTheRockBeyondTheModelWhereItGoesOn) {
@@ -259,7 +284,7 @@ TEST(RockLines, CrossConvexBlocksWhereTheirPlanesSay) {
     text += std::string("[[joint_set]]\n") + set + "\nspacing = 1.3\norigin = [0.1, 0.2, 0.3]\n";
   const CutRock rock = cut_rock(text);
   ASSERT_GT(rock.blocks.block_count(), 1000);
-  const RockLines lines(rock.blocks);
+  const RockLines lines(rock.blocks, {0, 0, -1});
   std::mt19937 random(5);
   std::uniform_real_distribution<Real> any(-1, 1);
   for (int i = 0; i < 300; ++i) {
@@ -283,7 +308,8 @@ TEST(RockLines, CrossConvexBlocksWhereTheirPlanesSay) {
 
 TEST(RockLines, AlongAnEdgeOfTheBlocksStillCrossThem) {
   const CutRock rock = cut_rock(roof_wedge);
-  const auto segments = RockLines(rock.blocks).along({0, 0, 0}, {0, 0, 1}, 3);  // through the apex
+  const auto segments =
+      RockLines(rock.blocks, {0, 0, -1}).along({0, 0, 0}, {0, 0, 1}, 3);  // through the apex
   Real length = 0;
   for (const RockSegment& segment : segments) length += segment.to - segment.from;
   EXPECT_NEAR(length, 3, 1e-4);

@@ -56,6 +56,7 @@ TEST(HeldBlock, OfABoltAlongAnAngleReachesTheTargetWithHoeksForce) {
   }
 }
 
+// REFERENCES G-1.
 TEST(HeldBlock, OfTwoHundredKilonewtonBoltsNeedsTwoForBalanceAndThreeForTheTarget) {
   const SlidingBlock block;
   for (const auto& [target, count] : {std::pair{1.0, 2u}, {1.5, 3u}}) {
@@ -66,6 +67,7 @@ TEST(HeldBlock, OfTwoHundredKilonewtonBoltsNeedsTwoForBalanceAndThreeForTheTarge
   }
 }
 
+// REFERENCES G-1: the optimum.
 TEST(HeldBlock, MissesWhatTheLeastSupportForceIs) {
   const SlidingBlock block;
   const SupportForce least = least_support(block.planes, block.movement, 1.5);
@@ -151,12 +153,14 @@ TEST(BoltCapacity, IsTheLeastOfSteelPlateAndBond) {
 TEST(BoltCapacity, OfADiscreteBoltIsThatOfItsPlateAndOfItsAnchorBeyondTheBlock) {
   BoltType type = bolt_of(200, 180, 100);
   type.coupling = Coupling::dmfc;
-  type.anchor_length = 1.5;
-  EXPECT_EQ(axial_capacity(type, {6, 2, 4, true}), 150);
-  EXPECT_EQ(axial_capacity(type, {6, 5, 1, true}), 100);
-  EXPECT_EQ(axial_capacity(type, {6, 2, 4, false}), 0);
-  type.anchor_length = 3;
-  EXPECT_EQ(axial_capacity(type, {6, 2, 4, true}), 180);
+  EXPECT_EQ(axial_capacity(type, {6, 2, 4, true, 1.5}), 150);
+  EXPECT_EQ(axial_capacity(type, {6, 5, 1, true, 1}), 100);
+  EXPECT_EQ(axial_capacity(type, {6, 2, 4, false, 1.5}), 0);
+  EXPECT_EQ(axial_capacity(type, {6, 2, 4, true, 3}), 180);
+  EXPECT_EQ(axial_capacity(type, {6, 2, 2, true, 0}), 0);  // the anchor is in air
+  type.bond_strength.reset();
+  EXPECT_EQ(axial_capacity(type, {6, 2, 2, true, 0}), 0);
+  EXPECT_EQ(axial_capacity(type, {6, 2, 2, true, 1e-3}), 180);
 }
 
 TEST(BoltForce, IsTheMostWorkOnTheEllipseOfTensionAndShear) {

@@ -6,6 +6,7 @@
 namespace rockfold {
 namespace {
 
+// REFERENCES G-5.
 TEST(Q, OfPublishedCases) {
   const struct {
     QParameters p;
@@ -17,6 +18,7 @@ TEST(Q, OfPublishedCases) {
   for (const auto& [p, q] : cases) EXPECT_NEAR(q_value(p), q, 1e-5 * q) << q;
 }
 
+// REFERENCES G-5.
 TEST(Q, OfACrusherChamberGivesSpanBoltsAndPressure) {
   const QParameters p{90, 4, 3, 1, 1, 15};
   EXPECT_NEAR(unsupported_span(4.5, 1.6), 5.8403, 1e-4);
@@ -29,6 +31,7 @@ TEST(Q, OfACrusherChamberGivesSpanBoltsAndPressure) {
   EXPECT_STREQ(q_class(1066), "exceptionally_good");
 }
 
+// REFERENCES G-7.
 TEST(Rmr, RatingsAreThoseOfTheTables) {
   const auto expect_rows = [](Real (*rating)(Real),
                               std::initializer_list<std::pair<Real, Real>> rows) {
@@ -36,9 +39,13 @@ TEST(Rmr, RatingsAreThoseOfTheTables) {
   };
   expect_rows(strength_rating,
               {{260e6, 15}, {150e6, 12}, {70e6, 7}, {30e6, 4}, {10e6, 2}, {2e6, 1}, {0.5e6, 0}});
+  expect_rows(strength_rating, {{250e6, 12}, {251e6, 15}, {100e6, 12}, {50e6, 7}, {25e6, 4}});
   expect_rows(point_load_rating, {{11e6, 15}, {8e6, 12}, {3e6, 7}, {1.5e6, 4}});
+  expect_rows(point_load_rating, {{10e6, 12}, {10.1e6, 15}, {4e6, 12}, {2e6, 7}, {1e6, 4}});
   expect_rows(rqd_rating, {{95, 20}, {90, 20}, {80, 17}, {70, 13}, {30, 8}, {20, 3}});
   expect_rows(spacing_rating, {{3, 20}, {1, 15}, {0.3, 10}, {0.1, 8}, {0.05, 5}});
+  expect_rows(spacing_rating,
+              {{2, 15}, {2.01, 20}, {0.6, 15}, {6 * 0.1, 15}, {3 * 0.2 - 1e-16, 15}});
   const Real conditions[] = {30, 25, 20, 10, 0}, waters[] = {15, 10, 7, 4, 0};
   const Real tunnels[] = {0, -2, -5, -10, -12}, foundations[] = {0, -2, -7, -15, -25},
              slopes[] = {0, -5, -25, -50, -60};
@@ -51,6 +58,7 @@ TEST(Rmr, RatingsAreThoseOfTheTables) {
   }
 }
 
+// REFERENCES G-7.
 TEST(Rmr, ClassesStandAsLongAsPublished) {
   const std::pair<Real, int> rows[] = {{81, 1}, {80, 2}, {61, 2}, {60, 3}, {41, 3},
                                        {40, 4}, {21, 4}, {20, 5}, {0, 5}};
@@ -62,6 +70,30 @@ TEST(Rmr, ClassesStandAsLongAsPublished) {
   EXPECT_EQ(rmr_support(3).bolt_spacing, (std::array<Real, 2>{1.5, 2}));
   EXPECT_EQ(rmr_support(4).rib_spacing, 1.5);
   EXPECT_EQ(rmr_support(5).shotcrete_face, 0.05);
+}
+
+// REFERENCES G-7: bolt length, spacing, shotcrete in the crown, on walls, at the face (m), and spacing of ribs.
+TEST(Rmr, SupportIsThatOfTheTable) {
+  using Pair = std::array<Real, 2>;
+  const struct {
+    Pair length, spacing, crown, walls;
+    Real face, ribs;
+  } rows[] = {{{0, 0}, {0, 0}, {0, 0}, {0, 0}, 0, 0},
+              {{3, 3}, {2.5, 2.5}, {0.05, 0.05}, {0, 0}, 0, 0},
+              {{4, 4}, {1.5, 2}, {0.05, 0.1}, {0.03, 0.03}, 0, 0},
+              {{4, 5}, {1, 1.5}, {0.1, 0.15}, {0.1, 0.1}, 0, 1.5},
+              {{5, 6}, {1, 1.5}, {0.15, 0.2}, {0.15, 0.15}, 0.05, 0.75}};
+  for (int number = 1; number <= 5; ++number) {
+    SCOPED_TRACE(number);
+    const RmrSupport support = rmr_support(number);
+    const auto& row = rows[number - 1];
+    EXPECT_EQ(support.bolt_length, row.length);
+    EXPECT_EQ(support.bolt_spacing, row.spacing);
+    EXPECT_EQ(support.shotcrete_crown, row.crown);
+    EXPECT_EQ(support.shotcrete_walls, row.walls);
+    EXPECT_EQ(support.shotcrete_face, row.face);
+    EXPECT_EQ(support.rib_spacing, row.ribs);
+  }
 }
 
 TEST(Rmr, OrientationOfJointsForATunnel) {

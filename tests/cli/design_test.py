@@ -1,10 +1,16 @@
 """Support design from the command line: the JSON, the drawings and the tables of the bolted tunnel."""
 import csv
+import math
 import re
 import unittest
 import xml.etree.ElementTree as xml
 
 from program import ProgramTest
+
+try:
+    import h5py
+except ImportError:
+    h5py = None
 
 SVG = "{http://www.w3.org/2000/svg}"
 FILES = ["stereonet.svg", "pyramids.svg", "layout.svg", "keyblocks.csv", "crossings.csv"]
@@ -40,6 +46,10 @@ class BoltedTunnel(ProgramTest):
                 self.assertLessEqual(crossing["axial_capacity"], 150e3)
         self.assertGreater(crossed, 10)
         self.assertEqual(document["classification"]["q"]["proposed"], ["rqd", "jn"])
+        demand = document["classification"]["block_theory"]  # what Q and RMR are compared with
+        self.assertEqual(demand["keyblocks"], len(document["keyblocks"]))
+        self.assertAlmostEqual(demand["largest_pressure"], max(key["support_pressure"] for key in document["keyblocks"]))
+        self.assertAlmostEqual(demand["support_force"], sum(key["support_force"] for key in document["keyblocks"]), delta=1e-3)
         best = document["pattern_search"]["best"]
         self.assertEqual(best["held"], document["pattern_search"]["key_blocks"])
         self.assertEqual(document["pattern_search"]["tried"][-1], best)
@@ -68,6 +78,39 @@ class BoltedTunnel(ProgramTest):
         with open(self.path("crossings.csv"), encoding="utf-8", newline="") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), sum(len(key["bolts"]) for key in document["keyblocks"] + document["stable"]))
+
+    @unittest.skipIf(h5py is None, "h5py is not installed")
+    def test_stores_the_fields_that_colour_the_blocks(self):
+        document = self.json_of("support", "bolted_tunnel.toml")
+        classes = ["infinite", "tapered", "stable", "key", "excavated"]
+        modes = ["none", "lifting", "single_plane", "two_planes", "rotation"]
+        moving = {}
+        for key in document["keyblocks"] + document["stable"]:
+            moving.update({block: key for block in key["blocks"]})
+        self.assertTrue(any(key["factor_of_safety"] for key in document["keyblocks"]))
+        with h5py.File(self.folder / "bolted_tunnel.vtkhdf", "r") as file:
+            fields = file["rockfold/block_theory"]
+            cells = file["VTKHDF/Blocks/CellData"]
+            of_cell = cells["block"][:] - 1
+            for block in document["blocks"]:
+                at = block["id"] - 1
+                key = moving.get(block["id"])
+                self.assertEqual(classes[fields["class"][at]], block["class"])
+                self.assertEqual(fields["batch"][at], block["batch"])
+                self.assertEqual(modes[fields["mode"][at]], key["mode"] if key else "none")
+                for name in ("factor_of_safety", "supported_factor_of_safety"):
+                    expected = key[name] if key and key[name] is not None else None
+                    found = fields[name][at]
+                    if expected is None:
+                        self.assertFalse(math.isfinite(found), (name, block))
+                    else:
+                        self.assertAlmostEqual(found, expected, delta=1e-12)
+            # What ParaView colours, face by face, is the same.
+            for name in ("class", "batch", "mode"):
+                self.assertEqual(list(cells[name][:]), list(fields[name][:][of_cell]), name)
+            drawn, stored = cells["factor_of_safety"][:], fields["factor_of_safety"][:][of_cell]
+            for a, b in zip(drawn, stored):
+                self.assertTrue(math.isnan(a) and math.isnan(b) or abs(a - b) <= 1e-6 * abs(b), (a, b))
 
     def test_is_the_same_on_any_number_of_threads(self):
         found = []

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "kernels/finite/strained_body.hpp"
+#include "kernels/integrate/moments.hpp"
 #include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
 #include "tests/reference/box_covers.hpp"
+#include "tests/reference/slivers.hpp"
 
 namespace rockfold {
 namespace {
@@ -171,6 +173,31 @@ TEST(FiniteStrain, ForcesAreTheDerivativeOfTheEnergy) {
     };
     EXPECT_NEAR((at(step) - at(-step)) / (2 * step) / rate, 1, 1e-6);
   }
+}
+
+TEST(FiniteStrain, OfASliverIsThatOfItsStiffnessWhereSmall) {
+  for (const LatticeKind kind : {LatticeKind::tet6, LatticeKind::hex8})
+    for (const int order : {0, 1, 2}) {
+      const Real size = 1e-3, strain = 1e-9;
+      const CoverArrays a = reference::corner_of_a_cell(kind, order, size);
+      const CoverSystem system(a, piece_moments(a), stone, {});
+      const auto scale = reference::stiffness_scale(system, a.unknown_count());
+      // Each function by itself strains the rock as much as the others.
+      const Real energy = stone[0].young_modulus * strain * strain * std::pow(size, 3);
+      auto d = random_field(a, 5, 1);
+      for (std::size_t i = 0; i < d.size(); ++i)
+        for (int c = 0; c < 3; ++c) d[i][c] *= scale[i][c] * std::sqrt(energy);
+      StrainedBody b(a, stone);
+      b.deform(d);
+      const auto found = b.forces(), expected = system.apply({1, 0, 0}, d);
+      Real largest = 0, error = 0;
+      for (std::size_t i = 0; i < d.size(); ++i)
+        for (int c = 0; c < 3; ++c) {
+          largest = std::max(largest, std::abs(scale[i][c] * expected[i][c]));
+          error = std::max(error, std::abs(scale[i][c] * (found[i][c] - expected[i][c])));
+        }
+      EXPECT_LE(error, 1e-6 * largest) << static_cast<int>(kind) << ", order " << order;
+    }
 }
 
 TEST(FiniteStrain, MiddleRuleDoesTheWorkThatTheEnergyGains) {

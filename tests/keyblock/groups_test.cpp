@@ -90,6 +90,47 @@ TEST(Groups, DoNotDependOnIds) {
   }
 }
 
+/// Slabs of 0.7 × 1 × `height` on each other on a plane of dip 25 towards +x; `ids`: from the bed upwards.
+BlockArrays stack(const std::vector<int>& ids, Real height) {
+  test::BlockArraysBuilder builder;
+  const Index bed = builder.joint("bed"), cross = builder.joint("cross"),
+              free = builder.solid_face("free");
+  const Real c = std::cos(radians(25)), s = std::sin(radians(25));
+  const Vec3 x{c, 0, -s}, z{s, 0, c}, y{0, 1, 0};
+  const auto top = static_cast<int>(ids.size()) - 1;
+  for (const int layer : ids)
+    builder.block(
+        test::convex_block({{x, 0.7 * x, free},
+                            {-x, {}, free},
+                            {y, y, free},
+                            {-y, {}, free},
+                            {-z, (layer * height) * z, layer == 0 ? bed : cross},
+                            {z, ((layer + 1) * height) * z, layer == top ? free : cross}}));
+  builder.rock();
+  return builder.blocks;
+}
+
+// One slab stands (b/h/tan ψ = 1.25), two on each other topple as a column of both heights does: 0.63.
+TEST(Groups, ThatToppleAsOneAreFound) {
+  for (const auto& ids : {std::vector<int>{0, 1}, std::vector<int>{1, 0}}) {
+    const auto report = find_keyblocks(stack(ids, 1.2), model_with_joints(80));
+    ASSERT_EQ(report.keyblocks.size(), 1u);
+    const Keyblock& key = report.keyblocks[0];
+    EXPECT_EQ(key.members, (std::vector<Index>{0, 1}));
+    EXPECT_EQ(key.mode, SlidingMode::rotation);
+    EXPECT_EQ(key.planes, std::vector<std::string>{"bed"});
+    EXPECT_NEAR(key.factor_of_safety, 0.7 / (2.4 * std::tan(radians(25))), 1e-9);
+    EXPECT_NEAR(key.rotations[0].driving, key.weight * std::sin(radians(25)) * 1.2, 1e-6);
+  }
+  EXPECT_TRUE(find_keyblocks(stack({0, 1}, 0.7), model_with_joints(80)).keyblocks.empty());
+}
+
+// Four: the upper two topple first (as of b/h = 0.7/1.2), then the others.
+TEST(Groups, ThatToppleGoByTheSmallestFirst) {
+  const auto report = find_keyblocks(stack({0, 1, 2, 3}, 1.2), model_with_joints(80));
+  EXPECT_EQ(report.batch, (std::vector<Index>{2, 2, 1, 1, 0}));
+}
+
 TEST(Stages, AreExcavatedInTheirOrder) {
   // The toe is excavated at stage 2: what it held slides then, one after the other.
   auto blocks = row_with_a_rough_toe({0, 1, 2});

@@ -2,12 +2,13 @@
 #include "host/keyblock/in_situ.hpp"
 
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
 #include "host/keyblock/keyblock.hpp"
 #include "src/base/vector.hpp"
-#include "tests/keyblock/half_space_block.hpp"
+#include "tests/keyblock/turned_model.hpp"
 
 namespace rockfold {
 namespace {
@@ -73,7 +74,9 @@ TEST(InSituStress, WithFrictionUpToTheHalfAngleOfTheWedgeHoldsNothing) {
 }
 
 TEST(InSituStress, HoldsTheWedgeFromTheCriticalFrictionAngleOn) {
-  const std::pair<Real, Real> critical[] = {{1, 35.8603}, {0.1, 59.0726}, {10, 34.3738}};
+  // The last one stands for rigid shear stiffness, ks/kn → ∞.
+  const std::pair<Real, Real> critical[] = {
+      {1, 35.8603}, {0.1, 59.0726}, {10, 34.3738}, {1e9, 34.2153}};
   for (const auto& [ratio, angle] : critical) {
     const auto held = [&, k = ratio](Real phi) {
       return find_keyblocks(roof_wedge(), stressed_model(phi, k)).keyblocks.empty();
@@ -120,6 +123,82 @@ TEST(InSituStress, OnSideJointsThatDoNotOpenAddsTheirFriction) {
   const Movement clamped = with_in_situ_stress(planes, *bare, r);
   EXPECT_NEAR(clamped.resisting - bare->resisting, 2 * 30 * tangent, 1e-9);
   EXPECT_NEAR(clamped.normal_force[0], bare->normal_force[0], 1e-9);
+}
+
+// A slab slides on its base away from a joint with cohesion at its back (a = s·x, t its complement). With
+// d₀ = N₀/(k_n A a) the resistance from before it opens is min(k_s A t d₀, c A) t, and what it pushes along s is gone.
+TEST(InSituStress, OnAJointWithCohesionHoldsUpToWhereItOpensHoweverTheModelLies) {
+  const Real tangent = std::tan(radians(20)), dip = radians(35), area = 2.5;
+  const Vec3 down{0, 0, -100};
+  ContactPlane base{.normal = -upward(35, 90), .area = 4, .friction = tangent};
+  ContactPlane back{.normal = {-1, 0, 0},
+                    .area = area,
+                    .friction = tangent,
+                    .cohesion = 60,
+                    .clamping = 30,
+                    .normal_stiffness = 1e9 * area,
+                    .shear_stiffness = 5e8 * area};
+  const Real a = std::cos(dip), t = std::sin(dip);
+  const Real opens = 30 / (1e9 * area * a);
+  const Real held = 5e8 * area * t * opens;  // below its cohesion: stiffness decides
+  ASSERT_LT(held, 60);
+  const Real expected = 100 * std::cos(dip) * tangent + held * t;
+  std::mt19937_64 random(5);
+  std::normal_distribution<Real> normal;
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 axis = normalized({normal(random), normal(random), normal(random)});
+    const Real angle = i == 0 ? 0 : 3 * normal(random);
+    std::vector<ContactPlane> planes{base, back};
+    for (ContactPlane& p : planes) p.normal = test::rotated(p.normal, axis, angle);
+    const Vec3 r = test::rotated(down, axis, angle);
+    const Movement clamped = with_in_situ_stress(planes, *find_movement(planes, r), r);
+    EXPECT_NEAR(clamped.resisting, expected, 1e-10 * expected) << i;
+  }
+}
+
+// Symmetric joints that open together, as far as the last digit goes: each cohesion counts.
+TEST(InSituStress, OnJointsThatOpenAtOnceHoldsByAllOfThem) {
+  Model model = stressed_model(20, 1);
+  model.joint_materials[0].cohesion = 1e9;
+  const BlockArrays rock = roof_wedge();
+  const auto all_of = [&](const BlockArrays& blocks, const Model& loads) {
+    const auto report = find_keyblocks(blocks, loads);
+    return (report.keyblocks.empty() ? report.stable : report.keyblocks).at(0);
+  };
+  // N = 0 where they open: all of the way's shear holds, 3 k_s A cos²α d₀ with d₀ = N₀/(k_n A sin α).
+  const Real a = radians(30), clamped = 0.0375e6 * joint_area;
+  const Real expected = 3 * clamped * std::cos(a) * std::cos(a) / std::sin(a);
+  EXPECT_NEAR(all_of(rock, model).resisting_force, expected, 1e-9 * expected);
+  for (int k = 1; k < 40; ++k) {
+    BlockArrays turned = rock;
+    Model loads = model;
+    test::turn(turned, loads, normalized({0.3, -0.5, 0.1 * k}), 0.37 * k);
+    EXPECT_NEAR(all_of(turned, loads).resisting_force, expected, 1e-9 * expected) << k;
+  }
+}
+
+// A stress along the side joints presses on them by no more than rounding: nothing of their cohesion holds.
+TEST(InSituStress, AlongAJointHoldsNothing) {
+  Model model = stressed_model(20, 1);
+  model.joint_materials[0].cohesion = 1e6;
+  test::BlockArraysBuilder builder;
+  const Index free = builder.solid_face("rock.zmin");
+  builder.block(test::convex_block({{{0, 0, -1}, {0, 0, 0}, free},
+                                    {{1, 0, 0}, {1, 0, 0}, builder.joint("J1")},
+                                    {{-1, 0, 0}, {-1, 0, 0}, builder.joint("J2")},
+                                    {{0, 1, 0}, {0, 1, 0}, builder.joint("J3")},
+                                    {{0, -1, 0}, {0, -1, 0}, builder.joint("J4")},
+                                    {{0, 0, 1}, {0, 0, 2}, builder.joint("top")}}));
+  builder.rock();
+  model.initial_stress.at = {0, 0, -1e6, 0, 0, 0};
+  for (int k = 0; k < 40; ++k) {
+    BlockArrays turned = builder.blocks;
+    Model loads = model;
+    test::turn(turned, loads, normalized({0.3, -0.5, 0.1 * k}), 0.37 * k);
+    const auto report = find_keyblocks(turned, loads);
+    ASSERT_EQ(report.keyblocks.size(), 1u) << k;
+    EXPECT_NEAR(report.keyblocks[0].sliding_force, report.keyblocks[0].weight, 1e-3) << k;
+  }
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "src/base/vector.hpp"
 #include "tests/keyblock/half_space_block.hpp"
+#include "tests/keyblock/turned_model.hpp"
 
 namespace rockfold {
 namespace {
@@ -103,7 +104,7 @@ TEST(Keyblocks, OfARoofFallAndNothingResists) {
   EXPECT_NEAR(key.support_pressure, 1.5 * 2000 * 9.81 / 3, 1e-9);  // F γ H / 3
 }
 
-// Thesis Table 5-1 in newtons, gravity along the first axis, no strength. Volumes
+// REFERENCES E10: thesis Table 5-1 in newtons, gravity along the first axis, no strength. Volumes
 // to 5e-4 m³.
 struct Row {
   int row;
@@ -299,29 +300,6 @@ TEST(Batches, APartlyFreedFaceHoldsByWhatIsLeft) {
   EXPECT_NEAR(report.keyblocks[1].free_area, 3, 1e-12);
 }
 
-/// The whole model turned about the origin: geometry and every load.
-void turn(BlockArrays& blocks, Model& model, const Vec3& axis, Real angle) {
-  const auto turned = [&](const Vec3& x) { return test::rotated(x, axis, angle); };
-  for (auto* vectors : {&blocks.face_normal, &blocks.vertex, &blocks.centroid})
-    for (Vec3& x : *vectors) x = turned(x);
-  model.gravity = turned(model.gravity);
-  model.support->seismic_coefficient = turned(model.support->seismic_coefficient);
-  for (PointLoad& load : model.point_loads) {
-    load.point = turned(load.point);
-    load.force = turned(load.force);
-  }
-  for (Water& water : model.waters)
-    if (auto* table = std::get_if<WaterTable>(&water.level))
-      *table = {turned(table->point), turned(table->normal)};
-  // Q σ Qᵀ of xx yy zz xy yz zx.
-  auto& [xx, yy, zz, xy, yz, zx] = model.initial_stress.at;
-  Mat3 half{{turned({xx, xy, zx}), turned({xy, yy, yz}), turned({zx, yz, zz})}};  // (Q σ)ᵀ
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < i; ++k) std::swap(half[i][k], half[k][i]);
-  const Vec3 x = turned(half[0]), y = turned(half[1]), z = turned(half[2]);
-  model.initial_stress.at = {x[0], y[1], z[2], x[1], y[2], z[0]};
-}
-
 /// A model in which every load acts.
 Model loaded_model(Real friction_angle) {
   Model model = model_with_joints(friction_angle, 2000);
@@ -356,7 +334,7 @@ TEST(Keyblocks, OfATurnedModelAreTheSame) {
       const Keyblock before = find_keyblocks(blocks, model).keyblocks.at(0);
       const Vec3 axis = normalized({normal(random), normal(random), normal(random)});
       const Real angle = 180 * normal(random);
-      turn(blocks, model, axis, angle);
+      test::turn(blocks, model, axis, angle);
       const Keyblock after = find_keyblocks(blocks, model).keyblocks.at(0);
       modes.insert(before.mode);
       EXPECT_EQ(after.mode, before.mode);

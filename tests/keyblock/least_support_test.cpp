@@ -136,5 +136,47 @@ TEST(LeastSupport, OfWedgesIsNoMoreThanAnyOtherDirectionNeedsAndSuffices) {
   EXPECT_GT(opened, 3);  // wedges whose least support just keeps a contact closed were among them
 }
 
+// The shortest vector of a polyhedron against many directions.
+TEST(LeastSupport, OfManyMotionsIsTheLeastThatBringsEachOfThemToTheTarget) {
+  std::mt19937_64 random(11);
+  std::normal_distribution<Real> normal;
+  int tight = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<SupportCondition> conditions;
+    for (int i = 0; i < 8; ++i)
+      conditions.push_back({{normal(random), normal(random), 0.3 + std::abs(normal(random))},
+                            normal(random) + 0.5});  // along z all can be met
+    const SupportForce least = least_support(conditions);
+    ASSERT_TRUE(std::isfinite(least.force));
+    const Vec3 p = least.force * least.direction;
+    int met_exactly = 0;
+    for (const SupportCondition& c : conditions) {
+      EXPECT_GE(dot(c.gain, p) - c.deficit, -1e-8) << trial;
+      met_exactly += std::abs(dot(c.gain, p) - c.deficit) < 1e-8;
+    }
+    tight += met_exactly > 1;
+    EXPECT_NEAR(support_force_along(conditions, least.direction), least.force, 1e-8);
+    for (int i = 0; i < 300; ++i) {
+      const Real far = i < 100 ? 1 : 0.05;
+      const Vec3 d =
+          normalized(least.direction + far * Vec3{normal(random), normal(random), normal(random)});
+      EXPECT_GE(support_force_along(conditions, d), least.force - 1e-8) << trial;
+    }
+    // One more motion never asks for less.
+    const Real all = least.force;
+    conditions.pop_back();
+    EXPECT_LE(least_support(conditions).force, all + 1e-9);
+  }
+  EXPECT_GT(tight, 20);
+}
+
+TEST(LeastSupport, OfMotionsThatNoForceCanHoldTogetherIsInfinite) {
+  const std::vector<SupportCondition> opposite{{{0, 0, 1}, 1}, {{0, 0, -1}, 1}};
+  EXPECT_TRUE(std::isinf(least_support(opposite).force));
+  EXPECT_TRUE(std::isinf(support_force_along(opposite, {0, 0, 1})));
+  const std::vector<SupportCondition> no_arm{{{0, 0, 0}, 1}};
+  EXPECT_TRUE(std::isinf(least_support(no_arm).force));
+}
+
 }  // namespace
 }  // namespace rockfold

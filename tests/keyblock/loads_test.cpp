@@ -117,8 +117,8 @@ TEST(PointLoads, ActOnTheBlockThatHoldsThem) {
   model.support->rotation = true;  // its arm about the toe is 4 m, the weight's 1 m
   const auto turning = find_keyblocks(leaning_box(), model);
   EXPECT_EQ(turning.keyblocks.at(0).mode, SlidingMode::rotation);
-  EXPECT_NEAR(turning.keyblocks[0].rotation->driving, 4e6, 1e-3);
-  EXPECT_NEAR(turning.keyblocks[0].rotation->resisting, turning.keyblocks[0].weight, 1e-3);
+  EXPECT_NEAR(turning.keyblocks[0].rotations[0].driving, 4e6, 1e-3);
+  EXPECT_NEAR(turning.keyblocks[0].rotations[0].resisting, turning.keyblocks[0].weight, 1e-3);
 }
 
 TEST(PointLoads, OutsideTheRockAreRefused) {

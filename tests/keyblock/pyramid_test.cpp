@@ -56,7 +56,7 @@ Vec3 random_direction(std::mt19937_64& random) {
   return normalized({normal(random), normal(random), normal(random)});
 }
 
-// Joints in general position (Goodman & Shi): n² − n + 2 joint pyramids are not empty.
+// REFERENCES E1: joints in general position (Goodman & Shi): n² − n + 2 joint pyramids are not empty.
 class JointSets : public testing::TestWithParam<std::array<std::size_t, 4>> {};
 
 TEST_P(JointSets, InGeneralPositionGiveTheCountsOfBlockTheory) {
@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Joints, JointSets,
                                          std::array<std::size_t, 4>{5, 22, 6, 20},
                                          std::array<std::size_t, 4>{6, 32, 10, 30}));
 
-// Three sets 60/030, 60/150, 60/270; 0 = above. The excavation pyramid's normals
+// REFERENCES E2: three sets 60/030, 60/150, 60/270; 0 = above. The excavation pyramid's normals
 // point out of the rock.
 const std::vector<Vec3> three_sets{upward(60, 30), upward(60, 150), upward(60, 270)};
 using Codes = std::vector<std::string>;
@@ -104,6 +104,14 @@ TEST(RemovableJointPyramids, OfATunnelAreThoseThatDoNotHoldItsAxis) {
     if (holds_axis(joint_pyramid(three_sets, code), axis)) held.push_back(code);
   std::sort(held.begin(), held.end());
   EXPECT_EQ(held, (Codes{"011", "100"}));
+  // An axis along a joint is on the boundary of the cones beside it: none holds it inside.
+  for (const std::string& code : all_codes(3)) {
+    const auto cone = joint_pyramid(three_sets, code);
+    for (const Vec3& along : {Vec3{0, 1, 0}, Vec3{0, -1, 0}})
+      EXPECT_FALSE(std::all_of(cone.begin(), cone.end(), [&](const Vec3& n) {
+        return dot(n, along) < -1e-12;
+      })) << code;
+  }
 }
 
 TEST(JointPyramid, OfACodeTakesTheSideItNames) {

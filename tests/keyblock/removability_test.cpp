@@ -12,10 +12,12 @@
 #include "host/keyblock/single_block.hpp"
 #include "src/base/vector.hpp"
 #include "tests/keyblock/half_space_block.hpp"
+#include "tests/keyblock/linear_program.hpp"
 
 namespace rockfold {
 namespace {
 
+using test::linear_program;
 using test::Side;
 using Int3 = std::array<std::int64_t, 3>;
 
@@ -45,46 +47,6 @@ bool is_empty_cone(const std::vector<Int3>& normals) {
       if (!combines(axis)) return false;
     }
   return true;
-}
-
-/// max c·x, A x ≤ b, x ≥ 0 with b ≥ 0: the simplex method with Bland's rule on a dense tableau.
-Real linear_program(std::vector<std::vector<Real>> rows, std::vector<Real> cost) {
-  const std::size_t m = rows.size(), n = cost.size();
-  constexpr Real zero = 1e-9;
-  for (std::size_t i = 0; i < m; ++i) {  // slacks before the right-hand side
-    const Real b = rows[i].back();
-    rows[i].back() = 0;
-    rows[i].resize(n + m + 1, 0);
-    rows[i][n + i] = 1;
-    rows[i].back() = b;
-  }
-  cost.resize(n + m + 1, 0);  // the last entry is −value
-  while (true) {
-    std::size_t column = 0;
-    while (column < n + m && cost[column] <= zero) ++column;
-    if (column == n + m) return -cost.back();
-    std::size_t pivot = m;
-    Real best = 0;
-    for (std::size_t i = 0; i < m; ++i) {
-      if (rows[i][column] <= zero) continue;
-      const Real ratio = rows[i].back() / rows[i][column];
-      if (pivot == m || ratio < best - 1e-12) {
-        pivot = i;
-        best = ratio;
-      }
-    }
-    if (pivot == m) return INFINITY;
-    const Real p = rows[pivot][column];
-    for (Real& v : rows[pivot]) v /= p;
-    const auto eliminate = [&](std::vector<Real>& row) {
-      const Real factor = row[column];
-      if (factor == 0) return;
-      for (std::size_t j = 0; j < row.size(); ++j) row[j] -= factor * rows[pivot][j];
-    };
-    for (std::size_t i = 0; i < m; ++i)
-      if (i != pivot) eliminate(rows[i]);
-    eliminate(cost);
-  }
 }
 
 /// Whether some u ≠ 0 has n·u ≤ 0 for all n: the largest ±u_d in the unit cube, u = p − q.

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "host/keyblock/bodies.hpp"
 #include "host/keyblock/keyblock.hpp"
+#include "host/keyblock/least_support.hpp"
 #include "src/base/vector.hpp"
 #include "tests/keyblock/half_space_block.hpp"
 
@@ -48,11 +50,11 @@ TEST(Rotation, OfAColumnOnASlopeIsTopplingByTheClosedForm) {
       EXPECT_EQ(key.mode, SlidingMode::rotation);
       EXPECT_LT(safety, sliding);
       EXPECT_NEAR(key.factor_of_safety, safety, 1e-9);
-      ASSERT_TRUE(key.rotation);
-      EXPECT_EQ(key.rotation->about, Rotation::About::edge);
-      EXPECT_NEAR(key.rotation->driving, key.weight * std::sin(radians(dip)) * h / 2, 1e-6);
-      EXPECT_NEAR(key.rotation->resisting, key.weight * std::cos(radians(dip)) * b / 2, 1e-6);
-      EXPECT_NEAR(std::abs(key.rotation->axis[1]), 1, 1e-12);
+      ASSERT_FALSE(key.rotations.empty());
+      EXPECT_EQ(key.rotations[0].about, Rotation::About::edge);
+      EXPECT_NEAR(key.rotations[0].driving, key.weight * std::sin(radians(dip)) * h / 2, 1e-6);
+      EXPECT_NEAR(key.rotations[0].resisting, key.weight * std::cos(radians(dip)) * b / 2, 1e-6);
+      EXPECT_NEAR(std::abs(key.rotations[0].axis[1]), 1, 1e-12);
       EXPECT_EQ(key.planes, std::vector<std::string>{"base"});
     }
 }
@@ -61,7 +63,8 @@ TEST(Rotation, GovernsOnlyWhereItIsLessSafeThanSliding) {
   const auto blocks = column_on_a_slope(40, 1, 1);  // b/h / tan ψ = 1.19
   const auto slides = find_keyblocks(blocks, model_with_joints(39)).keyblocks.at(0);
   EXPECT_EQ(slides.mode, SlidingMode::single_plane);
-  EXPECT_FALSE(slides.rotation);
+  ASSERT_FALSE(slides.rotations.empty());
+  EXPECT_GT(slides.rotations[0].factor_of_safety(), slides.factor_of_safety);
   const auto slender = column_on_a_slope(40, 1, 2);
   const auto turns = find_keyblocks(slender, model_with_joints(39)).keyblocks.at(0);
   EXPECT_EQ(turns.mode, SlidingMode::rotation);  // slides too, but less so
@@ -78,13 +81,46 @@ TEST(Rotation, CanBeSwitchedOff) {
 TEST(Rotation, SupportBringsItToTheTarget) {
   const auto key =
       find_keyblocks(column_on_a_slope(25, 0.7, 5), model_with_joints(80)).keyblocks.at(0);
-  const Rotation& rotation = *key.rotation;
+  const Rotation& rotation = key.rotations[0];
   // About the axis, at any point q that the reported direction is tangential to: the lever arm is
   // what the force's definition says: F (M_d − P a) = M_r.
   const Real arm = (1.5 * rotation.driving - rotation.resisting) / (1.5 * key.support_force);
   EXPECT_GT(arm, 0.5 * 5);  // the free faces' centre is higher than the block's
   EXPECT_LT(arm, 5);
   EXPECT_LT(dot(key.support_direction, key.direction), 0);
+}
+
+// Columns that would slide and turn: the support that is told holds both, and is never less than for sliding alone.
+TEST(Rotation, SupportHoldsSlidingTooAndEachOfTheTurns) {
+  int both = 0;
+  for (const Real dip : {20.0, 30.0, 40.0})
+    for (const Real width : {0.5, 1.0, 1.6, 2.5})
+      for (const Real phi : {12.0, 25.0, 35.0}) {
+        SCOPED_TRACE(testing::Message() << dip << " " << width << " " << phi);
+        const BlockArrays blocks = column_on_a_slope(dip, width, 3);
+        Model model = model_with_joints(phi);
+        const auto found = [&] {
+          const auto report = find_keyblocks(blocks, model);
+          return (report.keyblocks.empty() ? report.stable : report.keyblocks).at(0);
+        };
+        const Keyblock key = found();
+        const Vec3 p = key.support_force * key.support_direction;
+        const auto bodies = Bodies(blocks, model);
+        const std::vector<Index> batch(static_cast<std::size_t>(blocks.block_count()), 0);
+        const Vec3 at = bodies.free_centre(bodies.body({key.block}, batch));
+        auto conditions = support_conditions(key.contact, *key.movement, 1.5);
+        bool slides = conditions[0].deficit > 0, turns = false;
+        for (const Rotation& rotation : key.rotations) {
+          conditions.push_back(support_condition(rotation, at, 1.5));
+          turns |= conditions.back().deficit > 0;
+        }
+        for (const SupportCondition& c : conditions)
+          EXPECT_GE(dot(c.gain, p) - c.deficit, -1e-6 * std::abs(c.deficit));
+        both += slides && turns;
+        model.support->rotation = false;
+        EXPECT_GE(key.support_force, found().support_force * (1 - 1e-12));
+      }
+  EXPECT_GT(both, 5);
 }
 
 /// A horizontal slab [0,a]×[0,a] at z = 1 … 1.5 that rests on one cube, and on others that fall.
@@ -124,19 +160,19 @@ TEST(Rotation, OfASlabThatOverhangsIsAboutTheEdgeOfWhatIsLeftUnderIt) {
   ASSERT_EQ(turning.keyblocks.size(), 1u);
   const Keyblock& key = turning.keyblocks[0];
   EXPECT_EQ(key.mode, SlidingMode::rotation);
-  ASSERT_TRUE(key.rotation);
-  EXPECT_EQ(key.rotation->about, Rotation::About::edge);
-  EXPECT_NEAR(key.rotation->point[0], 1, 1e-12);
-  EXPECT_NEAR(key.rotation->axis[1], 1, 1e-12);  // +x end goes down
+  ASSERT_FALSE(key.rotations.empty());
+  EXPECT_EQ(key.rotations[0].about, Rotation::About::edge);
+  EXPECT_NEAR(key.rotations[0].point[0], 1, 1e-12);
+  EXPECT_NEAR(key.rotations[0].axis[1], 1, 1e-12);  // +x end goes down
   EXPECT_TRUE(std::isnan(key.factor_of_safety));
-  EXPECT_NEAR(key.rotation->driving, key.weight * 0.1, 1e-9 * key.weight);
+  EXPECT_NEAR(key.rotations[0].driving, key.weight * 0.1, 1e-9 * key.weight);
   EXPECT_TRUE(find_keyblocks(overhanging_slab(1.9, true), model_with_joints(30)).keyblocks.empty());
 }
 
 TEST(Rotation, OfASlabOnOneOfItsCornersIsAboutTheCornerOfItsSupport) {
   const auto report = find_keyblocks(overhanging_slab(2.2, false), model_with_joints(30));
   ASSERT_EQ(report.keyblocks.size(), 1u);
-  const Rotation& rotation = *report.keyblocks[0].rotation;
+  const Rotation& rotation = report.keyblocks[0].rotations[0];
   EXPECT_EQ(rotation.about, Rotation::About::corner);
   EXPECT_LT(norm(rotation.point - Vec3{1, 1, 1}), 1e-12);
   EXPECT_LT(norm(rotation.axis - normalized({-1, 1, 0})), 1e-9);  // by symmetry

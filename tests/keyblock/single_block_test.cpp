@@ -47,7 +47,7 @@ Real area_of(const ConvexBlock& block, Index origin) {
   return area;
 }
 
-// Hoek & Bray, Rock Slope Engineering: joints 45/105 and 70/235, face 65/185, upper slope 12/195,
+// Hoek & Bray, Rock Slope Engineering (REFERENCES E5): joints 45/105 and 70/235, face 65/185, upper slope 12/195,
 // H1 = 100 ft; feet and pounds.
 class HoekBray : public testing::Test {
  protected:
@@ -56,7 +56,8 @@ class HoekBray : public testing::Test {
   const Vec3 crack = upward(70, 165);
   const Vec3 toe{};
   /// Where joint 1 meets the crest: on joint 1 and the face, 100 ft above the toe.
-  const Vec3 crest = (100.0 / cross(n1, face)[2]) * cross(n1, face);
+  Vec3 crest = at_height(100);
+  Vec3 at_height(Real height) const { return (height / cross(n1, face)[2]) * cross(n1, face); }
   const std::vector<Strength> strengths{{20, 500}, {30, 1000}, {0, 0}};
   static constexpr Real unit_weight = 160, water_unit_weight = 62.5;
 
@@ -97,6 +98,17 @@ TEST_F(HoekBray, TheDryWedgeEqualsThePublishedFactorOfSafety) {
                            (w * std::sin(plunge));
   EXPECT_NEAR(m.factor_of_safety(), closed_form, 1e-10);
   EXPECT_NEAR(test::degrees(plunge), 31.197, 5e-4);
+  EXPECT_NEAR(test::degrees(std::atan2(m.direction[0], m.direction[1])), 157.732, 5e-4);
+}
+
+// Cohesion counts for less in the larger wedge: volume and weight go by (H/100)³, areas by (H/100)².
+TEST_F(HoekBray, TheDryWedgeOf130FeetIsLessSafe) {
+  crest = at_height(130);
+  const ConvexBlock block = test::convex_block(sides());
+  EXPECT_NEAR(block.volume, 229925 * std::pow(1.3, 3), 2);
+  const auto verdict = judge_block(faces_of(block, strengths), weight(block), 0);
+  EXPECT_EQ(verdict.movement->mode, SlidingMode::two_planes);
+  EXPECT_NEAR(verdict.movement->factor_of_safety(), 1.67566, 5e-6);
 }
 
 TEST_F(HoekBray, TheWedgeWithATensionCrackDryAndFullOfWater) {
@@ -119,7 +131,7 @@ TEST_F(HoekBray, EnoughWaterLiftsTheWedgeOffItsJoints) {
   EXPECT_EQ(verdict.movement->mode, SlidingMode::lifting);
 }
 
-// 3DEC's falling wedge: roof tetrahedron between joints that dip 60°, apex 1 m above the roof, 20
+// REFERENCES E9 without stress, G-2. 3DEC's falling wedge: roof tetrahedron between joints that dip 60°, apex 1 m above the roof, 20
 // kN/m³.
 TEST(RoofTetrahedron, FallsWithItsWeight) {
   const Vec3 apex{0, 0, 1};

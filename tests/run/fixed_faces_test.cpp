@@ -171,8 +171,8 @@ TEST(FixedFaces, ThatCutLatticeCellsCostLittleMore) {
     return run(bar(0.3, hold("zmin", "") + "[cover]\nspacing = 0.25\n" + lattice))
         .result.iterations.pcg;
   };
-  // Some 8 times as many with every corner of the cut polygons held (docs/decisions/0004).
-  EXPECT_LT(iterations("origin = [0.03, 0.02, 0.0371]\n"), 3 * iterations("origin = [0, 0, 0]\n"));
+  // Some 20 times as many with every corner of the cut polygons held (docs/decisions/0004).
+  EXPECT_LT(iterations("origin = [0.03, 0.02, 0.0371]\n"), 5 * iterations("origin = [0, 0, 0]\n"));
 }
 
 TEST(FixedFaces, LeaveNoMotionFreeThatTheyHold) {

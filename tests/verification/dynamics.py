@@ -46,7 +46,7 @@ def spectrum(signal, step):
 
 
 def spectrum_panel(title, channels, step, highest, marks):
-    panel = Panel(title, "frequency, Hz", "amplitude of acceleration, relative", log="y")
+    panel = Panel(title, "frequency, Hz", "amplitude of velocity, relative", log="y")
     for label, signal in channels.items():
         f, a = spectrum(signal, step)
         keep = f <= highest
@@ -60,18 +60,20 @@ def vibration(program, full):
     found = Findings("vibration", "Vibration of a cantilever")
     expected = {"bending 1": (1.6113, "z"), "bending 2": (9.664, "z"), "bending 3": (25.45, "z"), "torsion": (14.28, "t"),
                 "stretching": (25.08, "x")}
-    changes = {"analysis.end_time": 2.0} if full else {"analysis.end_time": 0.8, "analysis.time_step": 0.004, "cover.order": 1}
+    changes = {} if full else {"cover.order": 1}
     document = program.run("vibration", changes)
-    time, z = history(document, "tip", "acceleration", "z")
-    _, side = history(document, "side", "acceleration", "z")
-    _, x = history(document, "tip", "acceleration", "x")
+    time, z = history(document, "tip", "velocity", "z")
+    _, side = history(document, "side", "velocity", "z")
+    _, x = history(document, "tip", "velocity", "x")
     step = time[1] - time[0]
     channels = {"z": z, "t": side - z, "x": x}
     measured = {key: frequencies(signal[1:], step, 24)[0] for key, signal in channels.items()}
     for name, (reference, channel) in expected.items():
         if full or name in ("bending 1", "bending 2"):
+            # one cell across the section is too few for its warping in torsion: linear covers are 8.6, 2.1 % off with one, two cells
+            tolerance = 0.03 if name == "torsion" or not full else 0.01
             found.row(f"frequency, {name}, {ORDER[2 if full else 1]}", "Hz", reference, nearest(measured[channel], reference, step),
-                      0.01 if full else 0.03, "finite elements")
+                      tolerance, "finite elements")
     found.panels.append(spectrum_panel("Spectrum at the tip", {"along z": z, "side less middle, along z": side - z, "along x": x}, step, 40,
                                        {"finite elements": 1.6113, **{f"_{i}": f for i, f in enumerate((9.664, 14.28, 25.08, 25.45))}}))
     return found
@@ -79,9 +81,9 @@ def vibration(program, full):
 
 def simply_supported(program, full):
     found = Findings("simply_supported", "Vibration of a beam on two supports")
-    changes = {"analysis.end_time": 2.0} if full else {"analysis.end_time": 0.4, "analysis.time_step": 0.004, "cover.order": 1}
+    changes = {} if full else {"analysis.end_time": 0.4, "cover.order": 1}
     document = program.run("simply_supported", changes)
-    time, z = history(document, "under the load", "acceleration", "z")
+    time, z = history(document, "under the load", "velocity", "z")
     step = time[1] - time[0]
     measured = frequencies(z[1:], step, 24)[0]
     for name, reference in (("1", 4.4566), ("2", 16.996), ("3", 35.71)) if full else (("1", 4.4566),):
@@ -173,7 +175,7 @@ def oscillator(program, full):
 def quasi_static(program, full):
     """The motion of dynamic ratio 0 comes to rest where statics is."""
     found = Findings("quasi_static", "Quasi-static equals static")
-    panel = Panel("Tip of the cantilever", "step", "difference to static, relative", log="y")
+    panel = Panel("Displacement by quasi-static steps", "step", "difference to static, relative", log="y")
     for case, name, order in (("cantilever", "tip", 1), ("column", "top", 0)) if full else (("column", "top", 0),):
         static = last(program.run(case, {"cover.order": order}), name, "displacement", "z")
         document = program.run(case, {"cover.order": order, "analysis.type": "quasi_static", "analysis.time_step": 10.0, "analysis.steps": 30})
@@ -187,10 +189,10 @@ def quasi_static(program, full):
 def plate_peak(program, full):
     """The plate of Table 4-2, loaded at once: largest over stable deflection."""
     found = Findings("plate_peak", "Plate of the thesis under a sudden load")
-    spacing = [0.1, 0.2, 0.2] if full else [0.1, 0.25, 0.25]
+    spacing = [0.1, 0.2, 0.2] if full else [0.1, 0.5, 0.5]
     stable = -last(program.run("plate_large", {"cover.spacing": spacing}), "centre", "displacement", "z")
     document = program.run("plate_large", {"cover.spacing": spacing, "analysis.type": "dynamic", "analysis.time_step": 0.01 if full else 0.02,
-                                           "analysis.end_time": 1.0 if full else 0.3, "output.every": 0})
+                                           "analysis.end_time": 0.6 if full else 0.24, "output.every": 0})
     time, z = history(document, "centre", "displacement", "z")
     found.row("largest over stable deflection", "", 1.59, float((-z).max() / stable), 0.03, "thesis: 1.550, 1.588, 1.612")
     panel = Panel("Deflection of the centre", "time, s", "deflection, m")

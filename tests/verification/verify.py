@@ -12,6 +12,7 @@ It needs numpy. The exit status is 1 if a number is farther from its reference t
 """
 import argparse
 import json
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -46,21 +47,21 @@ def main():
         parser.error(f"no such case: {', '.join(sorted(unknown))}; there are {', '.join(CASES)}")
 
     program = Rockfold(options.rockfold, options.threads)
-    stored = json.loads(STORE.read_text(encoding="utf-8")) if options.store and STORE.exists() else {}
     failed = 0
     for name in options.names or CASES:
         start = time.monotonic()
         try:
             found = CASES[name](program, not options.fast)
-        except RuntimeError as error:
+        except (RuntimeError, subprocess.TimeoutExpired) as error:
             print(f"! {error}")
             failed += 1
             continue
         report(found)
         print(f"  {name}: {time.monotonic() - start:.1f} s", flush=True)
         failed += len(found.bad())
-        stored[name] = found.document()
-        if options.store:
+        if options.store:  # read anew, so that several may run side by side
+            stored = json.loads(STORE.read_text(encoding="utf-8")) if STORE.exists() else {}
+            stored[name] = found.document()
             STORE.write_text(json.dumps({key: stored[key] for key in CASES if key in stored}, indent=1) + "\n", encoding="utf-8")
     return 1 if failed else 0
 

@@ -97,10 +97,10 @@ class Layout {
 void Layout::find_looks(const KeyblockReport& keyblocks) {
   const auto& bolting = design_.bolting;
   for (std::size_t i = 0; i < keyblocks.keyblocks.size(); ++i) {
-    const Index block = keyblocks.keyblocks[i].block;
-    look_[block] = !bolting                              ? &unsupported
-                   : bolting->keyblocks[i].held.adequate ? &held
-                                                         : &not_held;
+    for (const Index block : keyblocks.keyblocks[i].members)
+      look_[block] = !bolting                              ? &unsupported
+                     : bolting->keyblocks[i].held.adequate ? &held
+                                                           : &not_held;
   }
   for (std::size_t i = 0; i < keyblocks.stable.size(); ++i) {
     const Keyblock& stable = keyblocks.stable[i];
@@ -286,7 +286,7 @@ void Layout::draw_axes(Svg& svg, const Chart& chart, const std::string& name) co
              {.size = 11, .anchor = "end"});
   }
   svg.text({x + w / 2, y + h + 36},
-           chart.around ? "along the axis, m" : "level, m; up the dip to the left of it",
+           chart.around ? "along the axis, m" : "along the strike, m; upwards: up the dip, m",
            {.size = 11.5, .anchor = "middle", .colour = "#555555"});
   if (!chart.around) return;
   const Real crown = y + chart.scale * (0 - down[0]);

@@ -61,8 +61,8 @@ def stress(points):
 
 
 def normals():
-    """Of the outer planes: the middles of the 16 triangles into which the eighth of the sphere is divided."""
-    corners, n = np.eye(3), 4
+    """Of the outer planes: the middles of the 64 triangles into which the eighth of the sphere is divided."""
+    corners, n = np.eye(3), 8
     found = []
     for i in range(n):
         for j in range(n - i):
@@ -112,14 +112,14 @@ def main():
     outer = [(n, REACH) for n in normals()]
     planes = outer + [(-e, 0.0) for e in np.eye(3)]
     halfspaces, tractions = [], []
+    for axis in range(3):   # symmetry: rock.0 to rock.2
+        normal = [int(axis == d) for d in range(3)]
+        halfspaces.append(f'    {{normal = {normal}, point = [0, 0, 0], keep = "above"}},')
     for i, (n, d) in enumerate(outer):
         below = f"point = [{d * n[0]:.12g}, {d * n[1]:.12g}, {d * n[2]:.12g}], keep = \"below\""
         halfspaces.append(f"    {{normal = [{n[0]:.12g}, {n[1]:.12g}, {n[2]:.12g}], {below}}},")
         t = mean_traction(face((n, d), planes), n)
-        tractions.append(f'    {{where = {{face = "rock.{i}"}}, value = [{t[0]:.9g}, {t[1]:.9g}, {t[2]:.9g}]}},')
-    for axis in range(3):
-        normal = [int(axis == d) for d in range(3)]
-        halfspaces.append(f'    {{normal = {normal}, point = [0, 0, 0], keep = "above"}},')
+        tractions.append(f'    {{where = {{face = "rock.{i + 3}"}}, value = [{t[0]:.9g}, {t[1]:.9g}, {t[2]:.9g}]}},')
     path = Path(__file__).resolve().parent / "model.toml"
     text = path.read_text(encoding="utf-8")
     for key, lines in (("planes", halfspaces), ("traction", tractions)):
