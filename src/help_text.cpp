@@ -60,9 +60,8 @@ constexpr std::array<CommandHelp, 8> helps{{
     {Command::run, "run", "MODEL.toml", "covers and analysis; support too where [support] stands",
      "Cuts the rock, lays covers over it and carries out the model's [analysis]; finds key blocks "
      "too\n"
-     "where the model has a [support] table. Ctrl-C stops after the step, keeps the states so far "
-     "and\n"
-     "exits with status 130; a second Ctrl-C exits at once.\n",
+     "where the model has a [support] table. Ctrl-C ends it at the last step done,\n"
+     "keeps the states so far and exits with status 130; a second Ctrl-C exits at once.\n",
      "  rockfold run slope.toml -o /tmp/slope.vtkhdf --threads 2\n"
      "      states every output.every steps go to /tmp/slope.vtkhdf\n"},
     {Command::info, "info", "OUT.vtkhdf", "what a result file holds",

@@ -10,6 +10,7 @@
 #include "src/examples.hpp"
 #include "src/model/read_model.hpp"
 #include "src/output_path.hpp"
+#include "src/run/fixed_contradiction.hpp"
 
 namespace rockfold {
 
@@ -33,8 +34,8 @@ void find_outside(const std::string& what, const Vec3& point, Index element, con
   if (element != none) return;
   Place of_point = place;
   of_point.key += ".point";
-  outside.push_back({of_point, fmt::format("({:g}, {:g}, {:g}){} is not in the rock", point[0],
-                                           point[1], point[2], what)});
+  outside.push_back({of_point, fmt::format("({}, {}, {}){} is not in the rock", point[0], point[1],
+                                           point[2], what)});
 }
 
 /// Each random set gets a seed of its own: equal ones would draw alike.
@@ -100,6 +101,21 @@ void require_in_rock(const Model& model, const MaterialPoints& monitors) {
                  outside);
   }
   if (!outside.empty()) throw Error(ErrorKind::model, outside);
+}
+
+void warn_of_keys_without_use(const Model& model, Terminal& terminal) {
+  const Analysis given = *model.analysis, usual;
+  if (given.type != AnalysisType::static_) return;
+  std::string keys;
+  const auto name = [&](const char* key, bool is_given) {
+    if (is_given) keys += (keys.empty() ? "analysis." : ", analysis.") + std::string(key);
+  };
+  name("dynamic_ratio", given.dynamic_ratio != usual.dynamic_ratio);
+  name("max_displacement_ratio", given.max_displacement_ratio.has_value());
+  name("newmark",
+       given.newmark_beta != usual.newmark_beta || given.newmark_gamma != usual.newmark_gamma);
+  name("rayleigh", given.rayleigh_alpha != 0 || given.rayleigh_beta != 0);
+  if (!keys.empty()) terminal.warn("of no use in a static analysis, which has no time: " + keys);
 }
 
 void warn_of_conditional_stability(const Model& model, Terminal& terminal) {
@@ -180,13 +196,26 @@ void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& 
         at + 1, largest, largest_small_rotation));
 }
 
-void warn_of_support_gap(const RunResult& run, Terminal& terminal) {
+void warn_of_support_gap(const RunResult& run, const FixedPoints& fixed, Terminal& terminal) {
+  if (const auto pair = find_contradiction(fixed)) {
+    terminal.warn(fmt::format(
+        "fixed[{}] and fixed[{}] prescribe different displacements of the same points: neither "
+        "can be kept (reactions and stress there mean nothing)",
+        (*pair)[0] + 1, (*pair)[1] + 1));
+    return;
+  }
   if (run.support_gap <= largest_support_gap) return;
   terminal.warn(
       fmt::format("fixed points are off their places by {:.2g} of the largest displacement: the "
                   "fixed faces do not run through lattice nodes (choose cover.origin and "
                   "cover.spacing so that they do)",
                   run.support_gap));
+}
+
+void warn_of_interruption(const RunResult& run, const Model& model, Terminal& terminal) {
+  if (!run.interrupted) return;
+  terminal.warn(fmt::format("interrupted after {} of {} steps: the result ends at t = {:.6g} s",
+                            run.steps, model.analysis->steps, run.time));
 }
 
 }  // namespace rockfold

@@ -38,9 +38,12 @@ void require_candidates(const Options& options, const Model& model, const BlockA
 void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal);
 /// Strains are linear in the displacement yet, which is right for small rotations only.
 void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal);
+/// Keys of motion in a static analysis.
+void warn_of_keys_without_use(const Model& model, Terminal& terminal);
 /// Newmark parameters that blow up where the time step is long for the stiffest element.
 void warn_of_conditional_stability(const Model& model, Terminal& terminal);
-/// An augmented Lagrangian that could not bring the fixed points to their places.
-void warn_of_support_gap(const RunResult& run, Terminal& terminal);
+/// An augmented Lagrangian that could not bring the fixed points to their places, or two [[fixed]] that contradict each other.
+void warn_of_support_gap(const RunResult& run, const FixedPoints& fixed, Terminal& terminal);
+void warn_of_interruption(const RunResult& run, const Model& model, Terminal& terminal);
 
 }  // namespace rockfold

@@ -123,6 +123,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   std::optional<CoveredRock> rock;
   if (wants_run(options)) {
     warn_of_missing_contact(model, blocks, terminal);
+    warn_of_keys_without_use(model, terminal);
     warn_of_conditional_stability(model, terminal);
     rock = clock.measure("cover", [&] { return cover_rock(cutting, model, blocks, terminal); });
   }
@@ -156,7 +157,8 @@ int analyse_rock(const Options& options, Terminal& terminal) {
     writer.write_energies(run->energy_time, run->energies);
     add_run_seconds(clock, *run);
     warn_of_large_rotation(model, *run, terminal);
-    warn_of_support_gap(*run, terminal);
+    if (!run->interrupted) warn_of_support_gap(*run, rock->fixed, terminal);
+    warn_of_interruption(*run, model, terminal);
   }
   clock.measure("output", [&] { writer.finish(); });
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -366,9 +367,10 @@ void refuse_elements(const CoverSpec& cover, Real elements, bool at_least) {
   throw Error(ErrorKind::model,
               fmt::format("makes {}{} elements, must make cover.max_elements = {} or fewer: use a "
                           "larger spacing or raise the limit",
-                          at_least ? "at least " : "",
-                          elements < 1e9 ? fmt::format("{:.0f}", elements)
-                                         : fmt::format("{:.3g}", elements),
+                          std::isfinite(elements) ? at_least ? "at least " : "" : "more than ",
+                          elements < 1e9            ? fmt::format("{:.0f}", elements)
+                          : std::isfinite(elements) ? fmt::format("{:.3g}", elements)
+                                                    : "1e300",
                           cover.max_elements),
               Place{cover.place.file, cover.place.line, cover.place.column, "cover.spacing"});
 }

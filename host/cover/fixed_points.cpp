@@ -2,6 +2,7 @@
 // unknowns, points one by one.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -102,10 +103,39 @@ class Fixer {
   }
 
  private:
-  [[noreturn]] void refuse() const {
+  [[noreturn]] void refuse() {
     Place place = fixed_->place;
     place.key = fmt::format("fixed[{}].where", fixed_ - model_.fixed.data() + 1);
-    throw Error(ErrorKind::model, "holds nothing: no rock lies there", place);
+    throw Error(ErrorKind::model,
+                meets_rock(fixed_->where)
+                    ? fmt::format("holds nothing: within the rock a box or plane holds the "
+                                  "vertices of elements in it, and there are none; make it as "
+                                  "thick as cover.spacing ({:.4g} m), or let lattice planes run "
+                                  "through it (cover.origin)",
+                                  spacing_)
+                    : "holds nothing: no rock lies there",
+                place);
+  }
+
+  /// Whether elements reach into a box (by their extents) or to both sides of a plane.
+  bool meets_rock(const Region& region) {
+    const auto* box = std::get_if<BoxRegion>(&region);
+    const auto* plane = std::get_if<PlaneRegion>(&region);
+    if (!box && !plane) return false;
+    bool meets = false;
+    elements_.each([&](Index, Index, const std::vector<Vec3>& vertex) {
+      bool apart = false;
+      for (int d = 0; d < (box ? 3 : 1); ++d) {
+        Real low = std::numeric_limits<Real>::infinity(), high = -low;
+        for (const Vec3& x : vertex) {
+          const Real at = box ? x[d] : dot(plane->normal, x - plane->point);
+          low = std::min(low, at), high = std::max(high, at);
+        }
+        apart = apart || low > (box ? box->max[d] : 0) || high < (box ? box->min[d] : 0);
+      }
+      meets = meets || !apart;
+    });
+    return meets;
   }
 
   Real young_modulus(Index element) const {

@@ -84,12 +84,15 @@ class Visitor {
       });
       if (out) return;
     }
-    if (const auto* box = std::get_if<BoxRegion>(&region_))
+    Real least = 0;  // m²: what a box only touches it does not hold
+    if (const auto* box = std::get_if<BoxRegion>(&region_)) {
+      least = std::min(slack_ * slack_, 1e-6 * polygon_area(found.corner));
       for (int d = 0; d < 3; ++d) {
         found.corner = clip(found.corner, d, 1, box->max[d], slack_);
         found.corner = clip(found.corner, d, -1, -box->min[d], slack_);
       }
-    if (found.corner.size() >= 3 && polygon_area(found.corner) > slack_ * slack_) visit_(found);
+    }
+    if (found.corner.size() >= 3 && polygon_area(found.corner) > least) visit_(found);
   }
 
   /// Polygons run counter-clockwise seen from above their plane.

@@ -123,30 +123,35 @@ std::vector<std::pair<Index, Real>> node_weights(const CoverArrays& covers, Inde
   return found;
 }
 
+constexpr Real rounding = 1e-9;
+
+/// Whether the node of a cover lies in the plane of a polygon.
+bool in_plane(const CoverArrays& covers, Index cover, const FacePolygon& polygon, Real spacing) {
+  const Vec3 node = covers.lattice.node_position(covers.cover_node[cover]);
+  return std::abs(dot(polygon.normal, node - polygon.corner[0])) <= rounding * spacing;
+}
+
 /// Whether only covers whose nodes lie in its plane move the surface.
 bool runs_through_nodes(const CoverArrays& covers, const std::vector<FacePolygon>& surface,
                         Real spacing) {
-  constexpr Real rounding = 1e-9;
   for (const FacePolygon& polygon : surface)
     for (const Vec3& x : polygon.corner)
-      for (const auto& [cover, weight] : node_weights(covers, polygon.element, x)) {
-        const Vec3 node = covers.lattice.node_position(covers.cover_node[cover]);
-        if (std::abs(weight) > rounding &&
-            std::abs(dot(polygon.normal, node - polygon.corner[0])) > rounding * spacing)
-          return false;
-      }
+      for (const auto& [cover, weight] : node_weights(covers, polygon.element, x))
+        if (std::abs(weight) > rounding && !in_plane(covers, cover, polygon, spacing)) return false;
   return true;
 }
 
 /// On nodes: what the functions of each cover are on the surface, as polynomials, is held by itself. With m the functions of
 /// cover a and q_j orthonormal in the mean over its share of the area, which N_a weighs, row j is that mean of q_j Σ_k m_k d_ak.
 /// All rows at rest, the surface is; and no fewer would do, but for displacements that the other covers bring about too.
-void hold_covers(const CoverArrays& covers, const Points& points, Real spacing,
-                 std::vector<HeldRow>& rows) {
+/// `polygon`: one of the surface. However small the surface is in an element, all of its nodes there count.
+void hold_covers(const CoverArrays& covers, const Points& points, const FacePolygon& polygon,
+                 Real spacing, std::vector<HeldRow>& rows) {
   std::map<Index, Points> of_cover;
   for (const auto& p : points)
     for (const auto& [cover, weight] : node_weights(covers, p.element, p.x))
-      if (weight > 1e-9) of_cover[cover].push_back({p.element, p.x, weight * p.area});
+      if (weight > 0 && in_plane(covers, cover, polygon, spacing))
+        of_cover[cover].push_back({p.element, p.x, weight * p.area});
   for (const auto& [cover, share] : of_cover) {
     const Vec3 node = covers.lattice.node_position(covers.cover_node[cover]);
     Real area = 0;
@@ -237,6 +242,67 @@ std::vector<Points> join_small(std::vector<Points> all) {
   return joined;
 }
 
+/// Some direction across a unit vector.
+Vec3 any_across(const Vec3& normal) {
+  Vec3 axis{};
+  int least = 0;
+  for (int d = 1; d < 3; ++d)
+    if (std::abs(normal[d]) < std::abs(normal[least])) least = d;
+  axis[least] = 1;
+  return cross(normal, axis);
+}
+
+/// Principal axes of the points in their plane, the longer first, each as long as the points' root mean square along it.
+std::array<Vec3, 2> principal_axes(const Points& points, const Vec3& centre, const Vec3& normal) {
+  const Vec3 e = normalized(any_across(normal)), f = cross(normal, e);
+  Real area = 0, ee = 0, ef = 0, ff = 0;
+  for (const auto& p : points) {
+    const Real x = dot(e, p.x - centre), y = dot(f, p.x - centre);
+    area += p.area, ee += p.area * x * x, ef += p.area * x * y, ff += p.area * y * y;
+  }
+  const Real angle = 0.5 * std::atan2(2 * ef, ee - ff), c = std::cos(angle), s = std::sin(angle);
+  const auto along = [&](Real a, Real b) {
+    Real square = 0;
+    const Vec3 axis = a * e + b * f;
+    for (const auto& p : points) square += p.area * std::pow(dot(axis, p.x - centre), 2);
+    return std::sqrt(square / area) * axis;
+  };
+  return {along(c, s), along(-s, c)};
+}
+
+/// A surface so narrow beside the spacing that its linear functions say nothing of how the covers deform there still holds its
+/// rock against turning: one row for each direction in which it is narrow.
+void hold_turning(const CoverArrays& covers, const Points& points, const Vec3& normal, Real spacing,
+                  int first, std::vector<HeldRow>& rows) {
+  const Extent whole = extent(points);
+  const auto axes = principal_axes(points, whole.centre, normal);
+  for (int d = first; d < 2; ++d) {
+    const Real width = norm(axes[d]);
+    if (!(width > 1e-13 * spacing)) continue;
+    // In m of displacement at one spacing from the centre, as rows of wide surfaces are.
+    const Real scale = spacing / width;
+    std::map<Index, Real> weight;
+    MaterialPoints at;
+    for (const auto& p : points) add_material_point(covers, p.x, p.element, at);
+    for (std::size_t n = 0; n < points.size(); ++n) {
+      const Real linear = dot(axes[d], points[n].x - whole.centre) / (width * width);
+      for (Index i = at.begin[n]; i < at.begin[n + 1]; ++i)
+        weight[at.unknown[i]] += scale * points[n].area / whole.area * linear * at.weight[i];
+    }
+    HeldRow row{points[0].element, points[0].x, {}, {}, whole.area / (scale * scale), true};
+    for (const auto& [unknown, w] : weight) {
+      row.unknown.push_back(unknown);
+      row.weight.push_back(w);
+    }
+    rows.push_back(std::move(row));
+  }
+}
+
+/// How many linear functions add_moments tells apart over the points.
+int linear_functions(const Points& points, Real spacing) {
+  return static_cast<int>(orthonormal_polynomials(points, spacing, 1).size()) - 1;
+}
+
 }  // namespace
 
 void hold_surface(const CoverArrays& covers, const std::vector<FacePolygon>& surface, Real spacing,
@@ -245,16 +311,24 @@ void hold_surface(const CoverArrays& covers, const std::vector<FacePolygon>& sur
   const int of_weights = covers.lattice.kind == LatticeKind::hex8 ? 3 : block ? 0 : 1;
   const int of_functions = of_weights + covers.order;
   if (!block && runs_through_nodes(covers, surface, spacing)) {
-    hold_covers(covers, surface_points(surface, of_weights + 2 * covers.order), spacing, rows);
+    hold_covers(covers, surface_points(surface, of_weights + 2 * covers.order), surface[0], spacing,
+                rows);
     return;
   }
   const int degree = block ? covers.order : covers.order + 1;
   const Points points = surface_points(surface, of_functions + degree);
   if (points.empty()) return;
-  if (block) return add_moments(covers, points, spacing, degree, rows);
-  for (const Points& patch :
-       join_small(patches(covers, points, surface[0].normal, patch_width * spacing)))
+  const Vec3& normal = surface[0].normal;
+  const std::vector<Points> all =
+      block ? std::vector<Points>{points}
+            : join_small(patches(covers, points, normal, patch_width * spacing));
+  int linear =
+      all.size() > 1 ? 1 : 0;  // patches beside each other hold against turning one over the other
+  for (const Points& patch : all) {
     add_moments(covers, patch, spacing, degree, rows);
+    linear = std::max(linear, linear_functions(patch, spacing));
+  }
+  if (degree > 0) hold_turning(covers, points, normal, spacing, linear, rows);
 }
 
 }  // namespace rockfold

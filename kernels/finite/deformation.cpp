@@ -13,17 +13,31 @@ namespace {
 
 using device::to_device;
 
-/// S₀ at the quadrature points. Before anything has moved S₀ is the Cauchy stress.
-std::vector<Real> initial_stress(const CoverArrays& covers, const Quadrature& quadrature,
-                                 const InitialStress& initial) {
+/// m above its cell's centre, of a cut element's centroid.
+Real centroid_height(const CoverArrays& covers, const PieceMoments& moments, Index cut) {
+  Real volume = 0, above = 0;
+  for (Index q = covers.piece_begin[cut]; q < covers.piece_begin[cut + 1]; ++q) {
+    volume += moments.volume[q];
+    above += moments.first[q][2];
+  }
+  return volume > 0 ? above / volume : 0;
+}
+
+/// S₀ at the quadrature points. Before anything has moved S₀ is the Cauchy stress. One point stands for all of its element:
+/// the stress there is the mean, that of the centroid.
+std::vector<Real> initial_stress(const CoverArrays& covers, const PieceMoments& moments,
+                                 const Quadrature& quadrature, const InitialStress& initial) {
   std::vector<Real> stress;
   if (!initial.any) return stress;
+  const Index whole = covers.parts_per_cell() * covers.regular_count();
   for (Index e = 0; e < covers.element_count(); ++e) {
     const Vec3 centre = covers.lattice.cell_centre(element_nodes(covers, e).cell);
     for (int q = 0; q < quadrature.points; ++q) {
       const Vec3& eta = quadrature.place[quadrature.kind[e] * quadrature.points + q];
       Real z = centre[2];
       for (int d = 0; d < 3; ++d) z += eta[d] * covers.lattice.edge[d][2];
+      if (quadrature.points == 1 && e >= whole)
+        z = centre[2] + centroid_height(covers, moments, e - whole);
       for (int k = 0; k < 6; ++k)
         stress.push_back(initial.at[k] + (initial.reference_z - z) * initial.gradient[k]);
     }
@@ -107,7 +121,7 @@ Deformation make_deformation(const CoverArrays& covers, const PieceMoments& mome
   body.cover = to_device("finite::cover", cover);
   body.material = to_device("finite::material", material);
   body.elastic = to_device("finite::elastic", solve::make_elastic(materials));
-  body.initial = to_device("finite::initial", initial_stress(covers, quadrature, initial));
+  body.initial = to_device("finite::initial", initial_stress(covers, moments, quadrature, initial));
   add_transpose(cover, body);
   const std::size_t size = 9 * static_cast<std::size_t>(body.elements) * body.points;
   body.start = Array<Real>("rockfold::finite::start", size);
@@ -195,6 +209,21 @@ void mean_stress(const Deformation& body, const Array<Real>& stress) {
         }
         for (int k = 0; k < 6; ++k) stress(6 * static_cast<std::size_t>(e) + k) = sum[k] / volume;
       });
+}
+
+Index first_inverted(const Deformation& body) {
+  const Real found = device::largest(
+      "rockfold::finite::inverted", body.elements, KOKKOS_LAMBDA(const Index e) {
+        for (int q = 0; q < body.points; ++q) {
+          const std::size_t at = static_cast<std::size_t>(e) * body.points + q;
+          Real f[9];
+          for (int i = 0; i < 9; ++i) f[i] = body.now(9 * at + i) + (i % 4 == 0 ? 1 : 0);
+          if (body.weight(at) > 0 && !(determinant(f) > 0))
+            return static_cast<Real>(body.elements - e);
+        }
+        return Real(0);
+      });
+  return found > 0 ? body.elements - static_cast<Index>(found) : none;
 }
 
 Real rounding_force(const Deformation& body, const Array<Real>& partial, const Array<Real>& sums) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernels/solve/held_kernel.hpp"
+#include "src/base/interrupt.hpp"
 
 namespace rockfold::solve {
 namespace {
@@ -142,6 +143,10 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
   };
   PcgOptions pcg = options.pcg;
   SolveReport report;
+  // Where forces cancel there may be less left than a share of it could be told from rounding.
+  const auto small_enough = [&](const PcgReport& done) {
+    return done.converged || done.residual <= pcg.tolerance;
+  };
   auto solve = [&](Real reduction) {
     Kokkos::deep_copy(system.load, b);
     add_spring_load(springs, factor, goal, system.load);
@@ -149,7 +154,8 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
     Preconditioning m = choose(system, a);
     PcgReport done = solve_pcg(system.work, a, m, system.load, x, pcg);
     // Not positive in its precision, or covers too nearly dependent for it: do without.
-    if (m.any_grid() && !done.converged && done.iterations < pcg.max_iterations) {
+    if (m.any_grid() && !small_enough(done) && done.iterations < pcg.max_iterations &&
+        !interrupt_signal) {
       system.grid_failed = true;
       m.grid = nullptr;
       m.cover_grid = nullptr;
@@ -166,18 +172,21 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
     pcg.reference = done.reference;  // one measure for all solves
     report.iterations += done.iterations;
     report.residual = done.residual;
-    report.converged = done.converged;
+    report.converged = small_enough(done);
   };
   const bool augmented = any_augmented(springs);
   solve(augmented ? inner_reduction : 0);
   if (!augmented || !report.converged) return report;
 
+  // What the forces would move the stiffest cover by: where they cancel nothing moves, and any gap would be large beside that.
+  const Real least =
+      system.largest_diagonal > 0 ? options.pcg.reference / system.largest_diagonal : 0;
   system.acceleration.begin_again();
   bool fresh = false;  // whether what it knows is of this solve alone
   Real best = std::numeric_limits<Real>::infinity();
   for (int stalled = 0; report.converged;) {
     const Real gap = multiplier_change(springs, factor, x, goal, springs.force);
-    report.gap = gap > 0 ? gap / std::max(largest_sum(x, base), largest_entry(goal)) : 0;
+    report.gap = gap > 0 ? gap / std::max({largest_sum(x, base), largest_entry(goal), least}) : 0;
     stalled = gap < 0.5 * best ? 0 : stalled + 1;
     if (stalled == 0) best = gap;
     // What was learned in earlier steps may have grown stale: every inner solve is inexact, and old pairs carry its noise on.
@@ -189,7 +198,7 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
     }
     const bool close = report.gap <= options.gap_tolerance;
     if (close && report.residual <= pcg.tolerance) break;
-    if (!close && (report.outer == options.max_outer || stalled == options.patience)) {
+    if (!close && (report.outer >= options.max_outer || stalled >= options.patience)) {
       if (report.residual > pcg.tolerance) solve(0);
       break;
     }

@@ -43,59 +43,71 @@ Parts join_through_elements(const CoverArrays& covers) {
   return parts;
 }
 
-/// What the rigid motions of a part are measured in: translation and rotation × size about the centre.
-struct Frame {
-  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  void add(const Vec3& x) {
-    for (int d = 0; d < 3; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
-  }
-  Vec3 centre() const { return 0.5 * (low + high); }
-  /// A single block has but one node.
-  Real size() const { return norm(high - low) > 0 ? 0.5 * norm(high - low) : 1; }
-};
-
-/// What a rigid motion (t, ω·size) does to the row of a fixed point: shift · t + (ω·size) × arm.
+/// What a rigid motion (t, ω) does to the row of a fixed point: shift · t + ω × arm.
 struct RigidRow {
   Real shift = 0;
-  Vec3 arm{};  ///< about the frame's centre, in units of its size
+  Vec3 arm{};                        ///< m, about the part's origin
+  std::array<std::uint8_t, 3> held;  ///< components
 };
 
 /// In the covers' functions a rigid motion is that of their nodes and, with functions ξ, its slope (shape_functions.hpp).
-RigidRow rigid_row(const CoverArrays& covers, const MaterialPoints& points, std::size_t n,
-                   const Frame& frame) {
+RigidRow rigid_row(const CoverArrays& covers, const FixedPoints& fixed, std::size_t n,
+                   const Vec3& origin) {
+  const MaterialPoints& points = fixed.points;
   RigidRow row;
+  row.held = fixed.component[n];
   for (Index i = points.begin[n]; i < points.begin[n + 1]; ++i) {
     const Index function = points.unknown[i] / covers.cover_count();
     const Index cover = points.unknown[i] % covers.cover_count();
     const Real weight = points.weight[i];
     if (function == 0) {
       row.shift += weight;
-      row.arm += weight * (covers.lattice.node_position(covers.cover_node[cover]) - frame.centre());
+      row.arm += weight * (covers.lattice.node_position(covers.cover_node[cover]) - origin);
     } else if (function <= 3) {
       row.arm += weight * covers.lattice.edge[function - 1];
     }
   }
-  row.arm = (1 / frame.size()) * row.arm;
   return row;
 }
 
-/// Σ over fixed components of the outer product of what a rigid motion (t, ω·size) does to that component.
+/// The fixed points of a part, and what its rigid motions are measured in: turns about the middle of the points, of such a size that
+/// they move the points as far as translations do, however small the part is beside the lattice.
 struct Holding {
-  Mat6 gram{};
-  bool any = false;
-  void add(const RigidRow& at, int component) {
-    Vec3 axis{};
-    axis[component] = 1;
-    const Vec3 turn = cross(at.arm, axis);  // axis · (ω × arm) = ω · (arm × axis)
-    const Vec3 shift = at.shift * axis;
-    const std::array<Real, 6> row{shift[0], shift[1], shift[2], turn[0], turn[1], turn[2]};
-    for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j) gram[i][j] += row[i] * row[j];
-    any = true;
+  std::vector<RigidRow> rows;
+  Vec3 origin{};  ///< m, a node of the part
+
+  /// Σ over fixed components of the outer product of what the six motions do to that component.
+  Mat6 gram(Real lattice_size) const {
+    Vec3 middle{};
+    Real shifts = 0, arms = 0;
+    for (const RigidRow& row : rows) middle += row.shift * row.arm, shifts += row.shift * row.shift;
+    if (shifts > 0) middle = (1 / shifts) * middle;
+    for (const RigidRow& row : rows) {
+      const Vec3 arm = row.arm - row.shift * middle;
+      arms += dot(arm, arm);
+    }
+    // What is left of the arms of one point is rounding.
+    const Real spread = shifts > 0 ? std::sqrt(arms / shifts) : 0;
+    const Real size = spread > 1e-11 * lattice_size ? spread : lattice_size;
+    Mat6 sum{};
+    for (const RigidRow& row : rows)
+      for (int d = 0; d < 3; ++d) {
+        if (!row.held[d]) continue;
+        Vec3 axis{};
+        axis[d] = 1;
+        const Vec3 arm = (1 / size) * (row.arm - row.shift * middle);
+        const Vec3 turn = cross(arm, axis);  // axis · (ω × arm) = ω · (arm × axis)
+        const Vec3 shift = row.shift * axis;
+        const std::array<Real, 6> motion{shift[0], shift[1], shift[2], turn[0], turn[1], turn[2]};
+        for (int i = 0; i < 6; ++i)
+          for (int j = 0; j < 6; ++j) sum[i][j] += motion[i] * motion[j];
+      }
+    return sum;
   }
-  /// Blocks that have no function but a translation cannot turn.
-  void forbid_rotation() {
-    for (int i = 3; i < 6; ++i) gram[i][i] += 1;
+  bool any() const {
+    return std::any_of(rows.begin(), rows.end(), [](const RigidRow& row) {
+      return row.held != std::array<std::uint8_t, 3>{};
+    });
   }
 };
 
@@ -142,13 +154,13 @@ std::string describe_motion(const Vec3& shift, const Vec3& turn) {
 }
 
 /// Free motions: eigenvectors whose eigenvalue is nothing but rounding (the trace counts fixed components).
-std::vector<std::string> free_motions(Holding holding) {
+std::vector<std::string> free_motions(Mat6 gram) {
   Real trace = 0;
-  for (int i = 0; i < 6; ++i) trace += holding.gram[i][i];
-  const Mat6 vectors = diagonalise(holding.gram);
+  for (int i = 0; i < 6; ++i) trace += gram[i][i];
+  const Mat6 vectors = diagonalise(gram);
   std::vector<std::string> motions;
   for (int k = 0; k < 6; ++k)
-    if (holding.gram[k][k] <= 1e-12 * trace)
+    if (gram[k][k] <= 1e-12 * trace)
       motions.push_back(describe_motion({vectors[0][k], vectors[1][k], vectors[2][k]},
                                         {vectors[3][k], vectors[4][k], vectors[5][k]}));
   return motions;
@@ -171,27 +183,27 @@ std::map<Index, std::set<Index>> blocks_of_parts(const CoverArrays& covers, Part
 std::vector<LoosePart> find_loose_parts(const CoverArrays& covers, const FixedPoints& fixed) {
   Parts parts = join_through_elements(covers);
   const auto blocks = blocks_of_parts(covers, parts);
-  std::map<Index, Frame> frames;
-  for (Index p = 0; p < covers.cover_count(); ++p)
-    frames[parts.root(p)].add(covers.lattice.node_position(covers.cover_node[p]));
-
   std::map<Index, Holding> holdings;
   for (std::size_t n = 0; n < fixed.points.size(); ++n) {
     const Index part = parts.root(element_nodes(covers, fixed.points.element[n]).cover[0]);
-    const Frame& frame = frames[part];
-    const RigidRow row = rigid_row(covers, fixed.points, n, frame);
-    for (int d = 0; d < 3; ++d)
-      if (fixed.component[n][d]) holdings[part].add(row, d);
+    Holding& holding = holdings[part];
+    holding.origin = covers.lattice.node_position(covers.cover_node[part]);
+    holding.rows.push_back(rigid_row(covers, fixed, n, holding.origin));
   }
 
+  const Real size = norm(covers.lattice.edge[0] + covers.lattice.edge[1] + covers.lattice.edge[2]);
   const bool cannot_turn = covers.lattice.kind == LatticeKind::block && covers.order == 0;
   std::vector<LoosePart> loose;
   for (const auto& [part, ids] : blocks) {
     LoosePart found{{ids.begin(), ids.end()}, {}};
-    Holding& holding = holdings[part];
-    if (cannot_turn) holding.forbid_rotation();
-    if (holding.any) found.motions = free_motions(holding);
-    if (!holding.any || !found.motions.empty()) loose.push_back(found);
+    const Holding& holding = holdings[part];
+    if (holding.any()) {
+      Mat6 gram = holding.gram(size);
+      // Blocks that have no function but a translation cannot turn.
+      for (int i = 3; cannot_turn && i < 6; ++i) gram[i][i] += 1;
+      found.motions = free_motions(gram);
+    }
+    if (!holding.any() || !found.motions.empty()) loose.push_back(found);
   }
   std::sort(loose.begin(), loose.end(),
             [](const LoosePart& a, const LoosePart& b) { return a.blocks < b.blocks; });

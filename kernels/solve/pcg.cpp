@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "kernels/solve/pcg_kernel.hpp"
+#include "src/base/interrupt.hpp"
 
 namespace rockfold::solve {
 namespace {
@@ -261,7 +262,7 @@ Real start(const PcgWork& work, const Apply& a, const Preconditioning& m, const 
 Real iterate(const PcgWork& work, const Apply& a, const Preconditioning& m, const Field& x,
              Real target, Index max_iterations, Index& iterations) {
   turn(work, a, m, true);
-  while (iterations < max_iterations) {
+  while (iterations < max_iterations && !interrupt_signal) {
     a(work.p, work.q);
     find_step(work);
     if (m.any_grid())
@@ -316,6 +317,10 @@ PcgReport solve_pcg(PcgWork& work, const Apply& a, const Preconditioning& precon
     report.converged = true;
     return report;
   }
+  if (!std::isfinite(report.reference)) {
+    report.residual = std::numeric_limits<Real>::quiet_NaN();
+    return report;
+  }
   Real residual = start(work, a, preconditioning, b, x);
   // Below the rounding of b alone a residual means nothing.
   const Real floor = std::numeric_limits<Real>::epsilon() * report.reference;
@@ -323,7 +328,7 @@ PcgReport solve_pcg(PcgWork& work, const Apply& a, const Preconditioning& precon
                                             : options.tolerance * report.reference;
   // The recurrence drifts from the true residual: that is measured anew, and the search restarted where it had drifted.
   Real before = std::numeric_limits<Real>::infinity();
-  while (!(residual <= target) && report.iterations < options.max_iterations) {
+  while (!(residual <= target) && report.iterations < options.max_iterations && !interrupt_signal) {
     if (!(residual < 0.5 * before)) break;  // a restart that gains nothing: rounding, or NaN
     before = residual;
     if (std::isnan(iterate(work, a, preconditioning, x, target, options.max_iterations,

@@ -12,9 +12,11 @@ struct SolveReport {
       0;  ///< true ‖b − A x‖ / ‖b‖ of the last solve; NaN where numbers left their range
   Real gap =
       0;  ///< largest distance of an augmented fixed point from its place / largest displacement
+  Index inverted =
+      none;  ///< an element that the solution turns inside out: then it is not accepted
   Preconditioner preconditioner = Preconditioner::block_jacobi;  ///< the one used last
   bool converged =
-      true;  ///< the residual is within the tolerance; the gap may be as large as it says
+      true;  ///< the residual is within the tolerance; the gap may be as large as it says. A signal ends a solve as it stands
 };
 
 }  // namespace rockfold

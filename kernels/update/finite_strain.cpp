@@ -45,6 +45,10 @@ class FiniteStrain : public LargeDeformation {
   void turn(const Field& x) const override {
     if (rule_.middle) finite::turn_from_middle(body_, x);
   }
+  Index inverted(const Field& d) const override {
+    finite::deform(body_, d);
+    return finite::first_inverted(body_);
+  }
   Real rounding() const override { return rounding_; }
 
   void apply(const solve::Combination& c, const Field& x, const Field& y) const override {

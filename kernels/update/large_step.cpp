@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "kernels/update/motion_kernel.hpp"
+#include "src/base/interrupt.hpp"
 
 namespace rockfold::update {
 namespace {
@@ -61,7 +62,8 @@ void follow(Motion::Data& m, const Balance& balance) {
       });
 }
 
-/// right = what is not balanced, the supports left out. Returns the largest norm of loads, inertia and internal forces.
+/// right = what is not balanced, the supports left out. Returns the largest norm of loads, inertia and internal forces, each by
+/// itself.
 Real find_residual(Motion::Data& m, const Balance& balance) {
   Kokkos::deep_copy(m.right, 0.0);
   if (balance.dt > 0) {
@@ -73,7 +75,11 @@ Real find_residual(Motion::Data& m, const Balance& balance) {
     }
   }
   m.rock->force(m.now.displacement, m.work);
-  if (m.following.any()) follow(m, balance);
+  Real reference = m.initial_force;
+  if (m.following.any()) {
+    reference = std::max(reference, std::sqrt(solve::dot(m.held.work, m.work, m.work)));
+    follow(m, balance);
+  }
   const auto load = m.load, varying = m.varying, before = m.varying_before, right = m.right,
              internal = m.work;
   const bool varies = m.varying_loads.any(), middle = balance.middle;
@@ -83,11 +89,10 @@ Real find_residual(Motion::Data& m, const Balance& balance) {
       "rockfold::update::large_residual", m.unknowns, m.partial,
       KOKKOS_LAMBDA(const Index p, Sums<3>& sum) {
         for (int d = 0; d < 3; ++d) {
-          Real f = times * load(p, d);
-          if (varies) f += varying(p, d) + (middle ? before(p, d) : 0);
-          f *= share;
-          const Real inner = times * internal(p, d);
-          sum.value[0] += f * f;
+          const Real constant = share * times * load(p, d);
+          const Real changing = varies ? share * (varying(p, d) + (middle ? before(p, d) : 0)) : 0;
+          const Real f = constant + changing, inner = times * internal(p, d);
+          sum.value[0] += constant * constant + changing * changing;
           sum.value[1] += right(p, d) * right(p, d);
           sum.value[2] += inner * inner;
           right(p, d) = f - right(p, d) - inner;
@@ -97,7 +102,7 @@ Real find_residual(Motion::Data& m, const Balance& balance) {
         for (int k = 0; k < 3; ++k) out(k) = sum.value[k];
       });
   const std::vector<Real> squares = device::to_host(m.sums);
-  return std::sqrt(std::max({squares[0], squares[1], squares[2]}));
+  return std::max(reference, std::sqrt(std::max({squares[0], squares[1], squares[2]})));
 }
 
 /// goal = what supports still have to go; in the middle, springs pull with the mean of both ends.
@@ -126,8 +131,9 @@ Real unbalanced(Motion::Data& m) {
   return std::sqrt(solve::dot(m.held.work, m.work, m.work));
 }
 
-/// Supports' largest distance from their places over the largest displacement.
-Real gap_of_supports(Motion::Data& m) {
+/// Supports' largest distance from their places over the largest displacement, or over what forces of the size `reference` would
+/// move the stiffest cover by: where forces cancel nothing moves.
+Real gap_of_supports(Motion::Data& m, Real reference) {
   const solve::Springs s = m.held.springs;
   if (!s.any()) return 0;
   const auto goal = m.goal;
@@ -139,7 +145,10 @@ Real gap_of_supports(Motion::Data& m) {
             worst = device::math::fmax(worst, device::math::fabs(goal(n, d)));
         return worst;
       });
-  return gap > 0 ? gap / std::max(solve::largest_entry(m.now.displacement), gap) : 0;
+  if (!(gap > 0)) return 0;
+  const Real diagonal = m.held.largest_diagonal;
+  const Real least = diagonal > 0 ? reference / diagonal : 0;
+  return gap / std::max({solve::largest_entry(m.now.displacement), gap, least});
 }
 
 /// d' += x, and what follows from it.
@@ -167,22 +176,25 @@ void set_tangent(Motion::Data& m, const Balance& balance, bool first) {
 }
 
 /// Newton's iteration from the state as it is. Steps of a tangent that is not positive are taken with the part of it that is.
-SolveReport balance_forces(Motion::Data& m, const Balance& balance) {
+SolveReport iterate(Motion::Data& m, const Balance& balance) {
   SolveReport total;
   total.converged = false;
-  Real before = std::numeric_limits<Real>::infinity();
+  Real before = std::numeric_limits<Real>::infinity(), gap_before = before;
   for (int i = 0; i < most_iterations; ++i) {
     Real reference = find_residual(m, balance);
     aim(m, balance);
     reference = std::max(reference, 1e-30);
     const Real left = unbalanced(m);
     total.residual = left / reference;
-    total.gap = gap_of_supports(m);
+    total.gap = gap_of_supports(m, reference);
     const Real wanted = std::max(m.solver.tolerance * reference, 16 * m.large->rounding());
     // Rounding alone: what is left is small, and another iteration would not take it away.
     const bool stalled = left <= 256 * m.large->rounding() && left > 0.5 * before;
     before = left;
-    if (i > 0 && (left <= wanted || stalled) && total.gap <= m.solver.gap_tolerance) {
+    // A gap that whole solves do not halve stays: the report says how large it is, as under small strain.
+    const bool closed = total.gap <= m.solver.gap_tolerance || total.gap > 0.5 * gap_before;
+    gap_before = total.gap;
+    if (i > 0 && (left <= wanted || stalled) && closed) {
       total.converged = true;
       return total;
     }
@@ -190,6 +202,7 @@ SolveReport balance_forces(Motion::Data& m, const Balance& balance) {
     solve::HeldOptions how = solve_options(m, reference);
     how.pcg.tolerance = std::max(0.1 * wanted, 4 * m.large->rounding()) / reference;
     if (balance.dt == 0) how.patience = 40, how.max_outer = std::max<Index>(how.max_outer, 400);
+    how.gap_tolerance *= 0.5;  // measured against another reference there
     set_tangent(m, balance, i == 0);
     Kokkos::deep_copy(m.correction, 0.0);
     SolveReport report =
@@ -197,6 +210,7 @@ SolveReport balance_forces(Motion::Data& m, const Balance& balance) {
     total.iterations += report.iterations;
     total.outer += report.outer;
     total.preconditioner = report.preconditioner;
+    if (!report.converged && interrupt_signal) return total;
     if (!report.converged) {
       m.large->soften();
       set_matrix(m, m.held.combination, m.dashpot_factor, 1, false);
@@ -210,6 +224,15 @@ SolveReport balance_forces(Motion::Data& m, const Balance& balance) {
     correct(m, balance);
   }
   return total;
+}
+
+/// Balanced forces that turn no rock inside out: elastic forces of St. Venant and Kirchhoff vanish where nothing is left of it, and
+/// have an equilibrium beyond.
+SolveReport balance_forces(Motion::Data& m, const Balance& balance) {
+  SolveReport report = iterate(m, balance);
+  if (report.converged) report.inverted = m.large->inverted(m.now.displacement);
+  report.converged = report.converged && report.inverted == none;
+  return report;
 }
 
 /// Forces of the supports over the step, mean where `middle`, and their work.
@@ -312,14 +335,17 @@ SolveReport solve_equilibrium_large(Motion::Data& m) {
     total.residual = report.residual;
     total.gap = report.gap;
     total.converged = report.converged;
+    if (report.inverted != none)
+      total.inverted = report.inverted;  // smaller parts may just not converge
     if (report.converged) {
+      total.inverted = none;
       done = balance.load;
       part *= 2;
       copy_state(m.now, good);
       continue;
     }
     part /= 2;
-    if (part < smallest) return total;
+    if (part < smallest || interrupt_signal) return total;
     copy_state(good, m.now);
   }
   Balance balance;

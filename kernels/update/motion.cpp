@@ -1,6 +1,8 @@
 #include "kernels/update/motion.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "kernels/update/motion_kernel.hpp"
@@ -113,6 +115,8 @@ void make_data(Motion::Data& m, const MotionSetup& setup) {
   if (m.damped() || m.large)
     m.velocity_before = device::make_field("update::velocity_before", m.unknowns);
   make_loads(m, setup);
+  m.rock->force(m.now.displacement, m.work);
+  m.initial_force = std::sqrt(solve::dot(m.held.work, m.work, m.work));
 }
 
 Real largest_motion(const solve::DevicePoints& points, const Field& x) {
@@ -125,6 +129,16 @@ Real largest_motion(const solve::DevicePoints& points, const Field& x) {
         }
         return device::math::sqrt(square);
       });
+}
+
+/// Numbers so large that energies overflow are no motion any more: not converged, residual NaN.
+void require_finite(const Motion::Data& m, SolveReport& report) {
+  constexpr Real most = 1e200;  // of squares
+  if (solve::dot(m.held.work, m.now.displacement, m.now.displacement) < most &&
+      solve::dot(m.held.work, m.now.acceleration, m.now.acceleration) < most)
+    return;
+  report.converged = false;
+  report.residual = std::numeric_limits<Real>::quiet_NaN();
 }
 
 }  // namespace
@@ -147,7 +161,10 @@ void Motion::set_motion(const StateArrays& state) {
 }
 
 SolveReport Motion::solve_static() {
-  return data_->large ? update::solve_equilibrium_large(*data_) : update::solve_equilibrium(*data_);
+  SolveReport report =
+      data_->large ? update::solve_equilibrium_large(*data_) : update::solve_equilibrium(*data_);
+  update::require_finite(*data_, report);
+  return report;
 }
 SolveReport Motion::start(Real dt) {
   if (data_->dynamic_ratio == 0) return {};  // no acceleration is handed on
@@ -161,13 +178,15 @@ SolveReport Motion::step(Real dt, int substeps, const TrackedPoints* watched, Re
   for (int i = 0; i < substeps; ++i) {
     // A quasi-static substep is a step of its own: nothing is handed on. The share of a velocity is taken once a step.
     if (i == 0 || m.dynamic_ratio == 0) update::hand_on(m);
-    const SolveReport report =
+    SolveReport report =
         m.large ? update::advance_large(m, dt / substeps) : update::advance(m, dt / substeps);
+    update::require_finite(m, report);
     total.iterations += report.iterations;
     total.outer += report.outer;
     total.preconditioner = report.preconditioner;
     total.residual = report.residual;
     total.gap = report.gap;
+    total.inverted = report.inverted;
     total.converged = report.converged;
     if (!total.converged) return total;
     if (!watched) continue;

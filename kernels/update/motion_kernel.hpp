@@ -65,6 +65,7 @@ struct Motion::Data {
   Real dashpot_factor = 0;  ///< of the dashpots in the matrix
   Real step_length = 0;     ///< that the system is prepared for; 0 = for none
   Real largest_increment = 0;
+  Real initial_force = 0;   ///< N, norm of the forces of the initial stress in place
   Real initial_energy = 0;  ///< J, kinetic + strain + potential of the motion given
 
   bool damped() const { return damping.mass > 0 || damping.stiffness > 0 || dashpots.any(); }
@@ -80,8 +81,8 @@ void set_matrix(Motion::Data& m, const solve::Combination& c, Real dashpots, Rea
                 bool stiffen);
 /// The loads that change and the targets of the supports, at t.
 void set_time(Motion::Data& m, Real t);
-/// right = F − M a − C v − f(d) of `now`. Returns the largest norm of F, M a + C v and f(d): what residuals are measured
-/// against where they cancel.
+/// right = F − M a − C v − f(d) of `now`. Returns the largest norm of F, M a + C v, f(d) and f(0), loads that are constant and that
+/// change each by themselves: what residuals are measured against where they cancel.
 Real find_residual(Motion::Data& m, bool moving);
 /// goal = ū − N d: how far the fixed points still have to go.
 void aim(const Motion::Data& m);

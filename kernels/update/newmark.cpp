@@ -102,8 +102,8 @@ Real find_residual(Motion::Data& m, bool moving) {
       "rockfold::update::residual", m.unknowns, m.partial,
       KOKKOS_LAMBDA(const Index p, Sums<3>& sum) {
         for (int d = 0; d < 3; ++d) {
-          const Real f = load(p, d) + (varies ? varying(p, d) : 0);
-          sum.value[0] += f * f;
+          const Real changing = varies ? varying(p, d) : 0, f = load(p, d) + changing;
+          sum.value[0] += load(p, d) * load(p, d) + changing * changing;
           sum.value[1] += right(p, d) * right(p, d);
           sum.value[2] += internal(p, d) * internal(p, d);
           right(p, d) = f - right(p, d) - internal(p, d);
@@ -113,7 +113,7 @@ Real find_residual(Motion::Data& m, bool moving) {
         for (int k = 0; k < 3; ++k) out(k) = sum.value[k];
       });
   const std::vector<Real> squares = device::to_host(m.sums);
-  return std::sqrt(std::max({squares[0], squares[1], squares[2]}));
+  return std::max(std::sqrt(std::max({squares[0], squares[1], squares[2]})), m.initial_force);
 }
 
 solve::HeldOptions solve_options(const Motion::Data& m, Real reference) {

@@ -39,7 +39,10 @@ void read_duration(TableReader& in, Analysis& analysis) {
   const bool end =
       in.read("end_time", end_time, positive("s"), Need::optional) || !in.has("end_time");
   if (in.has("steps")) {
-    in.read("steps", analysis.steps, IntegerRange{.low = 1}, Need::optional);
+    const bool known = in.read("steps", analysis.steps, IntegerRange{.low = 1}, Need::optional);
+    if (known && analysis.type == AnalysisType::static_ && analysis.steps != 1)
+      in.wrong("steps", "found " + std::to_string(analysis.steps) +
+                            ", must be 1: a static analysis takes its loads in one step");
   } else if (end && step && analysis.type != AnalysisType::static_) {
     if (const auto steps = whole_steps(in, end_time, analysis.time_step)) {
       analysis.steps = *steps;

@@ -257,9 +257,13 @@ std::string run_summary(const RunReport& report) {
       "covers", fmt::format("{} of {} elements, {} unknowns", grouped(report.covers.cover_count()),
                             grouped(report.covers.element_count()),
                             grouped(3 * std::int64_t{report.covers.unknown_count()})));
-  text += fact("steps", fmt::format("{} to t = {:.6g} s, {} solver iterations ({})",
-                                    grouped(run.steps), run.time, grouped(run.iterations.pcg),
-                                    preconditioner_name(run.preconditioner)));
+  const std::string steps = run.interrupted
+                                ? fmt::format("{} of {} (interrupted)", grouped(run.steps),
+                                              grouped(report.model.analysis->steps))
+                                : grouped(run.steps);
+  text += fact("steps",
+               fmt::format("{} to t = {:.6g} s, {} solver iterations ({})", steps, run.time,
+                           grouped(run.iterations.pcg), preconditioner_name(run.preconditioner)));
   const LargestDisplacement& largest = run.largest_displacement;
   if (largest.block != none)
     text += fact("largest displacement", fmt::format("{:.4g} m, in block {} at {}", largest.length,

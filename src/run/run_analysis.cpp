@@ -71,13 +71,32 @@ std::string number(Real value) {
   return text.str();
 }
 
-[[noreturn]] void refuse(const SolveReport& report, Index step, Real time,
-                         const SolverSpec& solver) {
-  throw Error(ErrorKind::analysis,
-              "step " + std::to_string(step) + ", time " + number(time) +
-                  " s: the solver did not converge: residual " + number(report.residual) +
-                  " after " + std::to_string(report.iterations) + " iterations, tolerance " +
-                  number(solver.tolerance) + " (solver.tolerance, solver.max_iterations)");
+Index block_of(const CoverArrays& covers, Index element) {
+  const Index parts = covers.parts_per_cell(), whole = parts * covers.regular_count();
+  return element < whole ? covers.regular_block[element / parts]
+                         : covers.piece_block[covers.piece_begin[element - whole]];
+}
+
+[[noreturn]] void refuse(const SolveReport& report, Index step, Real time, const RunInput& input) {
+  std::string what = "step " + std::to_string(step) + ", time " + number(time) + " s: ";
+  if (report.inverted != none) {
+    const Vec3 at =
+        input.covers.lattice.cell_centre(element_nodes(input.covers, report.inverted).cell);
+    what += "block " + std::to_string(block_of(input.covers, report.inverted) + 1) +
+            " is turned inside out near (" + number(at[0]) + ", " + number(at[1]) + ", " +
+            number(at[2]) +
+            "): loads or velocities are too large for its stiffness (material.young_modulus)";
+  } else if (!std::isfinite(report.residual)) {
+    what +=
+        "the motion grew beyond all numbers: it is not stable (analysis.time_step, "
+        "analysis.newmark), or nothing resists it";
+  } else {
+    const SolverSpec& solver = input.model.solver;
+    what += "the solver did not converge: residual " + number(report.residual) + " after " +
+            std::to_string(report.iterations) + " iterations, tolerance " +
+            number(solver.tolerance) + " (solver.tolerance, solver.max_iterations)";
+  }
+  throw Error(ErrorKind::analysis, what);
 }
 
 /// The analysis under way: what its three kinds share.
@@ -100,8 +119,8 @@ class Run {
   void march(Progress& progress);
 
  private:
-  void take_step(Index step);
-  void accept(const SolveReport& report, Index step, Real time);
+  bool take_step(Index step);
+  bool accept(const SolveReport& report, Index step, Real time);
 
   const RunInput& input_;
   const Analysis& analysis_;
@@ -113,15 +132,17 @@ class Run {
 };
 
 /// Counts a solve; where it failed, goes back to the last good state (step 0: the start, before anything was solved), stores it and
-/// throws.
-void Run::accept(const SolveReport& report, Index step, Real time) {
+/// throws. False where a signal ended it: the same, without the throw.
+bool Run::accept(const SolveReport& report, Index step, Real time) {
   result_.iterations.pcg += report.iterations;
   result_.preconditioner = report.preconditioner;
   result_.support_gap = report.gap;
-  if (report.converged) return;
+  if (report.converged) return true;
   motion_.restore();
   recorder_.store(motion_, std::max<Index>(step - 1, 0));
-  refuse(report, step, time, input_.model.solver);
+  if (interrupt_signal == 0) refuse(report, step, time, input_);
+  result_.interrupted = true;
+  return false;
 }
 
 void Run::solve_static() {
@@ -130,18 +151,19 @@ void Run::solve_static() {
   const Timer timer;
   const SolveReport report = motion_.solve_static();
   result_.seconds.solve += timer.seconds();
-  accept(report, 1, motion_.time());
+  if (!accept(report, 1, motion_.time())) return;
   result_.steps = 1;
   recorder_.record(motion_, 1, true);
 }
 
-/// One step, in as many equal parts as max_displacement_ratio asks for.
-void Run::take_step(Index step) {
+/// One step, in as many equal parts as max_displacement_ratio asks for. False where a signal ended it.
+bool Run::take_step(Index step) {
   const Timer timer;
   const Real start = motion_.time();
   const Real dt = step == analysis_.steps ? analysis_.last_time_step.value_or(analysis_.time_step)
                                           : analysis_.time_step;
   motion_.save();
+  Index inverted = none;  // by a try with fewer substeps
   for (int substeps = 1;; substeps *= 2) {
     if (substeps > most_substeps)
       throw Error(ErrorKind::analysis,
@@ -149,19 +171,22 @@ void Run::take_step(Index step) {
                       std::to_string(most_substeps) + " substeps move a block vertex by " +
                       number(motion_.largest_increment()) + " m each, more than " + number(limit_) +
                       " m (analysis.max_displacement_ratio)");
-    const SolveReport report = motion_.step(dt, substeps, watched_ ? &*watched_ : nullptr, limit_);
+    SolveReport report = motion_.step(dt, substeps, watched_ ? &*watched_ : nullptr, limit_);
+    if (report.inverted != none) inverted = report.inverted;
     // Newton's method may find its way by shorter steps.
-    if (!report.converged && analysis_.large() && substeps < most_substeps) {
+    if (!report.converged && analysis_.large() && substeps < most_substeps && !interrupt_signal) {
       result_.iterations.pcg += report.iterations;
       motion_.restore();
       continue;
     }
-    accept(report, step, start + dt);
+    if (!report.converged) report.inverted = inverted;
+    if (!accept(report, step, start + dt)) break;
     result_.largest_substeps = std::max(result_.largest_substeps, substeps);
     if (!watched_ || motion_.largest_increment() <= limit_) break;
     motion_.restore();
   }
   result_.seconds.solve += timer.seconds();
+  return !result_.interrupted;
 }
 
 /// Schemes that are stable for short steps only blow up beyond them.
@@ -186,11 +211,11 @@ void Run::march(Progress& progress) {
   motion_.save();
   accept(motion_.start(analysis_.time_step), 0, 0);
   result_.seconds.solve += timer.seconds();
-  require_stable_step();
-  recorder_.record(motion_, 0, false);
+  if (!result_.interrupted) require_stable_step();
+  recorder_.record(motion_, 0, result_.interrupted);
   progress.begin("analysis", analysis_.steps, "steps");
   for (Index step = 1; step <= analysis_.steps && !result_.interrupted; ++step) {
-    take_step(step);
+    if (!take_step(step)) break;
     result_.steps = step;
     result_.interrupted = interrupt_signal != 0;
     recorder_.record(motion_, step, step == analysis_.steps || result_.interrupted);

@@ -32,8 +32,8 @@ using StoreState = std::function<void(const StoredState&)>;
 /// Runs Model::analysis. The device must have been started (kernels/device/device.hpp).
 ///
 /// Throws Error(analysis) where a solve does not converge (naming step, time and residual), where a static system leaves
-/// a part free to move, and where max_displacement_ratio would need more than 1024 substeps. A signal
-/// (src/base/interrupt.hpp) ends the run after the current step, whose state is stored.
+/// a part free to move, where blocks are turned inside out or numbers leave their range, and where max_displacement_ratio would
+/// need more than 1024 substeps. A signal (src/base/interrupt.hpp) ends the run at once: the last step done is stored.
 RunResult run_analysis(const RunInput& input, const StoreState& store, Progress& progress);
 
 }  // namespace rockfold

@@ -19,6 +19,7 @@ class BadInput(ProgramTest):
         ('{face = "rock.xmin"}', "{box = [[5, 5, 5], [6, 6, 6]]}", 17, "fixed[1].where", "holds nothing: no rock lies there"),
         ('{face = "rock.xmin"}', '{face = "rock.top"}', 18, "fixed[1].where.face", "its faces are: xmin, xmax, ymin, ymax, zmin, zmax"),
         ('{face = "rock.zmax"}', "{box = [[5, 5, 5], [6, 6, 6]]}", 26, "traction[1].where", "no free face"),
+        ("[0.4, 0.3, 1.2]", "[0.4, 0.3, 2.0000001]", 31, "monitor[1].point", "(0.4, 0.3, 2.0000001) of monitor"),
         ("[0.4, 0.3, 1.2]", "[0.4, 0.3, 2.2]", 31, "monitor[1].point", "of monitor monitor1 is not in the rock"),
         ("spacing = 0.7", "spacing = 1e-3", 15, "cover.spacing", "elements, must make cover.max_elements = 50000000 or fewer"),
         ("spacing = 0.7", "spacing = -1", 16, "cover.spacing", "found -1, must be > 0"),
@@ -70,6 +71,22 @@ class NoConvergence(ProgramTest):
         self.write("slow.toml", PRESSED.replace('type = "static"', DYNAMIC) + "[solver]\nmax_iterations = 1\n")
         self.assertIn("step 0, time 0 s: the solver did not converge", self.run_program("run", "slow.toml", status=1).stderr)
         self.assertEqual(self.states(), [0])
+
+
+class Warnings(ProgramTest):
+    def test_name_keys_that_have_no_use_in_a_static_analysis(self):
+        self.write("still.toml", PRESSED.replace('type = "static"', 'type = "static"\ndynamic_ratio = 0.5\nrayleigh = {alpha = 1}'))
+        self.assertIn("of no use in a static analysis, which has no time: analysis.dynamic_ratio, analysis.rayleigh\n",
+                      self.run_program("run", "still.toml").stderr)
+        self.write("still.toml", PRESSED)
+        self.assertNotIn("warning", self.run_program("run", "still.toml").stderr)
+
+    def test_name_conditions_that_contradict_each_other(self):
+        again = PRESSED.split("[[fixed]]")[1].split("[[")[0]
+        self.write("torn.toml", PRESSED + "[[fixed]]" + again + "value = [0.1, 0, 0]\n")
+        done = self.run_program("run", "torn.toml")
+        self.assertRegex(done.stderr, r"fixed\[1\] and fixed\[\d\] prescribe different displacements of the same points")
+        self.assertNotIn("lattice nodes", done.stderr)
 
 
 if __name__ == "__main__":

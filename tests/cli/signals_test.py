@@ -30,6 +30,8 @@ class Signals(ProgramTest):
             self.assertEqual(process.returncode, status, process.err)
             self.assertGreaterEqual(len(self.json_of("info", "free_fall.vtkhdf")["states"]["step"]), 1)
             self.assertFalse(partial())
+            self.assertIn(" (interrupted) to t = ", process.out)
+            self.assertRegex(process.err, r"warning: interrupted after \d+ of \d+ steps: the result ends at t = ")
             (self.folder / "free_fall.vtkhdf").unlink()
 
     def test_during_cutting_leave_nothing(self):

@@ -280,6 +280,7 @@ TEST(WrongModel, OfAnalyses) {
       {RUN "steps = 0", 7, 9, "analysis.steps", "found 0, must be an integer >= 1"},
       {RUN "steps = 5\nend_time = 1", 7, 9, "analysis.steps", "either steps or end_time, not both"},
       {RUN "dynamic_ratio = 1.5", 7, 17, "analysis.dynamic_ratio", "found 1.5, must be 0 to 1"},
+      {RUN "type = 'static'\nsteps = 5", 8, 9, "analysis.steps", "found 5, must be 1: a static analysis takes its loads in one step"},
       {RUN "type = 'quasi_static'\ndynamic_ratio = 0.5", 8, 17, "analysis.dynamic_ratio", "a quasi_static analysis has 0"},
       {RUN "max_displacement_ratio = 0", 7, 26, "analysis.max_displacement_ratio", "must be > 0 and <= 1"},
       {RUN "newmark = 0.25", 7, 11, "analysis.newmark", "must be a table"},

@@ -170,14 +170,29 @@ TEST(RunAnalysis, TakesSubstepsWhereAVertexWouldMoveTooFar) {
   EXPECT_NE(message_of(c).find("max_displacement_ratio"), std::string::npos);
 }
 
-TEST(RunAnalysis, StopsAfterTheStepInWhichItWasInterrupted) {
-  Case c(AnalysisType::dynamic);
+TEST(RunAnalysis, StopsAtTheLastStepDoneWhenItIsInterrupted) {
+  Case c(AnalysisType::dynamic, true);
   c.stop_after = 3;
   const RunResult result = c.run();
   interrupt_signal = 0;
   EXPECT_TRUE(result.interrupted);
-  EXPECT_EQ(result.steps, 4);
-  EXPECT_EQ(c.stored, (std::vector<Index>{0, 3, 4}));
+  EXPECT_EQ(result.steps, 3);
+  EXPECT_NEAR(result.time, 0.15, 1e-12);
+  EXPECT_EQ(c.stored, (std::vector<Index>{0, 3}));
+  ASSERT_EQ(result.energies.size(), 4u);
+}
+
+TEST(RunAnalysis, InterruptedInItsOnlySolveKeepsTheStart) {
+  for (const auto type : {AnalysisType::static_, AnalysisType::dynamic}) {
+    Case c(type, true);
+    interrupt_signal = SIGTERM;
+    const RunResult result = c.run();
+    interrupt_signal = 0;
+    EXPECT_TRUE(result.interrupted);
+    EXPECT_EQ(result.steps, 0);
+    EXPECT_EQ(c.stored, (std::vector<Index>{0}));
+    EXPECT_EQ(c.stored_fall, 0);
+  }
 }
 
 TEST(RunAnalysis, StaticEqualsTheEndOfQuasiStatic) {

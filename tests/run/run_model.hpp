@@ -1,0 +1,52 @@
+// A model as text, from reading to the answer, as the program does it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/cover/cover.hpp"
+#include "host/cover/loads.hpp"
+#include "host/cut/cut.hpp"
+#include "host/flatten/flatten.hpp"
+#include "src/model/read_model.hpp"
+#include "src/run/run_analysis.hpp"
+
+namespace rockfold {
+
+struct ModelAnswer {
+  RunResult result;
+  std::vector<Index> stored;  ///< steps of the stored states
+  StoredState last;
+};
+
+/// Throws what the parts of the program throw; `answer` then holds the states stored before.
+inline void run_model(const std::string& text, ModelAnswer& answer) {
+  const Model model = parse_model(text, "m.toml", {}, Purpose::run);
+  Progress silent;
+  const Cutting cutting = cut_blocks(model, silent);
+  const BlockArrays blocks = flatten_blocks(cutting, model);
+  const Covering covering = build_covers(cutting, model, silent);
+  const FixedPoints fixed = fixed_points(cutting, covering, model);
+  const LoadPoints loads = load_points(cutting, covering, model);
+  const QuietPoints quiet = quiet_points(cutting, covering, model);
+  const auto velocities = rigid_velocities(covering, blocks.block_count(), model);
+  std::vector<Vec3> points;
+  for (const auto& monitor : model.monitors) points.push_back(monitor.point);
+  const MaterialPoints monitors = locate_points(covering, points),
+                       vertices = locate_block_vertices(covering, blocks);
+  const auto store = [&](const StoredState& state) {
+    answer.stored.push_back(state.step);
+    answer.last = state;
+  };
+  answer.result = run_analysis(
+      {model, covering.arrays, blocks, fixed, monitors, loads, quiet, velocities, vertices}, store,
+      silent);
+}
+
+inline ModelAnswer run_model(const std::string& text) {
+  ModelAnswer answer;
+  run_model(text, answer);
+  return answer;
+}
+
+}  // namespace rockfold
