@@ -142,6 +142,9 @@ class RotationSearch {
            lifts(patches_[hinge.second], rotation.point, rotation.axis);
   }
 
+  /// N, by which r presses on a plane.
+  Real pressed(std::size_t patch) const { return dot(body_.force, patches_[patch].normal); }
+
   void turn_about(Rotation rotation, const Vec3& pressing, const Hinge& hinge) {
     const Moments moments = moments_about(rotation.axis, rotation.point, body_, pressing);
     rotation.velocity = cross(rotation.axis, body_.centroid - rotation.point);
@@ -151,7 +154,10 @@ class RotationSearch {
     rotation.driving = moments.driving;
     rotation.resisting = moments.resisting + friction_moment(patches_, body_, rotation);
     rotation.safety = rotation.resisting / rotation.driving;
-    rotation.face = patches_[hinge.first].face;
+    const std::size_t more =
+        pressed(hinge.second) > pressed(hinge.first) ? hinge.second : hinge.first;
+    rotation.face = patches_[more].face;
+    rotation.pressed = pressed(more);
     found_.push_back(rotation);
   }
 
@@ -194,16 +200,26 @@ class RotationSearch {
       found_.back().safety = turning.resisting / turning.driving;
   }
 
-  /// The least safe first; of equals (to rounding) the more vigorous one.
+  /// The least safe first; of equals the more vigorous one, whatever rounding says.
   void sort() {
-    std::stable_sort(found_.begin(), found_.end(),
-                     [](const Rotation& a, const Rotation& b) { return a.safety < b.safety; });
-    const auto equals = std::find_if(found_.begin(), found_.end(), [&](const Rotation& r) {
-      return r.safety > found_.front().safety + 1e-12;
+    constexpr Real rounding = 1e-10;
+    if (found_.empty()) return;
+    const auto less_safe = [](const Rotation& a, const Rotation& b) { return a.safety < b.safety; };
+    const Real least = std::min_element(found_.begin(), found_.end(), less_safe)->safety;
+    const auto equals = std::stable_partition(found_.begin(), found_.end(), [&](const Rotation& r) {
+      return r.safety <= least + rounding * (1 + least);
     });
-    std::stable_sort(found_.begin(), equals, [&](const Rotation& a, const Rotation& b) {
-      return vigour(a, body_) > vigour(b, body_);
-    });
+    // Of two planes that share the edge the one that r presses on more.
+    const auto keep_most = [&](auto begin, auto end, const auto& value) {
+      Real most = 0;
+      for (auto r = begin; r != end; ++r) most = std::max(most, value(*r));
+      return std::stable_partition(
+          begin, end, [&](const Rotation& r) { return value(r) >= (1 - rounding) * most; });
+    };
+    const auto vigorous =
+        keep_most(found_.begin(), equals, [&](const Rotation& r) { return vigour(r, body_); });
+    keep_most(found_.begin(), vigorous, [](const Rotation& r) { return r.pressed; });
+    std::stable_sort(equals, found_.end(), less_safe);
   }
 
   Patches patches_;

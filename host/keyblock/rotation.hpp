@@ -34,14 +34,15 @@ struct Rotation {
   enum class About { edge, corner };  ///< edge: or a line through corners of two planes
   About about = About::edge;
   Index face =
-      none;      ///< the patch's, whose edge or corner it is: the plane that the block lifts off
-  Vec3 point{};  ///< m, on the axis
-  Vec3 axis{};   ///< unit; the block turns counter-clockwise seen against it
+      none;  ///< the patch's, whose edge or corner it is: the plane that the block lifts off, of two the one pressed more
+  Vec3 point{};        ///< m, on the axis
+  Vec3 axis{};         ///< unit; the block turns counter-clockwise seen against it
   Real driving = 0;    ///< N m, > 0
   Real resisting = 0;  ///< N m, ≥ 0
   Real safety =
       0;  ///< resisting over driving; about a corner without the twist about the plane's normal
-  Vec3 velocity{};  ///< m, of the centroid at 1 rad/s: axis × (centroid − point)
+  Real pressed = 0;  ///< N, by which r presses on that plane
+  Vec3 velocity{};   ///< m, of the centroid at 1 rad/s: axis × (centroid − point)
 
   /// Resisting over driving; NaN where nothing resists.
   Real factor_of_safety() const;

@@ -82,7 +82,8 @@ void add_block_support(Json& keyblock, const BoltingReport& bolting, const Block
     bolts.push_back(crossing_json(bolting, crossing));
   keyblock["mobilisation"] = {{"force", support.force_mobilisation},
                               {"displacement", support.displacement_mobilisation}};
-  keyblock["utilisation"] = 100 * support.force_mobilisation;
+  keyblock["utilisation"] = nullptr;  // of no bolts
+  if (!support.crossings.empty()) keyblock["utilisation"] = 100 * support.force_mobilisation;
   if (support.shotcrete.edge > 0)
     keyblock["shotcrete"] = {{"edge", support.shotcrete.edge}, {"force", support.shotcrete.force}};
   keyblock["supported_factor_of_safety"] = support.held.factor_of_safety;

@@ -142,11 +142,12 @@ std::string wall(Real spacing, Real angle, const Vec3& moved) {
                                    {{0, -1, 0}, 5},
                                    {{0, 0, 1}, 5},
                                    {{0, 0, -1}, 5}})
-    planes += "{normal = " + text(turned(normal)) +
-              ", point = " + text(turned(at * normal) + moved) + ", keep = 'below'},";
+    planes += fmt::format("{{normal = {}, point = {}, keep = 'below'}},", text(turned(normal)),
+                          text(turned(at * normal) + moved));
   std::string joints;
   for (const Vec3& normal : {Vec3{0, 1, 0}, Vec3{0, 0, 1}})
-    joints += "[[joint]]\nnormal = " + text(turned(normal)) + "\npoint = " + text(moved) + "\n";
+    joints +=
+        fmt::format("[[joint]]\nnormal = {}\npoint = {}\n", text(turned(normal)), text(moved));
   return rock_and_joint + "[[solid]]\nname = 'rock'\nshape = 'halfspaces'\nplanes = [" + planes +
          "]\ncontinues = ['1', '2', '3', '4', '5']\n" + joints +
          "[[bolt_pattern]]\non = 'rock.0'\n" + fmt::format("spacing = {}\n", spacing) +

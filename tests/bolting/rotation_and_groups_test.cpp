@@ -301,8 +301,7 @@ std::vector<Moving> moving_models() {
            bolt("collar = [0.7, 0.6, 1.5]\ndirection = [-1, 0.1, -0.3]\nlength = 4", "")}};
 }
 
-// Limit equilibrium in all modes, with water, bolts and their forces, whichever way the model looks, to 1e-10. What a bolt
-// does for a block that turns depends on where it leaves the block, which drilling finds to 1e-7 of the model's size.
+// Limit equilibrium in all modes, with water, bolts and their forces, whichever way the model looks, to 1e-10.
 TEST(SupportedBlocks, OfATurnedModelAreTheSame) {
   std::mt19937_64 random(31);
   std::normal_distribution<Real> normal;
@@ -332,7 +331,7 @@ TEST(SupportedBlocks, OfATurnedModelAreTheSame) {
       }
       const BlockSupport now = supported(turned).keyblocks.at(0);
       EXPECT_EQ(now.mode, held.mode);
-      const Real rounding = held.mode == SlidingMode::rotation ? 1e-6 : 1e-10;
+      constexpr Real rounding = 1e-10;
       EXPECT_NEAR(now.held.factor_of_safety, held.held.factor_of_safety,
                   rounding * std::max(1.0, held.held.factor_of_safety));
       EXPECT_NEAR(now.crossings.at(0).capacity, held.crossings[0].capacity,
