@@ -48,7 +48,7 @@ Real largest_frequency(Motion::Data& m, Real dt) {
     m.rock->apply({1, 0}, x, y);
     if (springs.any() && !held) solve::apply_springs(springs, 1, x, y);
   };
-  const solve::Preconditioning blocks{m.held.inverse, nullptr,
+  const solve::Preconditioning blocks{m.held.inverse, nullptr, nullptr,
                                       m.held.op.functions > 1 ? &m.held.cover_blocks : nullptr};
   solve::PcgOptions how;
   how.tolerance = 1e-4;  // the quotient is exact for any x

@@ -79,7 +79,7 @@ void read_newmark(TableReader& in, Analysis& analysis) {
   const auto* value = in.find("newmark");
   if (!value) return;
   TableReader newmark(*value, in.path_of("newmark"), in.out());
-  // Below, the scheme is the explicit one in all but name, and supports that move would need endless accelerations (decision 9).
+  // Below, the scheme is the explicit one in all but name, and supports that move would need endless accelerations (decision 10).
   Range beta;
   beta.low = 1e-4;
   beta.unit = "1e-4 comes to the explicit scheme";
