@@ -48,8 +48,9 @@ Real largest_frequency(Motion::Data& m, Real dt) {
     m.rock->apply({1, 0}, x, y);
     if (springs.any() && !held) solve::apply_springs(springs, 1, x, y);
   };
-  const solve::Preconditioning blocks{m.held.inverse, nullptr, nullptr,
-                                      m.held.op.functions > 1 ? &m.held.cover_blocks : nullptr};
+  solve::Preconditioning blocks;
+  blocks.inverse = m.held.inverse;
+  if (m.held.op.functions > 1) blocks.covers = &m.held.cover_blocks;
   solve::PcgOptions how;
   how.tolerance = 1e-4;  // the quotient is exact for any x
   const Field x = device::make_field("update::mode", m.unknowns);
