@@ -121,11 +121,12 @@ void warn_of_keys_without_use(const Model& model, Terminal& terminal) {
 void warn_of_conditional_stability(const Model& model, Terminal& terminal) {
   const Analysis& analysis = *model.analysis;
   const Real beta = analysis.newmark_beta, gamma = analysis.newmark_gamma;
-  if (analysis.type != AnalysisType::dynamic || (gamma >= 0.5 && beta >= gamma / 2)) return;
-  terminal.warn(fmt::format(
-      "newmark = {{beta = {}, gamma = {}}} is stable for short time steps only: gamma >= "
-      "0.5 and beta >= gamma / 2 are stable for any",
-      beta, gamma));
+  if (analysis.type != AnalysisType::dynamic || gamma >= 0.5) return;
+  terminal.warn(
+      fmt::format("newmark = {{beta = {}, gamma = {}}} adds energy to every vibration that damping "
+                  "does not take: "
+                  "gamma >= 0.5 does not",
+                  beta, gamma));
 }
 
 void warn_of_cutting(const IntentReport& intent, Terminal& terminal) {

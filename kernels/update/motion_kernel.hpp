@@ -100,6 +100,7 @@ solve::HeldOptions solve_options(const Motion::Data& m, Real reference);
 
 SolveReport solve_initial_acceleration(Motion::Data& m, Real dt);
 SolveReport solve_equilibrium(Motion::Data& m);
+Real largest_frequency(Motion::Data& m, Real dt);
 /// One step of Newmark's method.
 SolveReport advance(Motion::Data& m, Real dt);
 /// d', v', a' in free flight.

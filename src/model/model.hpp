@@ -413,10 +413,11 @@ struct Analysis {
   bool large() const {
     return kinematics ? *kinematics == Kinematics::large : type != AnalysisType::static_;
   }
-  Real newmark_beta = 0.25;  ///< > 0
+  Real newmark_beta = 0.25;  ///< ≥ 1e-4
   Real newmark_gamma = 0.5;  ///< ≥ 0
   Real rayleigh_alpha = 0;   ///< 1/s, ≥ 0: damping α M …
   Real rayleigh_beta = 0;    ///< s, ≥ 0: … + β K
+  Place place = {};
 };
 
 struct SolverSpec {

@@ -79,8 +79,11 @@ void read_newmark(TableReader& in, Analysis& analysis) {
   const auto* value = in.find("newmark");
   if (!value) return;
   TableReader newmark(*value, in.path_of("newmark"), in.out());
-  newmark.read("beta", analysis.newmark_beta,
-               positive("0 would be the explicit scheme, which is not offered"), Need::optional);
+  // Below, the scheme is the explicit one in all but name, and supports that move would need endless accelerations (decision 9).
+  Range beta;
+  beta.low = 1e-4;
+  beta.unit = "1e-4 comes to the explicit scheme";
+  newmark.read("beta", analysis.newmark_beta, beta, Need::optional);
   newmark.read("gamma", analysis.newmark_gamma, not_negative(""), Need::optional);
 }
 
@@ -137,6 +140,7 @@ void read_rayleigh(TableReader& in, Analysis& analysis) {
 void read_analysis(Draft& draft) {
   read_section(draft, "analysis", [&](TableReader& in) {
     Analysis analysis;
+    analysis.place = in.place();
     read_type(in, analysis);
     read_kinematics(in, analysis);
     read_duration(in, analysis);

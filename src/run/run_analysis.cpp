@@ -115,6 +115,7 @@ class Run {
   }
 
   void solve_static();
+  void require_stable_step();
   void march(Progress& progress);
 
  private:
@@ -188,11 +189,29 @@ bool Run::take_step(Index step) {
   return !result_.interrupted;
 }
 
+/// Schemes that are stable for short steps only blow up beyond them.
+void Run::require_stable_step() {
+  const Real beta = analysis_.newmark_beta, gamma = analysis_.newmark_gamma;
+  if (analysis_.type != AnalysisType::dynamic || gamma < 0.5 || beta >= gamma / 2) return;
+  const Real frequency = motion_.largest_frequency(analysis_.time_step);
+  const Real critical = 1 / (frequency * std::sqrt(gamma / 2 - beta));
+  if (analysis_.time_step <= critical) return;
+  throw Error(ErrorKind::model,
+              "found " + number(analysis_.time_step) + " s, longer than the critical step " +
+                  number(critical) + " s of newmark = {beta = " + number(beta) +
+                  ", gamma = " + number(gamma) + "} on these covers (largest natural frequency " +
+                  number(frequency) +
+                  " rad/s): use a shorter one, or beta >= gamma / 2, which is stable for any step",
+              Place{analysis_.place.file, analysis_.place.line, analysis_.place.column,
+                    "analysis.time_step"});
+}
+
 void Run::march(Progress& progress) {
   const Timer timer;
   motion_.save();
   accept(motion_.start(analysis_.time_step), 0, 0);
   result_.seconds.solve += timer.seconds();
+  if (!result_.interrupted) require_stable_step();
   recorder_.record(motion_, 0, result_.interrupted);
   progress.begin("analysis", analysis_.steps, "steps");
   for (Index step = 1; step <= analysis_.steps && !result_.interrupted; ++step) {

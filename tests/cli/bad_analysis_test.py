@@ -23,6 +23,9 @@ class BadInput(ProgramTest):
         ("[0.4, 0.3, 1.2]", "[0.4, 0.3, 2.2]", 31, "monitor[1].point", "of monitor monitor1 is not in the rock"),
         ("spacing = 0.7", "spacing = 1e-3", 15, "cover.spacing", "elements, must make cover.max_elements = 50000000 or fewer"),
         ("spacing = 0.7", "spacing = -1", 16, "cover.spacing", "found -1, must be > 0"),
+        ('type = "static"', 'type = "dynamic"\nnewmark = {beta = 0}', 31, "analysis.newmark.beta", "found 0, must be >= 1e-4 (1e-4 comes to the explicit scheme)"),
+        ('type = "static"', 'type = "dynamic"\nkinematics = "small"\nnewmark = {beta = 0.1}\ntime_step = 1e-3', 29, "analysis.time_step",
+         "found 0.001 s, longer than the critical step"),
         ("pressure = 10e6", "pressure = inf", 28, "traction[1].pressure", "must be a finite number"),
     ]
 

@@ -285,7 +285,7 @@ TEST(WrongModel, OfAnalyses) {
       {RUN "max_displacement_ratio = 0", 7, 26, "analysis.max_displacement_ratio", "must be > 0 and <= 1"},
       {RUN "newmark = 0.25", 7, 11, "analysis.newmark", "must be a table"},
       {RUN "newmark = {alpha = 1}", 7, 12, "analysis.newmark.alpha", "the keys here are: beta, gamma"},
-      {RUN "newmark = {beta = 0}", 7, 19, "analysis.newmark.beta", "found 0, must be > 0 (0 would be the explicit scheme"},
+      {RUN "newmark = {beta = 0}", 7, 19, "analysis.newmark.beta", "found 0, must be >= 1e-4 (1e-4 comes to the explicit scheme"},
       {RUN "newmark = {gamma = -0.5}", 7, 20, "analysis.newmark.gamma", "found -0.5, must be >= 0"},
       {RUN "kinematics = 'medium'", 7, 14, "analysis.kinematics", "must be \"small\" or \"large\""},
       {RUN "rayleigh = {alpha = -1}", 7, 21, "analysis.rayleigh.alpha", "found -1, must be >= 0 (1/s)"},

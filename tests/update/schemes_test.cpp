@@ -54,6 +54,37 @@ TEST(Newmark, ObeysItsRecursionWithAnyParameters) {
     }
 }
 
+/// Free rock with slivers, and rock on supports by multipliers: just below the critical step nothing grows, just above it everything does.
+TEST(Newmark, IsStableUpToTheCriticalStepOfTheLargestFrequency) {
+  for (const bool supported : {false, true}) {
+    Rock rock = turned_box({0.1, 0.05, 0}, {0.9, 0.75, 0.7}, 0.35);
+    if (supported) rock.hold([](const Vec3& x) { return x[2] < 1e-9; }, 1e9, true);
+    MotionSetup setup = rock.setup();
+    setup.beta = 1.0 / 12;
+    setup.solver.tolerance = 1e-10;
+    const Real first = Motion(setup).largest_frequency(1e-5);
+    Motion probe(setup);
+    const Real critical =
+        1 / (probe.largest_frequency(1 / first) * std::sqrt(0.5 / 2 - setup.beta));
+    const auto growth = [&](Real dt) {
+      Motion motion(setup);
+      StateArrays state;
+      state.displacement.resize(rock.covers().unknown_count());
+      for (std::size_t p = 0; p < state.displacement.size(); ++p)
+        state.velocity.push_back({std::sin(1.7 * p), std::cos(2.3 * p), std::sin(0.9 * p + 1)});
+      motion.set_motion(state);
+      EXPECT_TRUE(motion.start(dt).converged);
+      const Real before = motion.energy().kinetic;
+      for (int step = 0; step < 300; ++step) motion.step(dt);
+      const Energy after = motion.energy();
+      return (after.kinetic + after.strain) / before;
+    };
+    EXPECT_LT(growth(0.97 * critical), 20)
+        << supported;  // the scheme's own norm, not the energy, is kept
+    EXPECT_GT(growth(1.03 * critical), 1e6) << supported;
+  }
+}
+
 /// REFERENCES C3: β = 1/2, γ = 1, the scheme of DDA.
 TEST(Newmark, OfDdaDampsAsItsSpectralRadiusSays) {
   const Oscillator oscillator;
