@@ -211,16 +211,26 @@ void mean_stress(const Deformation& body, const Array<Real>& stress) {
       });
 }
 
-Index first_inverted(const Deformation& body) {
+Index first_inverted(const Deformation& body, Real least) {
   const Real found = device::largest(
       "rockfold::finite::inverted", body.elements, KOKKOS_LAMBDA(const Index e) {
+        const solve::Elastic& material = body.elastic(body.material(e));
+        Real force = 0;
+        bool inverted = false;
         for (int q = 0; q < body.points; ++q) {
           const std::size_t at = static_cast<std::size_t>(e) * body.points + q;
+          if (!(body.weight(at) > 0)) continue;
+          const Real* g = &body.gradient(static_cast<std::size_t>(3 * body.width()) *
+                                         (body.kind(e) * body.points + q));
+          Real steepest = 0;
+          for (int m = 0; m < 3 * body.width(); ++m)
+            steepest = device::math::fmax(steepest, device::math::fabs(g[m]));
+          force += body.weight(at) * (material.lambda + 2 * material.mu) * steepest;
           Real f[9];
           for (int i = 0; i < 9; ++i) f[i] = body.now(9 * at + i) + (i % 4 == 0 ? 1 : 0);
-          if (body.weight(at) > 0 && !(determinant(f) > 0))
-            return static_cast<Real>(body.elements - e);
+          inverted = inverted || !(determinant(f) > 0);
         }
+        if (inverted && force > least) return static_cast<Real>(body.elements - e);
         return Real(0);
       });
   return found > 0 ? body.elements - static_cast<Index>(found) : none;

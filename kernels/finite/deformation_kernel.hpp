@@ -69,8 +69,9 @@ Real strain_energy(const Deformation& body, const Array<Real>& partial, const Ar
 
 /// Cauchy stress F S Fᵀ / det F now, mean over each element, Pa xx yy zz xy yz zx, [6·elements].
 void mean_stress(const Deformation& body, const Array<Real>& stress);
-/// The first element with det F <= 0, or none. Points outside the rock, whose weights are not positive, do not count.
-Index first_inverted(const Deformation& body);
+/// The first element with det F <= 0, or none. Points outside the rock, whose weights are not positive, do not count; nor do
+/// slivers that no solution resolves: those whose forces at a strain of 1 are below `least`, N.
+Index first_inverted(const Deformation& body, Real least);
 /// N: the forces of a strain of one rounding error everywhere. No residual can be asked to be smaller.
 Real rounding_force(const Deformation& body, const Array<Real>& partial, const Array<Real>& sums);
 

@@ -45,9 +45,9 @@ class FiniteStrain : public LargeDeformation {
   void turn(const Field& x) const override {
     if (rule_.middle) finite::turn_from_middle(body_, x);
   }
-  Index inverted(const Field& d) const override {
+  Index inverted(const Field& d, Real least) const override {
     finite::deform(body_, d);
-    return finite::first_inverted(body_);
+    return finite::first_inverted(body_, least);
   }
   Real rounding() const override { return rounding_; }
 

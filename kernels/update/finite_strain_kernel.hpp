@@ -14,8 +14,8 @@ class LargeDeformation : public Deformation {
   virtual void soften() = 0;
   /// Turns a correction to the end of the step, where forces are taken in its middle.
   virtual void turn(const Field& x) const = 0;
-  /// An element that d turns inside out, or none.
-  virtual Index inverted(const Field& d) const = 0;
+  /// An element that d turns inside out, or none; those whose forces at a strain of 1 are below `least`, N, do not count.
+  virtual Index inverted(const Field& d, Real least) const = 0;
   /// N: what rounding alone leaves of balanced forces.
   virtual Real rounding() const = 0;
 };

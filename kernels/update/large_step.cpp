@@ -176,7 +176,8 @@ void set_tangent(Motion::Data& m, const Balance& balance, bool first) {
 }
 
 /// Newton's iteration from the state as it is. Steps of a tangent that is not positive are taken with the part of it that is.
-SolveReport iterate(Motion::Data& m, const Balance& balance) {
+/// `wanted`: the force, N, below which nothing is balanced.
+SolveReport iterate(Motion::Data& m, const Balance& balance, Real& wanted) {
   SolveReport total;
   total.converged = false;
   Real before = std::numeric_limits<Real>::infinity(), gap_before = before;
@@ -187,7 +188,7 @@ SolveReport iterate(Motion::Data& m, const Balance& balance) {
     const Real left = unbalanced(m);
     total.residual = left / reference;
     total.gap = gap_of_supports(m, reference);
-    const Real wanted = std::max(m.solver.tolerance * reference, 16 * m.large->rounding());
+    wanted = std::max(m.solver.tolerance * reference, 16 * m.large->rounding());
     // Rounding alone: what is left is small, and another iteration would not take it away.
     const bool stalled = left <= 256 * m.large->rounding() && left > 0.5 * before;
     before = left;
@@ -229,8 +230,9 @@ SolveReport iterate(Motion::Data& m, const Balance& balance) {
 /// Balanced forces that turn no rock inside out: elastic forces of St. Venant and Kirchhoff vanish where nothing is left of it, and
 /// have an equilibrium beyond.
 SolveReport balance_forces(Motion::Data& m, const Balance& balance) {
-  SolveReport report = iterate(m, balance);
-  if (report.converged) report.inverted = m.large->inverted(m.now.displacement);
+  Real wanted = 0;
+  SolveReport report = iterate(m, balance, wanted);
+  if (report.converged) report.inverted = m.large->inverted(m.now.displacement, wanted);
   report.converged = report.converged && report.inverted == none;
   return report;
 }
