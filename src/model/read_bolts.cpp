@@ -2,12 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "src/base/vector.hpp"
 #include "src/model/draft.hpp"
 #include "src/model/read_value.hpp"
 #include "src/model/read_walls.hpp"
+#include "src/model/value.hpp"
 
 namespace rockfold {
 
@@ -78,8 +77,8 @@ bool too_short(Real length, const BoltType& type) {
 /// The anchor is a part of the bolt.
 void check_anchor(TableReader& in, const BoltType& type, Real length) {
   if (!too_short(length, type)) return;
-  const std::string sizes = fmt::format("the anchor of {:g} m is longer than the bolt of {:g} m",
-                                        *type.anchor_length, length);
+  const std::string sizes = "the anchor of " + number_text(*type.anchor_length) +
+                            " m is longer than the bolt of " + number_text(length) + " m";
   if (in.has("anchor_length"))
     in.wrong("anchor_length", sizes + ", must be at most the bolt's length");
   else
@@ -193,8 +192,8 @@ void check_anchors(TableReader& in, const Draft& draft, const PatternSearch& sea
   for (const Index t : search.types) {
     const BoltType& type = draft.model.bolt_types[t];
     if (!search.lengths.empty() && too_short(search.lengths.back(), type))
-      in.wrong("length", fmt::format("no bolt is as long as the anchor of {} ({:g} m)", type.name,
-                                     *type.anchor_length));
+      in.wrong("length", "no bolt is as long as the anchor of " + type.name + " (" +
+                             number_text(*type.anchor_length) + " m)");
   }
 }
 
