@@ -70,11 +70,16 @@ void apply_slice(const DeviceBlocks& block, Index slice, const Combination& c, I
   const int n = block.functions;
   const Index begin = block.slice_begin(slice), columns = block.slice_begin(slice + 1) - begin;
   Index id[slice_lanes];
-  Real own[3][slice_lanes];
+  Real own[3][slice_lanes], base[3][slice_lanes];
+  bool all_by_difference = true;
   for (int l = 0; l < slice_lanes; ++l) {
-    const Index p = block.row(slice * slice_lanes + l);
+    const Index slot = slice * slice_lanes + l, p = block.row(slot);
     id[l] = p == none ? 0 : p;
-    for (int i = 0; i < 3; ++i) own[i][l] = p == none ? 0 : x(p, i);
+    all_by_difference &= block.by_difference(slot) != 0;
+    for (int i = 0; i < 3; ++i) {
+      own[i][l] = p == none ? 0 : x(p, i);
+      base[i][l] = own[i][l] * block.by_difference(slot);
+    }
   }
   const Index* column = block.column.data() + static_cast<std::size_t>(begin) * slice_lanes;
   for (int k = 0; k < n; ++k) {
@@ -84,11 +89,13 @@ void apply_slice(const DeviceBlocks& block, Index slice, const Combination& c, I
       for (int l = 0; l < slice_lanes; ++l) sum[i][l] = c.mass * mass[l] * own[i][l];
     for (int f = 0; f < n; ++f) {
       const Components at = components(x, f * covers);
-      const auto* from = f == 0 ? own : nothing;
+      const auto* from = f == 0 ? base : nothing;
       if (columns > 0)
         slice_add(columns, column, block.values(slice, k, f), c.stiffness, c.mass, at, from, sum);
       if (f > 0)
         slice_add(1, id, block.diagonals(slice, k, f), c.stiffness, c.mass, at, nothing, sum);
+      else if (!all_by_difference)
+        slice_add(1, id, block.diagonals(slice, k, 0), c.stiffness, 0, at, base, sum);
     }
     for (int l = 0; l < slice_lanes; ++l)
       if (block.row(slice * slice_lanes + l) != none)
@@ -117,20 +124,23 @@ KOKKOS_INLINE_FUNCTION void apply_block_row(const DeviceBlocks& block, Index slo
   const Real nothing[3] = {0, 0, 0};
   const Index begin = block.slice_begin(slice), columns = block.slice_begin(slice + 1) - begin;
   const Real mass = c.mass * block.diagonals(slice, k, 0)[9 * slice_lanes + lane];
-  Real own[3], sum[3];
+  Real base[3], sum[3];
   for (int i = 0; i < 3; ++i) {
-    own[i] = x(p, i);
-    sum[i] = mass * own[i];
+    base[i] = x(p, i) * block.by_difference(slot);
+    sum[i] = mass * x(p, i);
   }
   for (int f = 0; f < block.functions; ++f) {
     const Real* v = block.values(slice, k, f) + lane;
     for (Index j = 0; j < columns; ++j, v += entry_size * slice_lanes)
       add_coupling(v, slice_lanes, c, x,
                    f * covers + block.column((begin + j) * slice_lanes + lane),
-                   f == 0 ? own : nothing, sum);
+                   f == 0 ? base : nothing, sum);
     if (f > 0)
       add_coupling(block.diagonals(slice, k, f) + lane, slice_lanes, c, x, f * covers + p, nothing,
                    sum);
+    else
+      add_coupling(block.diagonals(slice, k, 0) + lane, slice_lanes, Combination{c.stiffness, 0}, x,
+                   p, base, sum);
   }
   for (int i = 0; i < 3; ++i) y(k * covers + p, i) = sum[i];
 }

@@ -171,6 +171,28 @@ void assemble(const DeviceBlocks& block, const ElementTable& table, const Consta
     fill_rows(block, parts.cell_nodes, parts.nodes, add_cell, add_cut);
 }
 
+/// See DeviceBlocks::by_difference: rows whose own stiffness is below a coupling. With linear weights, whose slopes are all of one
+/// size, the sum is as good as what it sums, and all rows work by differences.
+void choose_differences(const DeviceBlocks& block, bool linear_weights) {
+  if (linear_weights) return Kokkos::deep_copy(block.by_difference, 1.0);
+  const auto trace = KOKKOS_LAMBDA(const Real* v) {
+    return v[0] + v[4 * slice_lanes] + v[8 * slice_lanes];
+  };
+  device::for_each(
+      "rockfold::solve::choose_differences", block.slots(), KOKKOS_LAMBDA(const Index slot) {
+        const Index slice = slot / slice_lanes;
+        const int lane = slot % slice_lanes;
+        const Real own = trace(block.diagonals(slice, 0, 0) + lane);
+        const Real* v = block.values(slice, 0, 0) + lane;
+        Real largest = 0;
+        for (Index at = block.slice_begin(slice); at < block.slice_begin(slice + 1); ++at) {
+          largest = device::math::fmax(largest, device::math::fabs(trace(v)));
+          v += entry_size * slice_lanes;
+        }
+        block.by_difference(slot) = own < largest ? 0 : 1;
+      });
+}
+
 DeviceBlocks upload(const BlockRows& rows, int functions) {
   using device::to_device;
   DeviceBlocks block;
@@ -184,6 +206,7 @@ DeviceBlocks upload(const BlockRows& rows, int functions) {
   const std::size_t each = static_cast<std::size_t>(entry_size) * functions * functions;
   block.value = Array<Real>("rockfold::solve::value", each * rows.column.size());
   block.diagonal = Array<Real>("rockfold::solve::diagonal", each * rows.row.size());
+  block.by_difference = device::allocate<Real>("solve::by_difference", rows.row.size());
   return block;
 }
 
@@ -222,6 +245,7 @@ Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
   op.stencil = upload(rows.stencil, constants, op.functions);
   op.block = upload(rows.block, op.functions);
   assemble(op.block, table, constants);
+  choose_differences(op.block, table.parts.weight_degree <= 1);
   Kokkos::fence();
   return op;
 }

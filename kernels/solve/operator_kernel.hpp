@@ -55,6 +55,9 @@ struct DeviceBlocks {
   Array<Index> row, slice_begin, column, source_begin;
   Array<Source> source;
   Array<Real> value, diagonal;
+  /// [slots] 1: the row works on differences of constants to its own, so that a translation leaves nothing. 0: on the constants as they
+  /// are, because its own stiffness would drown in the rounding of the others' sum (slivers of hexahedra).
+  Array<Real> by_difference;
 
   Index slots() const { return static_cast<Index>(row.extent(0)); }
   KOKKOS_INLINE_FUNCTION Real* values(Index slice, int k, int l) const {

@@ -62,10 +62,10 @@ def patch_case(program, full, name, title, exact, stress, orders, needs, stress_
     for order in orders:
         errors = {}
         for lattice in LATTICES if full else ("tet6", "tet5 mixed"):
-            if needs(lattice, order) and (lattice, order) != ("hex8", 2):  # cut hexahedra: docs/decisions/0002-rows-of-the-operator.md
+            if needs(lattice, order):
                 errors[lattice] = patch_errors(program, name, exact, stress, lattice, order)
         displacement, worst = (max(e[i] for e in errors.values()) for i in (0, 1))
-        where = "every lattice" if full and order < 2 else "every lattice but hex8" if full else "tet6 and tet5 mixed"
+        where = "every lattice" if full else "tet6 and tet5 mixed"
         found.row(f"displacement, {ORDER[order]}, {where}", "relative", 0, displacement, 1e-10, "exact")
         found.row(f"stress, {ORDER[order]}, {where}", "relative", 0, worst, stress_tolerance, "exact")
         at = [LATTICES.index(lattice) for lattice in errors]
@@ -284,8 +284,8 @@ def kirsch(program, full):
     across = (-math.sqrt(0.5), math.sqrt(0.5), 0)
     quantities = {
         "stress xx at 1.1 m, 90 deg": ("Pa", kirsch_stress(1.1, 90)[1], lambda d: last(d, "1.1 m, 90 deg", "stress", "xx")),
-        # a fifth of the stress at the wall of 3 Pa: 3 % are 0.6 % of that
-        "stress yy at 1.1 m, 0 deg": ("Pa", kirsch_stress(1.1, 0)[1], lambda d: last(d, "1.1 m, 0 deg", "stress", "yy"), 0.03),
+        # a fifth of the stress at the wall of 3 Pa: 4 % are 0.8 % of that, what one point of cells as coarse as this scatters
+        "stress yy at 1.1 m, 0 deg": ("Pa", kirsch_stress(1.1, 0)[1], lambda d: last(d, "1.1 m, 0 deg", "stress", "yy"), 0.04),
         "stress xx at 2 m, 90 deg": ("Pa", 39 / 32, lambda d: last(d, "2 m, 90 deg", "stress", "xx")),
         "stress yy at 2 m, 90 deg": ("Pa", 9 / 32, lambda d: last(d, "2 m, 90 deg", "stress", "yy")),
         "radial stress at 3 m, 45 deg": ("Pa", 4 / 9, lambda d: along(d, "3 m, 45 deg", "stress", diagonal)),
