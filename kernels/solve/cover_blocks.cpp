@@ -78,14 +78,13 @@ Array<Index> cover_places(const Operator& op) {
 
 void invert_cover_blocks(const CoverBlocks& blocks, const Springs& springs, Real spring_factor) {
   const CoverBlocks to = blocks;
-  const Springs s = springs;
   device::for_each(
       "rockfold::solve::invert_cover_blocks", to.covers, KOKKOS_LAMBDA(const Index p) {
         Real a[most_entries];
         const int n = to.functions, width = to.width();
         Real* inverse = &to.inverse(static_cast<std::size_t>(p) * width * width);
         for (int e = 0; e < width * width; ++e) a[e] = inverse[e];
-        if (s.any()) add_springs(s, spring_factor, p, to.covers, n, a);
+        if (springs.any()) add_springs(springs, spring_factor, p, to.covers, n, a);
         for (int i = 0; i < width; ++i) {
           const Real d = a[i * width + i];
           to.scale(i / 3 * to.covers + p, i % 3) = d > 0 ? 1 / device::math::sqrt(d) : 0;

@@ -88,7 +88,6 @@ void invert_parts(const CoverMatrix& a, const Springs& springs, Real spring_fact
                   const CoverParts& parts) {
   const CoverMatrix m = a;
   const CoverParts to = parts;
-  const Springs s = springs;
   Kokkos::deep_copy(parts.inverse, 0.0);
   device::for_each(
       "rockfold::solve::gather_parts", m.covers, KOKKOS_LAMBDA(const Index p) {
@@ -100,7 +99,8 @@ void invert_parts(const CoverMatrix& a, const Springs& springs, Real spring_fact
             for (int e = 0; e < width; ++e)
               values[entry(members, width, to.at(p), e, to.at(m.column(k)), f)] =
                   m.value((static_cast<std::size_t>(k) * width + f) * width + e);
-        if (s.any()) add_springs(to, s, spring_factor, m.covers, m.functions, p, values);
+        if (springs.any())
+          add_springs(to, springs, spring_factor, m.covers, m.functions, p, values);
       });
   device::for_each(
       "rockfold::solve::invert_cover_parts", static_cast<Index>(parts.first.extent(0)),

@@ -183,6 +183,7 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
       system.largest_diagonal > 0 ? options.pcg.reference / system.largest_diagonal : 0;
   system.acceleration.begin_again();
   bool fresh = false;  // whether what it knows is of this solve alone
+  bool exact = false;  // whether each solve goes to the tolerance, each update by itself
   Real best = std::numeric_limits<Real>::infinity();
   for (int stalled = 0; report.converged;) {
     const Real gap = multiplier_change(springs, factor, x, goal, springs.force);
@@ -196,6 +197,12 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
       stalled = 0;
       best = gap;
     }
+    // Where little is left to learn the acceleration may take the noise of the solves for a slope: go on step by step without it.
+    if (stalled >= options.patience && options.plain_at_last && !exact) {
+      exact = true;
+      stalled = 0;
+      best = gap;
+    }
     const bool close = report.gap <= options.gap_tolerance;
     if (close && report.residual <= pcg.tolerance) break;
     if (!close && (report.outer >= options.max_outer || stalled >= options.patience)) {
@@ -203,8 +210,9 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
       break;
     }
     ++report.outer;
+    if (exact) system.acceleration.forget();
     if (!close) update_multipliers(system);
-    solve(close ? 0 : inner_reduction);
+    solve(close || exact ? 0 : inner_reduction);
   }
   return report;
 }

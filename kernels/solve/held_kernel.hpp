@@ -52,6 +52,8 @@ struct HeldOptions {
   Real gap_tolerance = 1e-10;  ///< largest gap / max(largest displacement, largest goal)
   Index max_outer = 50;
   int patience = 5;  ///< outer iterations in which the gap must have halved, or it is left as it is
+  bool plain_at_last =
+      false;  ///< then go on without acceleration, each solve to the tolerance, before it is left
 };
 
 /// x: start and result. `base`: what x is an increment to, for the size of displacements (empty: none). The multipliers

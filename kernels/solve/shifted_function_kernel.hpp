@@ -71,7 +71,7 @@ class ShiftedFunction {
                                            along[2] * table.reciprocal[2][d];
         }
     if (table.degree == 0)
-      for (int d = 0; d < 3; ++d) slope_[d][0] = 0;
+      for (auto& slope : slope_) slope[0] = 0;
   }
 
   Real value_[most_terms], slope_[3][most_slope_terms];

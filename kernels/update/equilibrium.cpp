@@ -53,6 +53,7 @@ SolveReport solve_equilibrium(Motion::Data& m) {
   // There is no next step in which the multipliers could go on.
   solve::HeldOptions how = solve_options(m, reference);
   how.patience = 40;
+  how.plain_at_last = true;
   how.max_outer = std::max<Index>(how.max_outer, 400);
   const SolveReport report =
       solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how);

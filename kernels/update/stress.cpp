@@ -17,7 +17,7 @@ Stresses fetch(const Array<Real>& flat) {
 }
 
 device::Field upload_local(const MaterialPoints& points) {
-  const auto field = device::make_field("update::local", static_cast<Index>(points.size()));
+  auto field = device::make_field("update::local", static_cast<Index>(points.size()));
   device::copy_to_device(points.local, field);
   return field;
 }

@@ -109,11 +109,12 @@ TEST(PatternRoundATunnel, GoesOnRoundABend) {
     const auto at = [&](Real x, Real y) {
       return fmt::format("[{:.17g}, {:.17g}, 0]", c * x - s * y, s * x + c * y);
     };
+    const std::string path = fmt::format("{}, {}, {}", at(0, -5), at(0, 0), at(3, 4));
     const auto bolts = bolts_of(
         rock_and_joint +
         "[[solid]]\nname = 'rock'\nshape = 'box'\nmin = [-20, -20, -8]\nmax = [20, 20, 12]\n"
         "[[excavation]]\nname = 'tunnel'\nshape = 'tunnel'\npath = [" +
-        at(0, -5) + ", " + at(0, 0) + ", " + at(3, 4) +
+        path +
         "]\nsection = 'd_shape'\nwidth = 3.5\nheight = 3.5\n"
         "[[bolt_pattern]]\non = 'tunnel'\nspacing = [1, 2]\n" +
         bolts_of_a_pattern);

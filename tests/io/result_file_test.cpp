@@ -20,7 +20,7 @@ const std::vector<Real> three_times{0, 0.25, 0.5};
 /// A finished file of the sample; returns its path.
 std::string write_sample_file(const TemporaryFolder& folder, const std::string& name,
                               const std::vector<Real>& times) {
-  const std::string path = folder / name;
+  std::string path = folder / name;
   ResultWriter writer(path, sample_model(), sample_header());
   write_sample(writer, box_grid(3, 2, 2), lattice_with_cut(2), times);
   writer.finish();
@@ -29,7 +29,7 @@ std::string write_sample_file(const TemporaryFolder& folder, const std::string& 
 
 std::string write_blocks_alone(const TemporaryFolder& folder, const std::string& name,
                                const BlockArrays& blocks) {
-  const std::string path = folder / name;
+  std::string path = folder / name;
   ResultWriter writer(path, sample_model(), {"cut", "0.1.0", ""});
   writer.write_blocks(blocks);
   writer.finish();
@@ -131,7 +131,8 @@ TEST(ResultFile, HasBlockTheoryOnTheFaces) {
   const auto block = file.read_numbers("/VTKHDF/Blocks/CellData/block"),
              safety = file.read_numbers("/VTKHDF/Blocks/CellData/factor_of_safety");
   for (std::size_t f = 0; f < block.size(); ++f) {
-    EXPECT_EQ(block[f], static_cast<Real>(f / 6 + 1));
+    const std::size_t box = 1 + f / 6;
+    EXPECT_EQ(block[f], static_cast<Real>(box));
     if (block[f] == 1)
       EXPECT_EQ(safety[f], 0.75);
     else

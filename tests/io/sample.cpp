@@ -1,13 +1,12 @@
 #include "tests/io/sample.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <numeric>
 #include <stdexcept>
-
-#include <stdlib.h>
 
 #include "src/base/vector.hpp"
 

@@ -10,6 +10,7 @@
 #include "host/cut/cut.hpp"
 #include "host/flatten/flatten.hpp"
 #include "src/arrays/shape_functions.hpp"
+#include "src/base/vector.hpp"
 #include "src/model/read_model.hpp"
 #include "src/needs.hpp"
 #include "src/run/run_analysis.hpp"
@@ -86,11 +87,11 @@ TEST(FixedFaces, PassThePatchTestOnAnyLatticeAndByEachMethod) {
   for (const char* lattice : lattices)
     for (const char* method : {"augmented_lagrangian", "lagrange", "penalty"}) {
       const std::string by = fmt::format("method = '{}'\n", method);
+      std::string held = hold("xmin", "components = ['x']\n" + by);
+      held += hold("ymin", "components = ['y']\n" + by);
+      held += hold("zmin", "components = ['z']\n" + by);
       const Answer answer =
-          run("gravity = [0, 0, 0]\n" + bar(0.25, hold("xmin", "components = ['x']\n" + by) +
-                                                      hold("ymin", "components = ['y']\n" + by) +
-                                                      hold("zmin", "components = ['z']\n" + by) +
-                                                      loads + "[cover]\n" + lattice));
+          run("gravity = [0, 0, 0]\n" + bar(0.25, held + loads + "[cover]\n" + lattice));
       SCOPED_TRACE(std::string(lattice) + method);
       // Rollers without force do not deform their springs; the base sinks by a uniform 1e-3 of the elements' own.
       for (const auto& s : answer.stress)
@@ -187,6 +188,44 @@ TEST(FixedFaces, LeaveNoMotionFreeThatTheyHold) {
     EXPECT_NE(message.find("free to move as a rigid body"), std::string::npos) << message;
     EXPECT_NE(message.find("rotation about (0.000, 0.000, "), std::string::npos) << message;
   }
+}
+
+/// 3-2-1: no rigid motion, and no force. The exact field is linear: the body shrinks by p (1 − 2ν) / E in all directions.
+TEST(FixedPointsOfABody, ThatCarryNothingLeaveItWhereItIs) {
+  for (const char* spacing : {"0.6", "0.55", "0.4"})
+    for (const char* method : {"augmented_lagrangian", "lagrange"}) {
+      const std::string by = fmt::format("method = '{}'\n", method);
+      std::string text = R"(
+gravity = [0, 0, 0]
+[[material]]
+density = 2500
+young_modulus = 1e9
+poisson_ratio = 0.3
+[[solid]]
+name = "ball"
+shape = "sphere"
+center = [10, 20, 30]
+radius = 1.0
+subdivisions = 1
+[cover]
+lattice = "tet6"
+[[traction]]
+where = {face = "ball.side"}
+pressure = 1e6
+[analysis]
+type = "static"
+)";
+      text += "[[fixed]]\nwhere = {point = [10, 20, 30]}\n" + by;
+      text += "[[fixed]]\nwhere = {point = [10.5, 20, 30]}\ncomponents = ['y', 'z']\n" + by;
+      text += "[[fixed]]\nwhere = {point = [10, 20.5, 30]}\ncomponents = ['z']\n" + by;
+      text.replace(text.find("lattice"), 0, fmt::format("spacing = {}\n", spacing));
+      SCOPED_TRACE(text);
+      const Answer answer = run(text);
+      for (std::size_t n = 0; n < answer.place.size(); ++n)
+        EXPECT_LT(
+            norm(answer.displacement[n] + 1e6 * 0.4 / 1e9 * (answer.place[n] - Vec3{10, 20, 30})),
+            1e-6 * 4e-4);
+    }
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ inline SmallSystem with_block_rows_alone(const SmallSystem& s) {
       a.element_material.push_back(from.regular_material[r]);
       const Index first = static_cast<Index>(a.vertex_xyz.size() / 3);
       for (int k = 0; k < part.nodes; ++k) {
-        const int c = part.node[k];
+        const auto c = static_cast<unsigned char>(part.node[k]);
         a.element_cover.push_back(from.regular_cover[from.nodes_per_cell() * r + c]);
         const HalfSteps& at = from.lattice.split(cell).node[c];
         for (int d = 0; d < 3; ++d)
