@@ -100,7 +100,8 @@ void apply(benchmark::State& state) {
 
 void pcg_iteration(benchmark::State& state) {
   const Bench& bench = Bench::get(static_cast<int>(state.range(0)));
-  CoverSystem system(bench.covers, bench.moments, materials, bench.fixed);
+  CoverSystem system(bench.covers, bench.moments, materials, bench.fixed,
+                     Preconditioner::block_jacobi);
   const std::vector<Vec3> load(system.covers(), Vec3{0, 0, -1});
   constexpr Index iterations = 50;
   for (auto _ : state) {
