@@ -110,14 +110,12 @@ TEST(PatternRoundATunnel, GoesOnRoundABend) {
       return fmt::format("[{:.17g}, {:.17g}, 0]", c * x - s * y, s * x + c * y);
     };
     const std::string path = fmt::format("{}, {}, {}", at(0, -5), at(0, 0), at(3, 4));
-    const auto bolts = bolts_of(
-        rock_and_joint +
-        "[[solid]]\nname = 'rock'\nshape = 'box'\nmin = [-20, -20, -8]\nmax = [20, 20, 12]\n"
-        "[[excavation]]\nname = 'tunnel'\nshape = 'tunnel'\npath = [" +
-        path +
-        "]\nsection = 'd_shape'\nwidth = 3.5\nheight = 3.5\n"
-        "[[bolt_pattern]]\non = 'tunnel'\nspacing = [1, 2]\n" +
-        bolts_of_a_pattern);
+    std::string text = rock_and_joint;
+    text += "[[solid]]\nname = 'rock'\nshape = 'box'\nmin = [-20, -20, -8]\nmax = [20, 20, 12]\n";
+    text += "[[excavation]]\nname = 'tunnel'\nshape = 'tunnel'\npath = [" + path + "]\n";
+    text += "section = 'd_shape'\nwidth = 3.5\nheight = 3.5\n";
+    text += "[[bolt_pattern]]\non = 'tunnel'\nspacing = [1, 2]\n" + bolts_of_a_pattern;
+    const auto bolts = bolts_of(text);
     std::vector<Real> crown;
     for (const Bolt& bolt : bolts)
       if (std::abs(bolt.sheet[0]) < 1e-9) crown.push_back(bolt.sheet[1]);
