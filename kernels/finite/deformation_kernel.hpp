@@ -38,7 +38,7 @@ struct Deformation {
   Array<std::int64_t> entry;  ///< nodes·e + a: the elements of each cover
   Array<Real> start, now;     ///< [elements][points][9] H at the step's start, and now
   Array<Real> force;          ///< [elements][points][9] weight · F S, by rule
-  int width() const { return nodes * functions; }
+  KOKKOS_INLINE_FUNCTION int width() const { return nodes * functions; }
 };
 
 Deformation make_deformation(const CoverArrays& covers, const PieceMoments& moments,

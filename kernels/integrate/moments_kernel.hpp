@@ -16,7 +16,7 @@
 namespace rockfold::integrate {
 
 /// The number of monomials up to a degree.
-constexpr int count_to(int degree) {
+KOKKOS_INLINE_FUNCTION constexpr int count_to(int degree) {
   return (degree + 1) * (degree + 2) * (degree + 3) / 6;
 }
 

@@ -15,7 +15,7 @@ KOKKOS_INLINE_FUNCTION void combine(const Combination& c, const Real* entry, Rea
 }
 
 /// Where function `l` of cover p stands, and those after it.
-KOKKOS_INLINE_FUNCTION Components components(const Field& x, Index unknown) {
+[[maybe_unused]] KOKKOS_INLINE_FUNCTION Components components(const Field& x, Index unknown) {
   return {{&x(unknown, 0), &x(unknown, 1), &x(unknown, 2)}};
 }
 

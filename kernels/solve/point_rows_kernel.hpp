@@ -37,7 +37,7 @@ struct PointRows {
   Array<Index> row_entry;    ///< into points.unknown
   Array<Index> entry_point;  ///< the point of each entry
 
-  bool any() const { return points.count > 0; }
+  KOKKOS_INLINE_FUNCTION bool any() const { return points.count > 0; }
 };
 PointRows make_point_rows(const MaterialPoints& points, Index unknowns);
 
