@@ -10,7 +10,6 @@ struct CellTable {
   int nodes = 0, functions = 0;
   std::vector<Real> entry;
 
-  std::size_t size() const { return entry.size(); }
   Real* at(int a, int k, int b, int l) {
     return &entry[entry_size *
                   (((static_cast<std::size_t>(a) * functions + k) * nodes + b) * functions + l)];
