@@ -221,10 +221,12 @@ type = "static"
       text.replace(text.find("lattice"), 0, fmt::format("spacing = {}\n", spacing));
       SCOPED_TRACE(text);
       const Answer answer = run(text);
+      // At 0.55 m the multipliers are still 2e-5 off when their updates end.
+      const Real tolerance = std::string(spacing) == "0.55" ? 1e-3 : 1e-6;
       for (std::size_t n = 0; n < answer.place.size(); ++n)
         EXPECT_LT(
             norm(answer.displacement[n] + 1e6 * 0.4 / 1e9 * (answer.place[n] - Vec3{10, 20, 30})),
-            1e-3 * 4e-4);  // at 0.55 m the multipliers are still 2e-5 off when the updates end
+            tolerance * 4e-4);
     }
 }
 
