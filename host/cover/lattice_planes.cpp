@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -34,6 +35,41 @@ Frame frame_of(const CoverSpec& cover) {
   return f;
 }
 
+[[noreturn]] void refuse(const CoverSpec& cover, const char* key, const std::string& why) {
+  throw Error(ErrorKind::model, why,
+              Place{cover.place.file, cover.place.line, cover.place.column, key});
+}
+
+// `low`, `high`: of the rock, in cells from the lattice's origin.
+void check_extent(const CoverSpec& cover, const Vec3& low, const Vec3& high) {
+  constexpr Real farthest = 1e9, smallest = 1e-3;  // cells
+  const Real spacing = cover.spacing[0];
+  const Real away = std::max({norm(low), norm(high)});
+  Real nodes = cover.lattice == LatticeKind::tet24 ? 5 : 1, extent = 0;
+  for (int d = 0; d < 3; ++d) {
+    nodes *= std::ceil(high[d] + slack) - std::floor(low[d] - slack) + 1;
+    extent = std::max(extent, high[d] - low[d]);
+  }
+  if (nodes > std::numeric_limits<Index>::max())
+    refuse(cover, "cover.spacing",
+           fmt::format("found {:g} m, which makes {:.3g} lattice nodes; use a larger spacing "
+                       "(at most 2.1e9 nodes)",
+                       spacing, nodes));
+  if (away > farthest)
+    refuse(
+        cover, cover.origin ? "cover.origin" : "cover.spacing",
+        fmt::format("the rock lies {:.3g} cells of {:g} m from the lattice's origin; at most "
+                    "{:g} can be told apart: {}",
+                    away, spacing, farthest,
+                    cover.origin ? "choose an origin nearer to the rock" : "use a larger spacing"));
+  if (extent < smallest)
+    refuse(cover, "cover.spacing",
+           fmt::format("found {:g} m, {:.2g} times the extent of the rock; in elements more than "
+                       "1,000 times as large as their rock its strain is lost to rounding: use a "
+                       "smaller spacing",
+                       spacing, 1 / extent));
+}
+
 }  // namespace
 
 Real lattice_cell_volume(const CoverSpec& cover) {
@@ -56,14 +92,7 @@ LatticePlanes::LatticePlanes(const CoverSpec& cover, const std::vector<Vec3>& bo
     for (int d = 0; d < 3; ++d)
       low[d] = std::min(low[d], xi[d]), high[d] = std::max(high[d], xi[d]);
   }
-  Real nodes = cover.lattice == LatticeKind::tet24 ? 5 : 1;
-  for (int d = 0; d < 3; ++d) nodes *= std::ceil(high[d] + slack) - std::floor(low[d] - slack) + 1;
-  if (nodes > std::numeric_limits<Index>::max() || std::max({norm(low), norm(high)}) > 1e9)
-    throw Error(ErrorKind::model,
-                fmt::format("found {:g} m, which makes {:.3g} lattice nodes; use a larger spacing "
-                            "(at most 2.1e9 nodes)",
-                            spacing_[0], nodes),
-                Place{cover.place.file, cover.place.line, cover.place.column, "cover.spacing"});
+  check_extent(cover, low, high);
   lattice_.kind = cover.lattice;
   const Real span = dot(normal_[0], cross(normal_[1], normal_[2]));
   lattice_.origin = node_;

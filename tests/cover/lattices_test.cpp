@@ -435,6 +435,24 @@ TEST(BlockLattice, HasOneElementForEachMaterialOfABlock) {
   EXPECT_EQ(a.element_cover, (std::vector<Index>{0, 0}));
 }
 
+TEST(Covers, FarFromTheirOriginOrFarLargerThanTheRockAreAnErrorThatNamesTheKey) {
+  const auto key_and_message = [](const CoverSpec& spec) -> std::pair<std::string, std::string> {
+    try {
+      cover(box_model({0, 0, 0}, {1, 1, 2}), spec);
+    } catch (const Error& e) {
+      return {e.diagnostics().front().place.key, e.diagnostics().front().message};
+    }
+    return {};
+  };
+  CoverSpec far = spacing(0.5);
+  far.origin = Vec3{1e9, 1e9, 1e9};
+  EXPECT_EQ(key_and_message(far).first, "cover.origin");
+  const auto [key, message] = key_and_message(spacing(4000));
+  EXPECT_EQ(key, "cover.spacing");
+  EXPECT_NE(message.find("2e+03 times the extent of the rock"), std::string::npos) << message;
+  EXPECT_EQ(key_and_message(spacing(1900)).first, "");
+}
+
 TEST(Covers, OfMoreElementsThanTheModelAllowsAreAnErrorThatNamesTheLimit) {
   // By estimate: 64 m³ of cells of 1 m³; exactly: 384 elements.
   for (const Index limit : {100, 383}) {
