@@ -59,12 +59,23 @@ bool wants_grid(const HeldSystem& system) {
   return system.combination.mass == 0 && system.op.covers >= least;
 }
 
+/// The diagonal blocks, without what is held.
+void find_diagonal(HeldSystem& system) {
+  if (system.inverse.extent(0) == 0)
+    system.inverse = Blocks("rockfold::solve::inverse_diagonal", system.op.unknowns);
+  if (system.other.diagonal)
+    system.other.diagonal(system.inverse);
+  else
+    diagonal_blocks(system.op, system.combination, system.inverse);
+}
+
 Preconditioning choose(HeldSystem& system, const Apply& a) {
   Preconditioning m;
-  m.inverse = system.inverse;
   m.covers = system.op.functions > 1 ? &system.cover_blocks : nullptr;
   m.spring_factor = system.spring_factor;
-  if (!wants_grid(system)) return m;
+  const bool grid = wants_grid(system);
+  if (system.op.functions == 1 && !(grid && system.grid_current)) m.inverse = inverse_of(system);
+  if (!grid) return m;
   if (system.op.functions > 1) {
     if (!system.grid_current)
       set_values(system.cover_grid, a, system.work, system.op, system.cover_blocks, system.springs,
@@ -73,8 +84,9 @@ Preconditioning choose(HeldSystem& system, const Apply& a) {
   } else {
     if (!system.grid_current)
       set_values(system.grid, system.op, system.springs, system.combination, system.spring_factor,
-                 system.inverse, system.largest_diagonal);
+                 m.inverse, system.largest_diagonal);
     m.grid = &system.grid;
+    m.inverse = system.inverse = {};  // the grid has it in single precision
   }
   system.grid_current = true;
   return m;
@@ -112,7 +124,6 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
   system.springs = build_springs(merged.fixed, op.unknowns);
   system.shares = std::move(merged.shares);
   system.work = make_pcg_work(op.unknowns);
-  system.inverse = Blocks("rockfold::solve::inverse_diagonal", op.unknowns);
   system.load = device::make_field("solve::load", op.unknowns);
   if (op.functions > 1) system.cover_blocks = make_cover_blocks(op.covers, op.functions);
   system.op = std::move(op);
@@ -122,10 +133,7 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
 void set_combination(HeldSystem& system, const Combination& c, Real spring_factor, bool stiffen) {
   system.combination = c;
   system.spring_factor = spring_factor;
-  if (system.other.diagonal)
-    system.other.diagonal(system.inverse);
-  else
-    diagonal_blocks(system.op, c, system.inverse);
+  find_diagonal(system);
   if (stiffen) stiffen_springs(system.springs, spring_factor, system.op.covers, system.inverse);
   add_spring_diagonal(system.springs, spring_factor, system.inverse);
   const Blocks diagonal = system.inverse;
@@ -135,10 +143,21 @@ void set_combination(HeldSystem& system, const Combination& c, Real spring_facto
                                   device::math::fmax(diagonal(p, 1), diagonal(p, 2)));
       });
   invert_blocks(system.inverse);
-  if (system.op.functions > 1)
+  if (system.op.functions > 1) {
     set_values(system.cover_blocks, system.op, system.springs, c, spring_factor);
+    system.inverse = {};  // the blocks hold it
+  }
   system.grid_current = system.grid_failed = false;
   system.acceleration.forget();
+}
+
+const Blocks& inverse_of(HeldSystem& system) {
+  if (system.inverse.extent(0) == 0) {
+    find_diagonal(system);
+    add_spring_diagonal(system.springs, system.spring_factor, system.inverse);
+    invert_blocks(system.inverse);
+  }
+  return system.inverse;
 }
 
 SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, const Field& x,

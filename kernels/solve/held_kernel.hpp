@@ -27,7 +27,7 @@ struct HeldSystem {
   PcgWork work;
   Combination combination;
   Real spring_factor = 1;
-  Blocks inverse;             ///< inverted diagonal blocks
+  Blocks inverse;             ///< see inverse_of; empty while nothing needs them
   CoverBlocks cover_blocks;   ///< of covers with more functions than one
   Real largest_diagonal = 0;  ///< before their inversion
   Preconditioner preconditioner = Preconditioner::automatic;
@@ -46,6 +46,9 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
 
 /// Chooses α, β, γ; with `stiffen`, also the stiffness of augmented points that suits them.
 void set_combination(HeldSystem& system, const Combination& c, Real spring_factor, bool stiffen);
+
+/// The inverted diagonal blocks of the matrix as it is, [U]: found where they are not there.
+const Blocks& inverse_of(HeldSystem& system);
 
 struct HeldOptions {
   PcgOptions pcg;

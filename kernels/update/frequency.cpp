@@ -49,8 +49,10 @@ Real largest_frequency(Motion::Data& m, Real dt) {
     if (springs.any() && !held) solve::apply_springs(springs, 1, x, y);
   };
   solve::Preconditioning blocks;
-  blocks.inverse = m.held.inverse;
-  if (m.held.op.functions > 1) blocks.covers = &m.held.cover_blocks;
+  if (m.held.op.functions > 1)
+    blocks.covers = &m.held.cover_blocks;
+  else
+    blocks.inverse = solve::inverse_of(m.held);
   solve::PcgOptions how;
   how.tolerance = 1e-4;  // the quotient is exact for any x
   const Field x = device::make_field("update::mode", m.unknowns);
