@@ -257,7 +257,7 @@ Real rounding_force(const Deformation& body, const Array<Real>& partial, const A
 namespace {
 
 /// Of an element: eight nodes of ten functions.
-constexpr int most_width = 80;
+constexpr int most_width = 8 * most_functions;
 
 /// Everything at a point that entries of the stiffness need.
 struct PointStiffness {

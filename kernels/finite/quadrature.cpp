@@ -5,6 +5,7 @@
 
 #include "kernels/integrate/moments.hpp"
 #include "kernels/solve/part_functions.hpp"
+#include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold::finite {
@@ -234,6 +235,10 @@ class Fitter {
 }  // namespace
 
 Quadrature make_quadrature(const CoverArrays& covers, const PieceMoments& moments) {
+  if (covers.series)
+    throw Error(
+        ErrorKind::analysis,
+        "local series: found kinematics = \"large\"; must be \"small\" (analysis.kinematics)");
   return Fitter(covers, moments).run();
 }
 

@@ -26,7 +26,7 @@ struct Quadrature {
   std::vector<Real> weight;    ///< [elements][Q] m³ of rock that the element stands for
 };
 
-/// `moments`: of degree moment_degree(covers) or more.
+/// `moments`: of degree moment_degree(covers) or more. Throws Error(analysis) for covers with a local series.
 Quadrature make_quadrature(const CoverArrays& covers, const PieceMoments& moments);
 
 }  // namespace rockfold::finite

@@ -90,10 +90,10 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
   HeldSystem system;
   system.preconditioner = preconditioner;
   MergedPoints merged = merge_points(fixed);
-  const Index least = covers.order == 0 ? least_for_multigrid : least_for_cover_grid;
+  const Index least = op.functions == 1 ? least_for_multigrid : least_for_cover_grid;
   if (preconditioner == Preconditioner::multigrid ||
       (preconditioner == Preconditioner::automatic && op.covers >= least)) {
-    if (covers.order == 0)
+    if (op.functions == 1)
       system.grid = make_multigrid(covers, merged.fixed.points);
     else
       system.cover_grid = make_cover_grid(covers, merged.fixed.points);

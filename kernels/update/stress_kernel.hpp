@@ -2,19 +2,27 @@
 #pragma once
 
 #include "kernels/solve/element_table_kernel.hpp"
+#include "src/arrays/shape_functions.hpp"
 
 namespace rockfold::update {
 
 using device::Array;
 using device::Field;
 
-inline constexpr int most_width = 8 * 10;  ///< functions of a part
+inline constexpr int most_width = 8 * most_functions;  ///< functions of a part
 
 /// The mean over element e.
 KOKKOS_INLINE_FUNCTION void stress_of_element(const solve::ElementTable& table, const Field& d,
                                               Index e, Real* stress) {
   Real gradient[most_width][3], h[3][3];
-  solve::mean_gradients(table.parts, table.part(e), table.moments(e), gradient);
+  if (table.mean_slope.extent(0) > 0) {
+    const int width = table.parts.nodes * table.functions;
+    const Real* mean = &table.mean_slope(3 * static_cast<std::size_t>(width) * e);
+    for (int f = 0; f < width; ++f)
+      for (int i = 0; i < 3; ++i) gradient[f][i] = mean[3 * f + i];
+  } else {
+    solve::mean_gradients(table.parts, table.part(e), table.moments(e), gradient);
+  }
   solve::displacement_gradient(table, e, gradient, d, h);
   solve::elastic_stress(table.elastic(table.material(e)), h, stress);
 }
@@ -34,6 +42,16 @@ KOKKOS_INLINE_FUNCTION void stress_at(const solve::ElementTable& table, const Fi
                                       const Real* x, Real* stress) {
   Real h[3][3];
   gradient_at(table, d, e, x, h);
+  solve::elastic_stress(table.elastic(table.material(e)), h, stress);
+}
+
+/// At a point with the slopes of its element's functions, as sampled_slopes has them.
+KOKKOS_INLINE_FUNCTION void stress_by_slopes(const solve::ElementTable& table, const Field& d,
+                                             Index e, const Real* slope, Real* stress) {
+  Real gradient[most_width][3], h[3][3];
+  for (int f = 0; f < table.parts.nodes * table.functions; ++f)
+    for (int i = 0; i < 3; ++i) gradient[f][i] = slope[3 * f + i];
+  solve::displacement_gradient(table, e, gradient, d, h);
   solve::elastic_stress(table.elastic(table.material(e)), h, stress);
 }
 
