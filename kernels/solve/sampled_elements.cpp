@@ -122,6 +122,10 @@ struct Matrices {
   }
 };
 
+KOKKOS_INLINE_FUNCTION void add_scaled(int size, Real factor, const Real* x, Real* sum) {
+  for (int g = 0; g < size; ++g) sum[g] += factor * x[g];
+}
+
 /// Σ over the points of weight · (∂_i φ_f ∂_j φ_g, φ_f φ_g), then stiffness and mass of the element's material.
 void integrate(const Samples& s, const ElementTable& table, const Matrices& to) {
   const auto begin = device::to_device("solve::sample_begin", s.begin);
@@ -129,22 +133,21 @@ void integrate(const Samples& s, const ElementTable& table, const Matrices& to) 
   const auto function = device::to_device("solve::sample_function", s.function);
   const int width = s.width;
   const Index first = s.first;
-  device::for_each(
-      "rockfold::solve::integrate_samples", s.count * width, KOKKOS_LAMBDA(const Index i) {
+  // Few and long: worth the other threads, however few.
+  Kokkos::parallel_for(
+      "rockfold::solve::integrate_samples", device::Range(0, s.count * width),
+      KOKKOS_LAMBDA(const Index i) {
         const Index e = first + i / width;
         const int f = i % width, size = f + 1;
         Real* row = to.row(e, f);
         for (int m = 0; m < entry_size * size; ++m) row[m] = 0;
         for (std::int64_t p = begin(i / width); p < begin(i / width + 1); ++p) {
           const Real* at = &function(4 * static_cast<std::size_t>(width) * p);
-          const auto add = [=](int m, Real own, const Real* other) {
-            Real* sum = row + m * size;
-            for (int g = 0; g < size; ++g) sum[g] += own * other[g];
-          };
           for (int d = 0; d < 3; ++d)
             for (int j = 0; j < 3; ++j)
-              add(3 * d + j, weight(p) * at[(1 + d) * width + f], at + (1 + j) * width);
-          add(9, weight(p) * at[f], at);
+              add_scaled(size, weight(p) * at[(1 + d) * width + f], at + (1 + j) * width,
+                         row + (3 * d + j) * size);
+          add_scaled(size, weight(p) * at[f], at, row + 9 * size);
         }
         const Elastic m = table.elastic(table.material(e));
         for (int g = 0; g < size; ++g) {
@@ -156,13 +159,15 @@ void integrate(const Samples& s, const ElementTable& table, const Matrices& to) 
       });
 }
 
-/// The rows take what the elements at hand have for them, in ascending order.
-void gather(const DeviceBlocks& block, const ElementTable& table, const Matrices& from) {
-  const PartTable parts = table.parts;
-  const int n = table.functions;
-  const auto add = KOKKOS_LAMBDA(const RowSink& sink, Index e, int a) {
+/// What the elements at hand have for a row.
+struct Gather {
+  ElementTable table;
+  Matrices from;
+
+  KOKKOS_INLINE_FUNCTION void add(const RowSink& sink, Index e, int a) const {
     if (!from.holds(e)) return;
-    for (int b = 0; b < parts.nodes; ++b) {
+    const int n = table.functions;
+    for (int b = 0; b < table.parts.nodes; ++b) {
       const Index at = sink.find(table.cover(e, b));
       for (int l = 0; l < n; ++l) {
         Real entry[entry_size];
@@ -170,16 +175,26 @@ void gather(const DeviceBlocks& block, const ElementTable& table, const Matrices
         sink.add(at, l, entry);
       }
     }
-  };
-  const auto add_cell = KOKKOS_LAMBDA(const RowSink& sink, Index cell, int node) {
+  }
+  /// All parts of a regular cell at one of its nodes.
+  KOKKOS_INLINE_FUNCTION void add_cell(const RowSink& sink, Index cell, int node) const {
+    const PartTable& parts = table.parts;
     for (Index e = parts.parts * cell; e < parts.parts * (cell + 1); ++e)
       for (int a = 0; a < parts.nodes; ++a)
         if (parts.cell_node(table.part(e), a) == node) add(sink, e, a);
+  }
+};
+
+void gather(const DeviceBlocks& block, const ElementTable& table, const Matrices& from) {
+  const Gather gather{table, from};
+  const Index whole = table.parts.parts * table.regular;
+  const auto add_cell = KOKKOS_LAMBDA(const RowSink& sink, Index cell, int node) {
+    gather.add_cell(sink, cell, node);
   };
   const auto add_cut = KOKKOS_LAMBDA(const RowSink& sink, Index cut, int a) {
-    add(sink, parts.parts * table.regular + cut, a);
+    gather.add(sink, whole + cut, a);
   };
-  fill_rows(block, parts.cell_nodes, parts.nodes, add_cell, add_cut);
+  fill_rows(block, table.parts.cell_nodes, table.parts.nodes, add_cell, add_cut);
 }
 
 }  // namespace

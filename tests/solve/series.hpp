@@ -37,13 +37,13 @@ class MonomialSeries : public LocalSeries {
 };
 
 /// exp(rX) sin(rY) and exp(rX) cos(rY) − 1 with X = x − node: with constants they hold every multiple of exp(rx) sin(ry), a harmonic
-/// function that no polynomial is.
+/// function that no polynomial is; then X² + Y², over the square of a metre, if it is wanted.
 class HarmonicSeries : public LocalSeries {
  public:
   /// `only`: covers whose nodes lie at x at least so far have it, m.
-  explicit HarmonicSeries(Real rate, int degree = 16, Real only = -1e300)
-      : rate_(rate), only_(only), degree_(degree) {}
-  int functions() const override { return 2; }
+  explicit HarmonicSeries(Real rate, int degree = 16, Real only = -1e300, bool square = false)
+      : rate_(rate), only_(only), degree_(degree), square_(square) {}
+  int functions() const override { return square_ ? 3 : 2; }
   int degree() const override { return degree_; }
   void evaluate(const SeriesPoint& at, FunctionValue* f) const override {
     if (at.node[0] < only_) return;
@@ -52,25 +52,30 @@ class HarmonicSeries : public LocalSeries {
                c = e * std::cos(rate_ * x[1]);
     f[0] = {s, {rate_ * s, rate_ * c, 0}};
     f[1] = {c - 1, {rate_ * c, -rate_ * s, 0}};
+    if (square_) f[2] = {x[0] * x[0] + x[1] * x[1], {2 * x[0], 2 * x[1], 0}};
   }
 
  private:
   Real rate_, only_;
   int degree_;
+  bool square_;
 };
 
-/// u_z = size · exp(rx) sin(ry): div u = 0 and Δu = 0, in equilibrium without body force under the tractions σ n, where
-/// σ_zx = μ ∂u_z/∂x and σ_zy = μ ∂u_z/∂y are all there is.
+/// u_z = size · exp(rx) sin(ry) + bend · (x² + y²): div u = 0 and Δu = 4 bend, in equilibrium under the tractions σ n and a body force
+/// −4μ bend along z, where σ_zx = μ ∂u_z/∂x and σ_zy = μ ∂u_z/∂y are all there is.
 struct HarmonicField {
-  Real rate, size;
+  Real rate, size, bend = 0;
 
   Vec3 at(const Vec3& x) const {
-    return {0, 0, size * std::exp(rate * x[0]) * std::sin(rate * x[1])};
+    return {
+        0, 0,
+        size * std::exp(rate * x[0]) * std::sin(rate * x[1]) + bend * (x[0] * x[0] + x[1] * x[1])};
   }
   /// ∂u_z/∂x, ∂u_z/∂y.
   Vec3 slope(const Vec3& x) const {
     const Real e = size * rate * std::exp(rate * x[0]);
-    return {e * std::sin(rate * x[1]), e * std::cos(rate * x[1]), 0};
+    return {e * std::sin(rate * x[1]) + 2 * bend * x[0],
+            e * std::cos(rate * x[1]) + 2 * bend * x[1], 0};
   }
   Vec3 traction(const ElasticMaterial& m, const Vec3& x, const Vec3& n) const {
     const Real mu = m.young_modulus / (2 * (1 + m.poisson_ratio));
