@@ -6,11 +6,11 @@ namespace rockfold {
 
 std::vector<RulePoint> triangle_rule(int degree) {
   if (degree <= 1) return {{{1.0 / 3, 1.0 / 3, 1.0 / 3}, 1}};
-  // ∫ f over the triangle / area = ∫∫ f(u, v(1 − u)) 2 (1 − u) du dv: one degree more along u.
+  // ∫ f over the triangle / area = ∫∫ f(u, v(1 − u)) 2 (1 − u) du dv.
   std::vector<RulePoint> points;
-  for (const auto& [u, along] : gauss_points((degree + 3) / 2))
+  for (const auto& [u, along] : gauss_points((degree + 2) / 2, 1))
     for (const auto& [v, across] : gauss_points((degree + 2) / 2))
-      points.push_back({{u, v * (1 - u), (1 - v) * (1 - u)}, 2 * (1 - u) * along * across});
+      points.push_back({{u, v * (1 - u), (1 - v) * (1 - u)}, 2 * along * across});
   return points;
 }
 

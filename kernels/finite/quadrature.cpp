@@ -1,9 +1,12 @@
 #include "kernels/finite/quadrature.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "kernels/integrate/moments.hpp"
+#include "kernels/device/device_kernel.hpp"
+#include "kernels/finite/point_rule.hpp"
+#include "kernels/integrate/moments_kernel.hpp"
 #include "kernels/solve/part_functions.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
@@ -17,218 +20,208 @@ int quadrature_degree(const LatticeFunctions& functions) {
   return 2 * std::max(0, functions.degree - 1);
 }
 
-/// Exponents in the order of monomial_index.
-std::vector<std::array<int, 3>> exponents(int degree) {
-  std::vector<std::array<int, 3>> list(static_cast<std::size_t>(degree + 1) * (degree + 2) *
-                                       (degree + 3) / 6);
-  for (int a = 0; a <= degree; ++a)
-    for (int b = 0; a + b <= degree; ++b)
-      for (int c = 0; a + b + c <= degree; ++c) list[monomial_index(a, b, c)] = {a, b, c};
-  return list;
+/// The point of the unit tetrahedron, seen in another one.
+Vec3 in_tetrahedron(const std::array<Vec3, 4>& corner, const Vec3& x) {
+  Vec3 y = corner[0];
+  for (int d = 0; d < 3; ++d) y += x[d] * (corner[d + 1] - corner[0]);
+  return y;
 }
 
-/// As many points as monomials, inside a tetrahedron: its lattice of degree + 1 points an edge, drawn in by half a step.
-std::vector<Vec3> tetrahedron_points(const std::array<Vec3, 4>& corner, int degree) {
-  std::vector<Vec3> points;
-  const Real whole = degree + 2;
-  for (int i = 0; i <= degree; ++i)
-    for (int j = 0; i + j <= degree; ++j)
-      for (int k = 0; i + j + k <= degree; ++k) {
-        const std::array<Real, 4> share{degree - i - j - k + 0.5, i + 0.5, j + 0.5, k + 0.5};
-        Vec3 x{};
-        for (int a = 0; a < 4; ++a) x += (share[a] / whole) * corner[a];
-        points.push_back(x);
-      }
-  return points;
-}
-
-/// As many points as monomials in the cell −1/2 … 1/2: a grid's lower corner over points that spread over the edge in any number.
-std::vector<Vec3> cell_points(int degree) {
-  // Leja's order of Chebyshev points: each as far as can be from those before.
-  std::vector<Real> candidate, edge;
-  constexpr int many = 64;
-  for (int i = 0; i <= many; ++i) candidate.push_back(-0.5 * std::cos(std::acos(-1.0) * i / many));
-  for (int n = 0; n <= degree; ++n) {
-    Real best = -1, at = 0;
-    for (const Real x : candidate) {
-      Real product = 1;
-      for (const Real y : edge) product *= std::abs(x - y);
-      if (edge.empty()) product = 1 - std::abs(x);  // the middle first
-      if (product > best * (1 + 1e-12)) best = product, at = x;
-    }
-    edge.push_back(at);
-  }
-  std::vector<Vec3> points;
-  for (int i = 0; i <= degree; ++i)
-    for (int j = 0; i + j <= degree; ++j)
-      for (int k = 0; i + j + k <= degree; ++k) points.push_back({edge[i], edge[j], edge[k]});
-  return points;
-}
-
-std::vector<Vec3> part_points(const CellSplit& split, const CellPart& part, int degree) {
-  if (part.nodes != 4) return cell_points(degree);
+/// Points of a whole part, η; weights sum to 1.
+PointRule part_rule(const CellSplit& split, const CellPart& part, int degree) {
+  if (part.nodes != 4) return cell_rule(degree);
   std::array<Vec3, 4> corner;
   for (int a = 0; a < 4; ++a)
     for (int d = 0; d < 3; ++d) corner[a][d] = 0.5 * split.node[part.node[a]][d] - 0.5;
-  return tetrahedron_points(corner, degree);
+  PointRule rule = tetrahedron_rule(degree);
+  for (Vec3& x : rule.point) x = in_tetrahedron(corner, x);
+  return rule;
 }
 
-/// Row q of the inverse of (monomial m at point q) transposed: weights = inverse · moments. Gauss–Jordan with pivoting.
-std::vector<Real> fitting(const std::vector<Vec3>& points, int degree) {
-  const auto powers = exponents(degree);
-  const std::size_t n = points.size();
-  std::vector<Real> a(n * n), inverse(n * n, 0);
-  for (std::size_t m = 0; m < n; ++m)
-    for (std::size_t q = 0; q < n; ++q) {
-      Real value = 1;
-      for (int d = 0; d < 3; ++d)
-        for (int i = 0; i < powers[m][d]; ++i) value *= points[q][d];
-      a[m * n + q] = value;
-      inverse[m * n + q] = m == q ? 1 : 0;
-    }
-  for (std::size_t c = 0; c < n; ++c) {
-    std::size_t pivot = c;
-    for (std::size_t r = c + 1; r < n; ++r)
-      if (std::abs(a[r * n + c]) > std::abs(a[pivot * n + c])) pivot = r;
-    for (std::size_t k = 0; k < n; ++k) {
-      std::swap(a[c * n + k], a[pivot * n + k]);
-      std::swap(inverse[c * n + k], inverse[pivot * n + k]);
-    }
-    const Real scale = 1 / a[c * n + c];
-    for (std::size_t k = 0; k < n; ++k) a[c * n + k] *= scale, inverse[c * n + k] *= scale;
-    for (std::size_t r = 0; r < n; ++r) {
-      if (r == c) continue;
-      const Real share = a[r * n + c];
-      if (share == 0) continue;
-      for (std::size_t k = 0; k < n; ++k) {
-        a[r * n + k] -= share * a[c * n + k];
-        inverse[r * n + k] -= share * inverse[c * n + k];
-      }
-    }
+/// A rule for cut elements, from the tetrahedra of their pieces.
+class CutRules {
+ public:
+  CutRules(const CoverArrays& covers, const PieceMoments& moments, const Mat3& reciprocal,
+           int degree)
+      : covers_(covers),
+        moments_(moments),
+        reciprocal_(reciprocal),
+        degree_(degree),
+        tetrahedron_(tetrahedron_rule(degree)) {}
+
+  /// Points η, weights m³.
+  PointRule rule(Index e) const {
+    const Box box = box_about(e);
+    PointRule all;
+    for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q)
+      add_piece(q, box, all);
+    PointRule few = reduce(all, degree_);
+    for (Vec3& x : few.point)
+      for (int d = 0; d < 3; ++d) x[d] = box.eta[d] + box.edge[d] * x[d];
+    return few;
   }
-  return inverse;
-}
 
-/// Points of a part and what makes weights of moments.
-struct Rule {
-  std::vector<Vec3> point;   ///< [n] η
-  std::vector<Real> weight;  ///< [n][n]: weight of point q = Σ_m weight[q][m] · moment m
+ private:
+  struct Box {
+    Vec3 centre, eta, edge;  ///< m; η of the centre; η
+  };
+
+  Vec3 vertex(Index corner) const {
+    const Real* x = &covers_.vertex_xyz[3 * covers_.triangle_vertex[corner]];
+    return {x[0], x[1], x[2]};
+  }
+  Vec3 to_eta(const Vec3& x) const {
+    return {dot(reciprocal_[0], x), dot(reciprocal_[1], x), dot(reciprocal_[2], x)};
+  }
+  Vec3 mean_of_corners(Index first, Index last) const {
+    Vec3 sum{};
+    for (Index c = first; c < last; ++c) sum += vertex(c);
+    return (1.0 / std::max<Index>(1, last - first)) * sum;
+  }
+
+  /// Differences to the centre are taken in metres: of a sliver in a corner of its cell they keep their digits.
+  Box box_about(Index e) const {
+    const Index first = 3 * covers_.triangle_begin[covers_.piece_begin[e]],
+                last = 3 * covers_.triangle_begin[covers_.piece_begin[e + 1]];
+    Box box;
+    box.centre = mean_of_corners(first, last);
+    box.eta = to_eta(box.centre);
+    Vec3 half{1e-15, 1e-15, 1e-15};  // of a piece that rounding has flattened
+    for (Index c = first; c < last; ++c) {
+      const Vec3 eta = to_eta(vertex(c) - box.centre);
+      for (int d = 0; d < 3; ++d) half[d] = std::max(half[d], std::abs(eta[d]));
+    }
+    box.edge = 2.0 * half;
+    return box;
+  }
+
+  /// Pieces are convex: tetrahedra from a point inside to all triangles.
+  void add_piece(Index q, const Box& box, PointRule& all) const {
+    const auto to_box = [&](const Vec3& x) {
+      Vec3 y = to_eta(x - box.centre);
+      for (int d = 0; d < 3; ++d) y[d] /= box.edge[d];
+      return y;
+    };
+    const Index first = 3 * covers_.triangle_begin[q], last = 3 * covers_.triangle_begin[q + 1];
+    const Vec3 inside = mean_of_corners(first, last);
+    const std::size_t before = all.size();
+    Real total = 0;
+    for (Index c = first; c < last; c += 3) {
+      const Vec3 a = vertex(c), b = vertex(c + 1), d = vertex(c + 2);
+      const Real volume = dot(a - inside, cross(b - inside, d - inside)) / 6;
+      if (!(volume > 0)) continue;
+      total += volume;
+      const std::array<Vec3, 4> corner{to_box(inside), to_box(a), to_box(b), to_box(d)};
+      for (std::size_t i = 0; i < tetrahedron_.size(); ++i)
+        all.add(in_tetrahedron(corner, tetrahedron_.point[i]), volume * tetrahedron_.weight[i]);
+    }
+    if (total > 0.5 * moments_.volume[q]) return;
+    // So thin that its volume is rounding: that of the moments, in one point.
+    all.point.resize(before);
+    all.weight.resize(before);
+    all.add(to_box(inside), moments_.volume[q]);
+  }
+
+  const CoverArrays& covers_;
+  const PieceMoments& moments_;
+  const Mat3& reciprocal_;
+  const int degree_;
+  const PointRule tetrahedron_;
 };
 
-class Fitter {
+class Builder {
  public:
-  Fitter(const CoverArrays& covers, const PieceMoments& moments)
+  Builder(const CoverArrays& covers, const PieceMoments& moments)
       : covers_(covers), moments_(moments), functions_(lattice_functions(covers)) {}
 
   Quadrature run() {
+    for (int form = 0; form < functions_.forms; ++form) {
+      const CellSplit& split = cell_split(covers_.lattice.kind, form == 1);
+      for (const CellPart& part : split.part) rules_.push_back(part_rule(split, part, degree_));
+    }
+    const bool own = degree_ > 0;  // points of their own for cut elements
     result_.functions = functions_.nodes * functions_.functions;
-    for (int form = 0; form < functions_.forms; ++form)
-      for (const CellPart& part : cell_split(covers_.lattice.kind, form == 1).part) add_kind(part);
-    result_.points = static_cast<int>(rules_.front().point.size());
+    result_.points = static_cast<int>(rules_.front().size());
+    if (own && covers_.cut_count() > 0)
+      result_.points = std::max(result_.points, integrate::count_to(degree_));
+    const Index whole = static_cast<Index>(rules_.size());
+    result_.kinds = whole + (own ? covers_.cut_count() : 0);
+    const std::size_t points = static_cast<std::size_t>(result_.kinds) * result_.points;
+    result_.place.resize(points);
+    result_.gradient.resize(points * result_.functions);
+    result_.weight.resize(static_cast<std::size_t>(covers_.element_count()) * result_.points, 0);
+    for (Index kind = 0; kind < whole; ++kind) place_points(kind, kind, rules_[kind].point);
     add_regular();
-    if (degree_ == 0)
+    if (own)
       add_cut();
     else
-      add_cut_in_boxes();
+      add_cut_volumes();
     return std::move(result_);
   }
 
  private:
-  void add_kind(const CellPart& part) {
-    const auto& split = cell_split(covers_.lattice.kind,
-                                   rules_.size() >= static_cast<std::size_t>(functions_.parts));
-    const auto points = part_points(split, part, degree_);
-    rules_.push_back({points, fitting(points, degree_)});
-    for (const Vec3& eta : points) add_point(static_cast<int>(rules_.size()) - 1, eta);
-    ++result_.kinds;
-  }
-
-  void add_point(int part, const Vec3& eta) {
-    result_.place.push_back(eta);
-    const auto gradients = functions_.gradients(part, eta);
-    result_.gradient.insert(result_.gradient.end(), gradients.begin(), gradients.end());
+  /// What is left of a kind's points repeats the first, and gets no weight.
+  void place_points(Index kind, int part, const std::vector<Vec3>& points) {
+    for (int q = 0; q < result_.points; ++q) {
+      const std::size_t at = static_cast<std::size_t>(kind) * result_.points + q;
+      result_.place[at] = points[q < static_cast<int>(points.size()) ? q : 0];
+      const auto gradients = functions_.gradients(part, result_.place[at]);
+      std::copy(gradients.begin(), gradients.end(), &result_.gradient[at * result_.functions]);
+    }
   }
 
   int kind_of(Index cell, int part) const {
     return functions_.parts * LatticeFunctions::form(covers_.lattice, cell) + part;
   }
 
-  void add_element(int kind, const Rule& rule, const Real* moments, Real share) {
-    result_.kind.push_back(kind);
-    const std::size_t n = rule.point.size();
-    for (std::size_t q = 0; q < n; ++q) {
-      Real sum = 0;
-      for (std::size_t m = 0; m < n; ++m) sum += rule.weight[q * n + m] * moments[m];
-      result_.weight.push_back(share * sum);
-    }
+  void set_weights(Index e, const std::vector<Real>& weight, Real share) {
+    for (std::size_t q = 0; q < weight.size(); ++q)
+      result_.weight[static_cast<std::size_t>(e) * result_.points + q] = share * weight[q];
   }
 
   void add_regular() {
     for (Index r = 0; r < covers_.regular_count(); ++r)
       for (int t = 0; t < functions_.parts; ++t) {
         const int kind = kind_of(covers_.regular_cell[r], t);
-        add_element(kind, rules_[kind], functions_.part[kind].moment.data(), 1);
+        set_weights(static_cast<Index>(result_.kind.size()), rules_[kind].weight,
+                    functions_.part[kind].moment[0]);
+        result_.kind.push_back(kind);
       }
   }
 
   void add_cut() {
+    const CutRules rules(covers_, moments_, functions_.reciprocal, degree_);
+    const Index first = static_cast<Index>(result_.kind.size());
+    for (Index e = 0; e < covers_.cut_count(); ++e)
+      result_.kind.push_back(static_cast<int>(rules_.size()) + e);
+    using Host = Kokkos::DefaultHostExecutionSpace;
+    Kokkos::parallel_for(
+        "rockfold::finite::cut_rules",
+        Kokkos::RangePolicy<Host, Kokkos::Schedule<Kokkos::Dynamic>>(0, covers_.cut_count()),
+        [&](const Index e) {
+          const PointRule rule = rules.rule(e);
+          set_weights(first + e, rule.weight, functions_.share);
+          place_points(static_cast<Index>(rules_.size()) + e,
+                       kind_of(covers_.element_cell[e], covers_.element_part[e]), rule.point);
+        });
+  }
+
+  /// One point serves: slopes are constant.
+  void add_cut_volumes() {
     for (Index e = 0; e < covers_.cut_count(); ++e) {
-      const int kind = kind_of(covers_.element_cell[e], covers_.element_part[e]);
-      add_element(kind, rules_[kind], sum_pieces(moments_.local, e).data(), functions_.share);
+      Real volume = 0;
+      for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q)
+        volume += moments_.volume[q];
+      set_weights(static_cast<Index>(result_.kind.size()), {volume}, functions_.share);
+      result_.kind.push_back(kind_of(covers_.element_cell[e], covers_.element_part[e]));
     }
-  }
-
-  void add_cut_in_boxes() {
-    const std::vector<Vec3> points = cell_points(degree_);
-    const Rule rule{points, fitting(points, degree_)};
-    const auto powers = exponents(degree_);
-    for (Index e = 0; e < covers_.cut_count(); ++e) {
-      const Vec3& origin = moments_.origin[e];
-      const Vec3 edge = box_about(origin, e);
-      std::vector<Real> sum = sum_pieces(moments_.amid, e);
-      for (std::size_t m = 0; m < powers.size(); ++m)
-        for (int d = 0; d < 3; ++d) sum[m] /= std::pow(edge[d], powers[m][d]);
-      const int part = kind_of(covers_.element_cell[e], covers_.element_part[e]);
-      for (const Vec3& p : points) {
-        Vec3 eta = origin;
-        for (int d = 0; d < 3; ++d) eta[d] += edge[d] * p[d];
-        add_point(part, eta);
-      }
-      add_element(result_.kinds++, rule, sum.data(), functions_.share);
-    }
-  }
-
-  /// Of one cut element.
-  std::vector<Real> sum_pieces(const std::vector<Real>& moment, Index e) const {
-    const std::size_t terms = moment.size() / covers_.piece_block.size();
-    std::vector<Real> sum(terms, 0);
-    for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q)
-      for (std::size_t m = 0; m < terms; ++m) sum[m] += moment[terms * q + m];
-    return sum;
-  }
-
-  /// The edges of the box with the given centre that holds the element, η.
-  Vec3 box_about(const Vec3& centre, Index e) const {
-    Vec3 half{};
-    const Index first = 3 * covers_.triangle_begin[covers_.piece_begin[e]],
-                last = 3 * covers_.triangle_begin[covers_.piece_begin[e + 1]];
-    for (Index c = first; c < last; ++c) {
-      const Real* x = &covers_.vertex_xyz[3 * covers_.triangle_vertex[c]];
-      for (int d = 0; d < 3; ++d) {
-        const Vec3& row = functions_.reciprocal[d];
-        const Real eta = row[0] * x[0] + row[1] * x[1] + row[2] * x[2];
-        half[d] = std::max(half[d], std::abs(eta - centre[d]));
-      }
-    }
-    for (Real& h : half) h = std::max(h, 1e-15);  // of a piece that rounding has flattened
-    return 2.0 * half;
   }
 
   const CoverArrays& covers_;
   const PieceMoments& moments_;
   const LatticeFunctions functions_;
   const int degree_ = quadrature_degree(functions_);
-  std::vector<Rule> rules_;  // of each kind
+  std::vector<PointRule> rules_;  // of whole parts
   Quadrature result_;
 };
 
@@ -239,7 +232,7 @@ Quadrature make_quadrature(const CoverArrays& covers, const PieceMoments& moment
     throw Error(
         ErrorKind::analysis,
         "local series: found kinematics = \"large\"; must be \"small\" (analysis.kinematics)");
-  return Fitter(covers, moments).run();
+  return Builder(covers, moments).run();
 }
 
 }  // namespace rockfold::finite

@@ -1,9 +1,8 @@
 // Points and weights at which polynomials over a manifold element of any shape are integrated exactly.
 //
-// An element may be any polyhedron inside its part of a lattice cell. Whole elements share the points of their part. A cut
-// element has points of its own in a box around it, with the weights that reproduce its exact moments (they may be negative):
-// a sliver in a corner of its cell, where slopes nearly vanish, keeps all their digits.
-// Sources: exact simplex integration, thesis 4.2.3; moment fitting: Mueller, Kummer & Oberlack, Int. J. Numer. Meth. Eng. 96 (2013).
+// An element may be any union of convex polyhedra inside its part of a lattice cell. Whole elements share the points of their
+// part. A cut element has points of its own inside it: products of Gauss's points in the tetrahedra of its pieces, of which as few are kept
+// as there are monomials (point_rule.hpp). All weights are positive, zero where fewer points do.
 #pragma once
 
 #include <vector>

@@ -54,8 +54,9 @@ bool wants_grid(const HeldSystem& system) {
   if ((system.grid.levels.empty() && system.cover_grid.levels.empty()) || system.grid_failed ||
       !(system.largest_diagonal > 0) || system.combination.stiffness == 0)
     return false;
-  return system.preconditioner == Preconditioner::multigrid || system.combination.mass == 0 ||
-         system.slow;
+  if (system.preconditioner == Preconditioner::multigrid || system.slow) return true;
+  const Index least = system.op.functions == 1 ? least_for_multigrid : least_for_cover_grid;
+  return system.combination.mass == 0 && system.op.covers >= least;
 }
 
 Preconditioning choose(HeldSystem& system, const Apply& a) {
@@ -79,6 +80,18 @@ Preconditioning choose(HeldSystem& system, const Apply& a) {
   return m;
 }
 
+/// After a solve that broke down: from multigrid to blocks, from blocks to multigrid. False: there is no other way.
+bool change_way(HeldSystem& system, Preconditioning& m, const Apply& a) {
+  if (m.any_grid()) {
+    system.grid_failed = true;
+  } else {
+    system.slow = true;
+    if (!wants_grid(system)) return false;
+  }
+  m = choose(system, a);
+  return true;
+}
+
 bool any_augmented(const Springs& springs) {
   return springs.any() && largest_entry(springs.augmented) > 0;
 }
@@ -90,14 +103,12 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
   HeldSystem system;
   system.preconditioner = preconditioner;
   MergedPoints merged = merge_points(fixed);
-  const Index least = op.functions == 1 ? least_for_multigrid : least_for_cover_grid;
-  if (preconditioner == Preconditioner::multigrid ||
-      (preconditioner == Preconditioner::automatic && op.covers >= least)) {
-    if (op.functions == 1)
-      system.grid = make_multigrid(covers, merged.fixed.points);
-    else
-      system.cover_grid = make_cover_grid(covers, merged.fixed.points);
-  }
+  const bool any = preconditioner == Preconditioner::multigrid,
+             automatic = preconditioner == Preconditioner::automatic;
+  if (op.functions > 1 && (any || automatic))
+    system.cover_grid = make_cover_grid(covers, merged.fixed.points);
+  else if (any || (automatic && op.covers >= least_for_multigrid))
+    system.grid = make_multigrid(covers, merged.fixed.points);
   system.springs = build_springs(merged.fixed, op.unknowns);
   system.shares = std::move(merged.shares);
   system.work = make_pcg_work(op.unknowns);
@@ -153,12 +164,9 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
     pcg.reduction = reduction;
     Preconditioning m = choose(system, a);
     PcgReport done = solve_pcg(system.work, a, m, system.load, x, pcg);
-    // Not positive in its precision, or covers too nearly dependent for it: do without.
-    if (m.any_grid() && !small_enough(done) && done.iterations < pcg.max_iterations &&
-        !interrupt_signal) {
-      system.grid_failed = true;
-      m.grid = nullptr;
-      m.cover_grid = nullptr;
+    // Not positive in its precision, or covers too nearly dependent for it: the other way may do.
+    if (!small_enough(done) && done.iterations < pcg.max_iterations && !interrupt_signal &&
+        change_way(system, m, a)) {
       if (std::isnan(done.residual)) Kokkos::deep_copy(x, 0.0);
       report.iterations += done.iterations;
       done = solve_pcg(system.work, a, m, system.load, x, pcg);

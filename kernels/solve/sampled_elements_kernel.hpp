@@ -9,7 +9,7 @@ namespace rockfold::solve {
 /// Adds stiffness and mass of all elements to rows, all of them block rows, that are zero to start with. Throws Error(analysis) where a
 /// function is no finite number, naming the place.
 ///
-/// Exactness: see LocalSeries::degree. Cost: some 300 points a tetrahedron at degree 10, at each 5 · width² products, width the functions of
+/// Exactness: see LocalSeries::degree. Cost: some 200 points a tetrahedron at degree 10, at each 5 · width² products, width the functions of
 /// an element.
 void assemble_sampled(const DeviceBlocks& block, const ElementTable& table,
                       const CoverArrays& covers);

@@ -25,19 +25,18 @@ ElementPoints::ElementPoints(const CoverArrays& covers, int degree)
       cell_volume_(std::abs(
           dot(covers.lattice.edge[0], cross(covers.lattice.edge[1], covers.lattice.edge[2])))),
       share_(cell_split(covers.lattice.kind).share) {
-  // ∫ f over the tetrahedron / volume = ∫∫∫ f 6 (1 − u)² (1 − v) du dv dw: two degrees more along u, one along v.
-  const auto along = gauss_points((degree + 4) / 2), across = gauss_points((degree + 3) / 2),
-             last = gauss_points((degree + 2) / 2);
-  for (const auto& [u, by_u] : along)
-    for (const auto& [v, by_v] : across)
-      for (const auto& [w, by_w] : last) {
+  // ∫ f over the tetrahedron / volume = ∫∫∫ f 6 (1 − u)² (1 − v) du dv dw
+  const int n = (degree + 2) / 2;
+  const auto line = gauss_points(n);
+  for (const auto& [u, by_u] : gauss_points(n, 2))
+    for (const auto& [v, by_v] : gauss_points(n, 1))
+      for (const auto& [w, by_w] : line) {
         const Real rest = 1 - u, left = rest * (1 - v);
-        tetrahedron_.push_back({{u, rest * v, left * w, left * (1 - w)},
-                                6 * rest * rest * (1 - v) * by_u * by_v * by_w});
+        tetrahedron_.push_back({{u, rest * v, left * w, left * (1 - w)}, 6 * by_u * by_v * by_w});
       }
-  for (const auto& [u, by_u] : last)
-    for (const auto& [v, by_v] : last)
-      for (const auto& [w, by_w] : last)
+  for (const auto& [u, by_u] : line)
+    for (const auto& [v, by_v] : line)
+      for (const auto& [w, by_w] : line)
         hexahedron_.push_back({{u - 0.5, v - 0.5, w - 0.5}, by_u * by_v * by_w});
 }
 

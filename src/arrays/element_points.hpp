@@ -1,7 +1,8 @@
 // Points inside manifold elements with weights: what functions that are no polynomials are integrated with (local_series.hpp).
 //
 // An element is made of tetrahedra: a whole part is one, or a hexahedron; a convex piece is the tetrahedra between one of its vertices and
-// the triangles away from it. Each has Gauss's points on the cube, collapsed to it (Stroud 1971, 2.4): all inside, all weights positive.
+// the triangles away from it. Each has products of Gauss & Jacobi's points, collapsed to it (Stroud 1971, 2.4): all inside, all weights
+// positive.
 #pragma once
 
 #include <array>
