@@ -241,8 +241,9 @@ Array<Real> sampled_mean_slopes(const CoverArrays& covers) {
   return device::to_device("solve::mean_slopes", slopes);
 }
 
-Array<Real> sampled_slopes(const CoverArrays& covers, const std::vector<Index>& element,
+PointSlopes sampled_slopes(const CoverArrays& covers, const std::vector<Index>& element,
                            const std::vector<Vec3>& local) {
+  if (!covers.series) return {};
   const ElementFunctions functions(covers);
   const std::size_t width = functions.width();
   std::vector<Real> slopes(3 * width * element.size());
@@ -252,7 +253,7 @@ Array<Real> sampled_slopes(const CoverArrays& covers, const std::vector<Index>& 
     for (std::size_t i = 0; i < width; ++i)
       for (int d = 0; d < 3; ++d) slopes[3 * (width * n + i) + d] = f[i].gradient[d];
   });
-  return device::to_device("solve::point_slopes", slopes);
+  return {device::to_device("solve::point_slopes", slopes), 3 * width};
 }
 
 }  // namespace rockfold::solve

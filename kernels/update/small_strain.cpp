@@ -1,5 +1,4 @@
 // Small strain: f = K d + f0, f0 that of the initial stress.
-#include "kernels/solve/sampled_elements_kernel.hpp"
 #include "kernels/update/deformation_kernel.hpp"
 #include "kernels/update/initial_stress_kernel.hpp"
 #include "kernels/update/stress_kernel.hpp"
@@ -74,21 +73,12 @@ class SmallStrain : public Deformation {
     const auto element = at.element;
     const auto local = at.local;
     const auto stress = at.stress;
-    // Functions of a local series are the host's: it is asked for their slopes at the points.
-    Array<Real> slope;
-    if (sampled_)
-      slope =
-          solve::sampled_slopes(*sampled_, device::to_host(element), device::copy_to_host(local));
-    const std::size_t size = 3 * table.parts.nodes * table.functions;
-    const bool given = sampled_ != nullptr;
+    const solve::PointSlopes slopes = sampled_slopes_at(sampled_.get(), at);
     device::for_each(
         "rockfold::update::point_stress", at.points.count, KOKKOS_LAMBDA(const Index n) {
           Real* s = &stress(6 * static_cast<std::size_t>(n));
           const Real x[3] = {local(n, 0), local(n, 1), local(n, 2)};
-          if (given)
-            stress_by_slopes(table, d, element(n), &slope(size * n), s);
-          else
-            stress_at(table, d, element(n), x, s);
+          stress_at(table, d, element(n), x, slopes.at(n), s);
           if (any) add_stress_before(before, before.cell_z(element(n)) + x[2], s);
         });
   }
