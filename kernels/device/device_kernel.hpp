@@ -41,11 +41,11 @@ using Range = Kokkos::RangePolicy<Exec, Kokkos::IndexType<Index>>;
 /// programs hold the cores, milliseconds. No result depends on it.
 inline constexpr Index serial_limit = on_gpu ? 0 : 1024;
 
-/// f(i) for all i < n, in any order.
+/// f(i) for all i < n, in any order. `work`: of one f(i), where that is much more than a few numbers' worth.
 template <class F>
-void for_each(const char* label, Index n, const F& f) {
+void for_each(const char* label, Index n, const F& f, Index work = 1) {
   if constexpr (!on_gpu) {
-    if (n <= serial_limit) {
+    if (n <= serial_limit / work) {
       for (Index i = 0; i < n; ++i) f(i);
       return;
     }

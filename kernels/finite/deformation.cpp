@@ -3,6 +3,7 @@
 #include "kernels/device/sums_kernel.hpp"
 #include "kernels/finite/deformation_kernel.hpp"
 #include "kernels/finite/strain_kernel.hpp"
+#include "kernels/finite/tangent_row_kernel.hpp"
 #include "kernels/solve/assemble_kernel.hpp"
 #include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
@@ -45,6 +46,17 @@ std::vector<Real> initial_stress(const CoverArrays& covers, const PieceMoments& 
   return stress;
 }
 
+/// Gradients as Deformation has them.
+std::vector<Real> in_columns(const Quadrature& quadrature, int stride) {
+  const std::size_t points = quadrature.place.size();
+  std::vector<Real> column(3 * points * stride, 0);
+  for (std::size_t q = 0; q < points; ++q)
+    for (int m = 0; m < quadrature.functions; ++m)
+      for (int d = 0; d < 3; ++d)
+        column[(3 * q + d) * stride + m] = quadrature.gradient[q * quadrature.functions + m][d];
+  return column;
+}
+
 /// Covers to elements, ascending.
 void add_transpose(const std::vector<Index>& cover, Deformation& body) {
   std::vector<Index> begin(static_cast<std::size_t>(body.covers) + 1, 0);
@@ -62,15 +74,14 @@ void add_transpose(const std::vector<Index>& cover, Deformation& body) {
 KOKKOS_INLINE_FUNCTION void gradient_at(const Deformation& body, const Field& d, Index e, int q,
                                         Real* h) {
   const Index* cover = &body.cover(static_cast<std::size_t>(e) * body.nodes);
-  const Real* g =
-      &body.gradient(static_cast<std::size_t>(3 * body.width()) * (body.kind(e) * body.points + q));
+  const Real* g = body.gradients(e, q);
   for (int i = 0; i < 9; ++i) h[i] = 0;
   for (int a = 0; a < body.nodes; ++a)
-    for (int k = 0; k < body.functions; ++k, g += 3)
+    for (int k = 0; k < body.functions; ++k, ++g)
       for (int i = 0; i < 3; ++i) {
         const Real u =
             d(k * body.covers + cover[a], i) - (k == 0 && body.nodes > 1 ? d(cover[0], i) : 0);
-        for (int j = 0; j < 3; ++j) h[3 * i + j] += u * g[j];
+        for (int j = 0; j < 3; ++j) h[3 * i + j] += u * g[j * body.stride];
       }
 }
 
@@ -81,7 +92,7 @@ KOKKOS_INLINE_FUNCTION void state_at(const Deformation& body, const ForceRule& r
   const Real *before = &body.start(9 * at), *after = &body.now(9 * at);
   const solve::Elastic& material = body.elastic(body.material(e));
   for (int k = 0; k < 6; ++k) s[k] = body.initial.extent(0) == 0 ? 0 : body.initial(6 * at + k);
-  Real strain[6], old[6];
+  Real strain[6], old[6] = {};
   green_strain(after, strain);
   if (rule.middle || rule.viscosity > 0) green_strain(before, old);
   add_elastic_stress(material, rule.middle ? 0.5 : 1, strain, s);
@@ -113,9 +124,8 @@ Deformation make_deformation(const CoverArrays& covers, const PieceMoments& mome
     material.push_back(e < regular ? covers.regular_material[e / covers.parts_per_cell()]
                                    : covers.element_material[e - regular]);
   }
-  std::vector<Real> gradient;
-  for (const Vec3& g : quadrature.gradient) gradient.insert(gradient.end(), g.begin(), g.end());
-  body.gradient = to_device("finite::gradient", gradient);
+  body.stride = padded(body.width());
+  body.gradient = to_device("finite::gradient", in_columns(quadrature, body.stride));
   body.kind = to_device("finite::kind", quadrature.kind);
   body.weight = to_device("finite::weight", quadrature.weight);
   body.cover = to_device("finite::cover", cover);
@@ -162,13 +172,10 @@ void internal_forces(const Deformation& body, const ForceRule& rule, const Field
             const Index e = static_cast<Index>(body.entry(s) / body.nodes);
             const int i = static_cast<int>(body.entry(s) % body.nodes) * body.functions + k;
             for (int q = 0; q < body.points; ++q) {
-              const Real* g = &body.gradient(
-                  3 *
-                  (static_cast<std::size_t>(body.kind(e) * body.points + q) * body.width() + i));
+              const Real* g = body.gradients(e, q) + i;
               const Real* stress = &body.force(9 * (static_cast<std::size_t>(e) * body.points + q));
               for (int d = 0; d < 3; ++d)
-                sum[d] +=
-                    stress[3 * d] * g[0] + stress[3 * d + 1] * g[1] + stress[3 * d + 2] * g[2];
+                for (int j = 0; j < 3; ++j) sum[d] += stress[3 * d + j] * g[j * body.stride];
             }
           }
           for (int d = 0; d < 3; ++d) f(k * body.covers + p, d) = sum[d];
@@ -220,10 +227,9 @@ Index first_inverted(const Deformation& body, Real least) {
         for (int q = 0; q < body.points; ++q) {
           const std::size_t at = static_cast<std::size_t>(e) * body.points + q;
           if (!(body.weight(at) > 0)) continue;
-          const Real* g = &body.gradient(static_cast<std::size_t>(3 * body.width()) *
-                                         (body.kind(e) * body.points + q));
+          const Real* g = body.gradients(e, q);
           Real steepest = 0;
-          for (int m = 0; m < 3 * body.width(); ++m)
+          for (int m = 0; m < 3 * body.stride; ++m)
             steepest = device::math::fmax(steepest, device::math::fabs(g[m]));
           force += body.weight(at) * (material.lambda + 2 * material.mu) * steepest;
           Real f[9];
@@ -243,11 +249,10 @@ Real rounding_force(const Deformation& body, const Array<Real>& partial, const A
       KOKKOS_LAMBDA(const Index e, device::Sums<1>& sum) {
         const solve::Elastic& material = body.elastic(body.material(e));
         for (int q = 0; q < body.points; ++q) {
-          const Real* g = &body.gradient(static_cast<std::size_t>(3 * body.width()) *
-                                         (body.kind(e) * body.points + q));
+          const Real* g = body.gradients(e, q);
           const Real stress = body.weight(static_cast<std::size_t>(e) * body.points + q) *
                               (material.lambda + 2 * material.mu);
-          for (int m = 0; m < 3 * body.width(); ++m) sum.value[0] += stress * stress * g[m] * g[m];
+          for (int m = 0; m < 3 * body.stride; ++m) sum.value[0] += stress * stress * g[m] * g[m];
         }
       },
       KOKKOS_LAMBDA(const device::Sums<1>& sum) { sums(0) = sum.value[0]; });
@@ -257,7 +262,9 @@ Real rounding_force(const Deformation& body, const Array<Real>& partial, const A
 namespace {
 
 /// Of an element: eight nodes of ten functions.
-constexpr int most_width = 8 * most_functions;
+constexpr int most_width = padded(8 * most_functions);
+/// So many points are taken together.
+constexpr int point_batch = 16;
 
 /// Everything at a point that entries of the stiffness need.
 struct PointStiffness {
@@ -265,21 +272,24 @@ struct PointStiffness {
   Real lambda, mu;                ///< with the point's weight
 };
 
-/// block += contribution of one point to the stiffness between functions of gradients gi and gj:
-///   λ p_i p_jᵀ + μ p_j p_iᵀ + (g_i·g_j) μ FFᵀ + (g_i·S g_j) I,  p = F g.
-KOKKOS_INLINE_FUNCTION void add_point_stiffness(const PointStiffness& at, const Real* gi,
-                                                const Real* gj, Real* block) {
-  Real pi[3], pj[3], dot = 0, geometric = 0;
+/// The stiffness between functions of gradients gi and gj is, with p = F g,
+///   λ p_i p_jᵀ + μ p_j p_iᵀ + (g_i·g_j) μ FFᵀ + (g_i·S g_j) I
+/// Entry (r, c) is term[3r + c] · g_j.
+KOKKOS_INLINE_FUNCTION void stiffness_terms(const PointStiffness& at, const Real* gi, Real* term) {
+  Real pi[3], geometric[3];
   for (int r = 0; r < 3; ++r) {
     pi[r] = at.f[3 * r] * gi[0] + at.f[3 * r + 1] * gi[1] + at.f[3 * r + 2] * gi[2];
-    pj[r] = at.f[3 * r] * gj[0] + at.f[3 * r + 1] * gj[1] + at.f[3 * r + 2] * gj[2];
-    dot += gi[r] * gj[r];
-    for (int c = 0; c < 3; ++c) geometric += gi[r] * entry(at.stress, r, c) * gj[c];
+    geometric[r] = 0;
+    for (int m = 0; m < 3; ++m) geometric[r] += gi[m] * entry(at.stress, m, r);
   }
   for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c)
-      block[3 * r + c] += at.lambda * pi[r] * pj[c] + at.mu * (pj[r] * pi[c]) +
-                          at.mu * dot * entry(at.left, r, c) + (r == c ? geometric : 0);
+    for (int c = 0; c < 3; ++c) {
+      const Real dot = at.mu * entry(at.left, r, c);
+      for (int m = 0; m < 3; ++m)
+        term[3 * (3 * r + c) + m] = at.lambda * pi[r] * at.f[3 * c + m] +
+                                    at.mu * pi[c] * at.f[3 * r + m] + dot * gi[m] +
+                                    (r == c ? geometric[m] : 0);
+    }
 }
 
 KOKKOS_INLINE_FUNCTION PointStiffness stiffness_at(const Deformation& body, const ForceRule& rule,
@@ -302,6 +312,26 @@ KOKKOS_INLINE_FUNCTION PointStiffness stiffness_at(const Deformation& body, cons
   return at;
 }
 
+/// row[9][stride] = couplings of function i of an element with all of its functions.
+KOKKOS_INLINE_FUNCTION void element_row(const Deformation& body, const ForceRule& rule, Index e,
+                                        int i, Real* row) {
+  for (int m = 0; m < 9 * body.stride; ++m) row[m] = 0;
+  for (int first = 0; first < body.points; first += point_batch) {
+    const int count = body.points - first < point_batch ? body.points - first : point_batch;
+    Real term[27 * point_batch];
+    for (int q = 0; q < count; ++q) {
+      const Real* g = body.gradients(e, first + q) + i;
+      const Real gi[3] = {g[0], g[body.stride], g[2 * body.stride]};
+      stiffness_terms(stiffness_at(body, rule, e, first + q), gi, term + 27 * q);
+    }
+    const Real* gradient = body.gradients(e, first);
+    if constexpr (device::on_gpu)
+      add_products(count, term, gradient, body.stride, row);
+    else
+      add_products_on_core(count, term, gradient, body.stride, row);
+  }
+}
+
 }  // namespace
 
 void assemble_tangent(const Deformation& body, const ForceRule& rule,
@@ -318,21 +348,18 @@ void assemble_tangent(const Deformation& body, const ForceRule& rule,
           const Index e = static_cast<Index>(body.entry(s) / body.nodes);
           const int i = static_cast<int>(body.entry(s) % body.nodes) * body.functions + k;
           Real row[9 * most_width];
-          for (int m = 0; m < 9 * body.width(); ++m) row[m] = 0;
-          for (int q = 0; q < body.points; ++q) {
-            const PointStiffness at = stiffness_at(body, rule, e, q);
-            const Real* g = &body.gradient(static_cast<std::size_t>(3 * body.width()) *
-                                           (body.kind(e) * body.points + q));
-            for (int j = 0; j < body.width(); ++j)
-              add_point_stiffness(at, g + 3 * i, g + 3 * j, row + 9 * j);
-          }
+          element_row(body, rule, e, i, row);
           for (int b = 0; b < body.nodes; ++b) {
             const Index at = sink.find(body.cover(static_cast<std::size_t>(e) * body.nodes + b));
-            for (int l = 0; l < body.functions; ++l)
-              sink.add(at, l, row + 9 * (b * body.functions + l), 9);
+            for (int l = 0; l < body.functions; ++l) {
+              Real entry[9];
+              for (int m = 0; m < 9; ++m) entry[m] = row[m * body.stride + b * body.functions + l];
+              sink.add(at, l, entry, 9);
+            }
           }
         }
-      });
+      },
+      body.points * body.functions);
 }
 
 namespace {

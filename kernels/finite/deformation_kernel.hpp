@@ -27,11 +27,12 @@ struct ForceRule {
 struct Deformation {
   Index elements = 0, covers = 0;
   int nodes = 0, functions = 0, points = 0;  ///< of an element, of a cover, of an element
-  Array<Real> gradient;                      ///< [kinds][points][nodes·functions][3] 1/m
-  Array<int> kind;                           ///< [elements]
-  Array<Real> weight;                        ///< [elements][points] m³
-  Array<Index> cover;                        ///< [elements][nodes]
-  Array<Index> material;                     ///< [elements]
+  int stride = 0;                            ///< ≥ nodes·functions
+  Array<Real> gradient;   ///< [kinds][points][3][stride] 1/m, zero beyond nodes·functions
+  Array<int> kind;        ///< [elements]
+  Array<Real> weight;     ///< [elements][points] m³
+  Array<Index> cover;     ///< [elements][nodes]
+  Array<Index> material;  ///< [elements]
   Array<solve::Elastic> elastic;
   Array<Real> initial;        ///< [elements][points][6] S₀, Pa; empty where there is none
   Array<Index> begin;         ///< [covers+1]
@@ -39,6 +40,10 @@ struct Deformation {
   Array<Real> start, now;     ///< [elements][points][9] H at the step's start, and now
   Array<Real> force;          ///< [elements][points][9] weight · F S, by rule
   KOKKOS_INLINE_FUNCTION int width() const { return nodes * functions; }
+  /// [3][stride] of an element at point q.
+  KOKKOS_INLINE_FUNCTION const Real* gradients(Index e, int q) const {
+    return &gradient((static_cast<std::size_t>(kind(e)) * points + q) * 3 * stride);
+  }
 };
 
 Deformation make_deformation(const CoverArrays& covers, const PieceMoments& moments,

@@ -79,7 +79,8 @@ Array<Index> cover_places(const Operator& op) {
 void invert_cover_blocks(const CoverBlocks& blocks, const Springs& springs, Real spring_factor) {
   const CoverBlocks to = blocks;
   device::for_each(
-      "rockfold::solve::invert_cover_blocks", to.covers, KOKKOS_LAMBDA(const Index p) {
+      "rockfold::solve::invert_cover_blocks", to.covers,
+      KOKKOS_LAMBDA(const Index p) {
         Real a[most_entries];
         const int n = to.functions, width = to.width();
         Real* inverse = &to.inverse(static_cast<std::size_t>(p) * width * width);
@@ -97,7 +98,8 @@ void invert_cover_blocks(const CoverBlocks& blocks, const Springs& springs, Real
         for (int i = 0; i < width; ++i)
           for (int j = 0; j < width; ++j)
             inverse[i * width + j] = i <= j ? a[i * width + j] : a[j * width + i];
-      });
+      },
+      blocks.width() * blocks.width());
 }
 
 void set_values(const CoverBlocks& blocks, const Operator& op, const Springs& springs,

@@ -108,7 +108,8 @@ KOKKOS_INLINE_FUNCTION Real* find_block(const CoverMatrix& a, Index row, Index c
 template <class Rows>
 void multiply_rows(const Rows& fine, const CoverTransfer& p, const CoverMatrix& to) {
   device::for_each(
-      "rockfold::solve::cover_products", to.covers, KOKKOS_LAMBDA(const Index row) {
+      "rockfold::solve::cover_products", to.covers,
+      KOKKOS_LAMBDA(const Index row) {
         const int n = to.functions, width = 3 * n, size = width * width;
         Real a[most_block_width * most_block_width], b[most_block_width];
         for (Index k = to.begin(row); k < to.begin(row + 1); ++k)
@@ -138,7 +139,8 @@ void multiply_rows(const Rows& fine, const CoverTransfer& p, const CoverMatrix& 
             }
           }
         }
-      });
+      },
+      to.width() * to.width());
 }
 
 }  // namespace
