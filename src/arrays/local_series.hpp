@@ -49,7 +49,7 @@ class LocalSeries {
   /// tetrahedra of a convex piece), and over each triangle of a loaded face. Stiffness takes products of two gradients, so what is
   /// left out are the terms of Taylor's series of such products beyond this degree: for functions that vary over a length L in
   /// elements of size h about (h/2L)^(degree+1) / (degree+1)!. A cell's hexahedron is exact to this degree in each direction.
-  /// A tetrahedron has some (degree/2 + 1)³ points.
+  /// A tetrahedron has (degree/2 + 1)³ points. Under large kinematics elements hold their state at fewer: kernels/finite/quadrature.hpp.
   virtual int degree() const { return 10; }
 };
 
