@@ -42,11 +42,12 @@ void invert_dense(std::vector<Real>& a, std::size_t n) {
 
 /// The matrix on the host.
 struct HostMatrix {
-  std::vector<Index> slice_begin, column, row, place;
+  std::vector<Index> slice_begin, value_begin, column, row, place;
   std::vector<float> value, own;
 
   explicit HostMatrix(const LevelMatrix& a)
       : slice_begin(device::to_host(a.block.slice_begin)),
+        value_begin(device::to_host(a.block.value_begin)),
         column(device::to_host(a.block.column)),
         row(device::to_host(a.block.row)),
         place(device::to_host(a.place)),
@@ -67,8 +68,10 @@ struct HostMatrix {
       for (Index k = slice_begin[slice]; k < slice_begin[slice + 1]; ++k) {
         const Index q = column[static_cast<std::size_t>(k) * slice_lanes + lane];
         if (q == p) continue;
+        const std::size_t first =
+            9 * static_cast<std::size_t>(value_begin[slice] + k - slice_begin[slice]);
         for (int ij = 0; ij < 9; ++ij) {
-          const Real v = value[(static_cast<std::size_t>(k) * 9 + ij) * slice_lanes + lane];
+          const Real v = value[(first + ij) * slice_lanes + lane];
           entry(ij / 3, at[q], ij % 3) += v;
           entry(ij / 3, m, ij % 3) -= v;
         }

@@ -46,7 +46,10 @@ SingleStencil combined_stencils(const DeviceStencil& from, const Combination& c,
 }
 
 SingleBlocks combined_blocks(const DeviceBlocks& from, const Combination& c, Real scale) {
-  SingleBlocks block{from.row, from.slice_begin, from.column,
+  SingleBlocks block{from.row,
+                     from.slice_begin,
+                     from.column,
+                     from.slice_begin,
                      device::allocate<float>("solve::single_value", from.column.extent(0) * 9),
                      device::allocate<float>("solve::single_own", from.row.extent(0) * 3)};
   device::for_each(
@@ -58,7 +61,8 @@ SingleBlocks combined_blocks(const DeviceBlocks& from, const Combination& c, Rea
         for (Index k = begin; k < end; ++k) {
           const Real* v = from.values(slice, 0, 0) +
                           static_cast<std::size_t>(k - begin) * entry_size * slice_lanes + lane;
-          float* to = &block.value(static_cast<std::size_t>(k) * 9 * slice_lanes + lane);
+          float* to =
+              block.values(slice) + static_cast<std::size_t>(k - begin) * 9 * slice_lanes + lane;
           const Real m = v[9 * slice_lanes];
           sum += m;
           for (int j = 0; j < 9; ++j)
@@ -87,6 +91,20 @@ SingleSprings combined_springs(const Springs& from, const PointRows& rows, Real 
 }
 
 }  // namespace
+
+std::vector<Index> finest_classes(const Operator& op, const PointRows& springs) {
+  std::vector<Index> classes(op.covers, none);
+  const std::vector<Index> first = device::to_host(op.stencil.first),
+                           length = device::to_host(op.stencil.length),
+                           material = device::to_host(op.stencil.material),
+                           node_class = device::to_host(op.stencil.node_class);
+  for (std::size_t run = 0; run < first.size(); ++run)
+    for (Index k = 0; k < length[run]; ++k)
+      classes[first[run] + op.stencil.stride * k] =
+          material[run] * op.stencil.classes + node_class[run];
+  for (const Index row : device::to_host(springs.row)) classes[row] = none;
+  return classes;
+}
 
 LevelMatrix finest_matrix(const Operator& op, const Springs& springs, const PointRows& points,
                           const Combination& c, Real spring_factor, Real scale) {

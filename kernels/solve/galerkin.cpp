@@ -1,6 +1,8 @@
 // Coarse levels: their rows, interpolation, and Galerkin's product. A coarse row gathers from the rows of its children, so that
 // each value is summed by one thread in one order.
 #include <algorithm>
+#include <array>
+#include <map>
 
 #include "kernels/solve/level_kernel.hpp"
 
@@ -23,15 +25,18 @@ KOKKOS_INLINE_FUNCTION int neighbour_number(std::int64_t from, std::int64_t to) 
                           9 * (step >> z_bits & 3));
 }
 
-/// Rows of like length side by side, within windows small enough to keep neighbours near.
-std::vector<Index> slice_order(const CoarseCovers& covers) {
+/// Rows of like length and class side by side, within windows small enough to keep neighbours near.
+std::vector<Index> slice_order(const CoarseCovers& covers, const std::vector<Index>& classes) {
   constexpr Index window = 512;
   std::vector<Index> order(covers.place.size());
   for (std::size_t p = 0; p < order.size(); ++p) order[p] = static_cast<Index>(p);
   const auto length = [&](Index p) { return covers.column_begin[p + 1] - covers.column_begin[p]; };
   for (Index w = 0; w < covers.count(); w += window)
     std::stable_sort(order.begin() + w, order.begin() + std::min(w + window, covers.count()),
-                     [&](Index a, Index b) { return length(a) > length(b); });
+                     [&](Index a, Index b) {
+                       return length(a) != length(b) ? length(a) > length(b)
+                                                     : classes[a] < classes[b];
+                     });
   return order;
 }
 
@@ -44,12 +49,13 @@ struct Products {
   SingleBlocks block;
   Array<std::int64_t> lattice;
   Index first_slice = 0;
-  Array<Real> sum;  ///< as block.value, from first_slice on
+  Array<Real> sum;  ///< as block.value, from the first slice's on
 };
 
 /// A coarse row under way.
 struct ProductRow {
   Index row, begin, end;  ///< columns
+  Index sums;             ///< where those of the first column stand, in columns
   int lane;
   Index first[28];  ///< the first column of each neighbouring node
 };
@@ -71,22 +77,22 @@ KOKKOS_INLINE_FUNCTION void find_nodes(const Products& g, ProductRow& row) {
 KOKKOS_INLINE_FUNCTION Real* entry_of(const Products& g, const ProductRow& row, Index q) {
   const int node = neighbour_number(g.lattice(row.row), g.lattice(q));
   if (node >= 27) return nullptr;
-  const Index begin = g.block.slice_begin(g.first_slice);
   for (Index k = row.first[node]; k < row.first[node + 1]; ++k)
     if (g.block.column(k * slice_lanes + row.lane) == q)
-      return &g.sum(static_cast<std::size_t>(k - begin) * 9 * slice_lanes + row.lane);
+      return &g.sum(static_cast<std::size_t>(row.sums + k - row.begin) * 9 * slice_lanes +
+                    row.lane);
   return nullptr;
 }
 
 /// Adds weight · block (its entries `stride` apart) for column j of the finer level.
 KOKKOS_INLINE_FUNCTION void add_column(const Products& g, const ProductRow& row, Index j,
                                        float weight, const float* block, int stride) {
+  const Real w = Real(weight) * g.p.parent_weight(j);
   for (Index k = g.p.parent_begin(j); k < g.p.parent_begin(j + 1); ++k) {
     const Index q = g.p.parent(k);
     if (q == row.row) continue;
     Real* sum = entry_of(g, row, q);
     if (sum == nullptr) continue;
-    const Real w = Real(weight) * g.p.parent_weight(k);
     for (int m = 0; m < 9; ++m) sum[m * slice_lanes] += w * block[m * stride];
   }
 }
@@ -109,10 +115,11 @@ KOKKOS_INLINE_FUNCTION void add_row(const Products& g, const ProductRow& row, In
     const SingleBlocks& b = g.fine.block;
     const Index slice = place / slice_lanes;
     const int lane = place % slice_lanes;
-    for (Index k = b.slice_begin(slice); k < b.slice_begin(slice + 1); ++k) {
+    const float* block = b.values(slice) + lane;
+    for (Index k = b.slice_begin(slice); k < b.slice_begin(slice + 1);
+         ++k, block += 9 * slice_lanes) {
       const Index j = b.column(k * slice_lanes + lane);
       if (j == i) continue;
-      const float* block = &b.value(static_cast<std::size_t>(k) * 9 * slice_lanes + lane);
       add_column(g, row, j, weight, block, slice_lanes);
       for (int m = 0; m < 9; ++m) diagonal[m] -= block[m * slice_lanes];
     }
@@ -150,6 +157,7 @@ KOKKOS_INLINE_FUNCTION void multiply_row(const Products& g, Index slot) {
   ProductRow row{g.block.row(slot),
                  g.block.slice_begin(slice),
                  g.block.slice_begin(slice + 1),
+                 g.block.value_begin(slice) - g.block.value_begin(g.first_slice),
                  slot % slice_lanes,
                  {}};
   Real own[3] = {0, 0, 0};
@@ -164,20 +172,22 @@ KOKKOS_INLINE_FUNCTION void multiply_row(const Products& g, Index slot) {
     g.block.own(3 * static_cast<std::size_t>(slot) + d) = static_cast<float>(own[d]);
 }
 
-/// The products of slices [begin, end).
-void multiply_slices(Products& g, const std::vector<Index>& slice_begin, Index begin, Index end) {
-  const std::size_t first = static_cast<std::size_t>(slice_begin[begin]) * 9 * slice_lanes;
-  const Index values = (slice_begin[end] - slice_begin[begin]) * 9 * slice_lanes;
-  g.first_slice = begin;
+/// The products of `count` slices.
+void multiply_slices(Products& g, const Index* slice, Index count, Index columns) {
+  const Index values = columns * 9 * slice_lanes;
+  g.first_slice = slice[0];
   const Products now = g;
+  const auto list =
+      device::to_device("solve::product_slices", std::vector<Index>(slice, slice + count));
   device::for_each(
       "rockfold::solve::clear_products", values, KOKKOS_LAMBDA(const Index i) { now.sum(i) = 0; });
   device::for_each(
-      "rockfold::solve::products", (end - begin) * slice_lanes,
-      KOKKOS_LAMBDA(const Index i) { multiply_row(now, begin * slice_lanes + i); });
+      "rockfold::solve::products", count * slice_lanes, KOKKOS_LAMBDA(const Index i) {
+        multiply_row(now, list(i / slice_lanes) * slice_lanes + i % slice_lanes);
+      });
   device::for_each(
       "rockfold::solve::store_products", values, KOKKOS_LAMBDA(const Index i) {
-        now.block.value(first + i) = static_cast<float>(now.sum(i));
+        now.block.values(now.first_slice)[i] = static_cast<float>(now.sum(i));
       });
 }
 
@@ -196,7 +206,7 @@ Array<Index> find_spring_rows(const LevelMatrix& fine) {
 
 Interpolation make_interpolation(const CoarseCovers& coarse) {
   std::vector<Index> begin(coarse.place.size() + 1, 0), child(coarse.parent.size());
-  std::vector<float> weight(child.size());
+  std::vector<std::uint8_t> parents(child.size());
   for (Index q : coarse.parent) ++begin[q + 1];
   for (std::size_t q = 0; q < coarse.place.size(); ++q) begin[q + 1] += begin[q];
   std::vector<Index> end(begin.begin(), begin.end() - 1);
@@ -204,31 +214,58 @@ Interpolation make_interpolation(const CoarseCovers& coarse) {
     for (Index k = coarse.parent_begin[p]; k < coarse.parent_begin[p + 1]; ++k) {
       const Index at = end[coarse.parent[k]]++;
       child[at] = static_cast<Index>(p);
-      weight[at] = coarse.weight[k];
+      parents[at] = static_cast<std::uint8_t>(coarse.parent_begin[p + 1] - coarse.parent_begin[p]);
     }
   using device::to_device;
   return {to_device("solve::parent_begin", coarse.parent_begin),
-          to_device("solve::parent", coarse.parent),
-          to_device("solve::parent_weight", coarse.weight),
-          to_device("solve::child_begin", begin),
-          to_device("solve::child", child),
-          to_device("solve::child_weight", weight)};
+          to_device("solve::parent", coarse.parent), to_device("solve::child_begin", begin),
+          to_device("solve::child", child), to_device("solve::child_parents", parents)};
 }
 
-CoarseRows make_coarse_rows(const CoarseCovers& coarse) {
-  const std::vector<Index> order = slice_order(coarse);
+std::vector<Index> coarse_classes(const CoarseCovers& coarse, const std::vector<Index>& fine) {
+  constexpr int around = 27;
+  std::vector<std::array<Index, around>> children(coarse.place.size());
+  std::vector<int> count(coarse.place.size(), 0);
+  for (std::size_t p = 0; p < fine.size(); ++p)
+    for (Index k = coarse.parent_begin[p]; k < coarse.parent_begin[p + 1]; ++k) {
+      const Index q = coarse.parent[k];
+      if (count[q] < around) children[q][count[q]] = fine[p];
+      ++count[q];
+    }
+  std::map<std::array<Index, around>, Index> known;
+  std::vector<Index> classes(coarse.place.size(), none);
+  for (Index q = 0; q < coarse.count(); ++q) {
+    if (count[q] != around) continue;
+    if (std::count(children[q].begin(), children[q].end(), none) > 0) continue;
+    const Index begin = coarse.column_begin[q], columns = coarse.column_begin[q + 1] - begin;
+    std::array<bool, around> met{};
+    for (Index k = begin; k < begin + columns; ++k)
+      met[neighbour_number(pack(coarse.place[q]), pack(coarse.place[coarse.column[k]]))] = true;
+    if (columns != around || std::count(met.begin(), met.end(), true) != around) continue;
+    classes[q] = known.try_emplace(children[q], static_cast<Index>(known.size())).first->second;
+  }
+  return classes;
+}
+
+CoarseRows make_coarse_rows(const CoarseCovers& coarse, const std::vector<Index>& classes) {
+  const std::vector<Index> order = slice_order(coarse, classes);
   const Index rows = coarse.count();
   const auto length = [&](Index p) {
     return coarse.column_begin[p + 1] - coarse.column_begin[p] - 1;  // without its own
   };
-  std::vector<Index> row, slice_begin{0}, column, place(coarse.place.size());
+  CoarseRows result;
+  std::vector<Index> row, slice_begin{0}, column, value_begin, like, place(coarse.place.size());
+  std::map<Index, Index> of_class;  // the slice that has its values
+  Index values = 0;
   for (Index begin = 0; begin < rows; begin += slice_lanes) {
-    const Index longest = length(order[begin]);
+    const Index longest = length(order[begin]), slice = static_cast<Index>(like.size());
     const std::size_t first = column.size();
     column.resize(first + static_cast<std::size_t>(longest) * slice_lanes, 0);
+    Index shared = classes[order[begin]];
     for (int l = 0; l < slice_lanes; ++l) {
       const Index p = begin + l < rows ? order[begin + l] : none;
       row.push_back(p);
+      if (p == none || classes[p] != shared) shared = none;
       if (p == none) continue;
       place[p] = begin + l;
       std::size_t at = first + l;
@@ -240,32 +277,46 @@ CoarseRows make_coarse_rows(const CoarseCovers& coarse) {
       for (; at < column.size(); at += slice_lanes) column[at] = p;  // padding
     }
     slice_begin.push_back(slice_begin.back() + longest);
+    like.push_back(shared == none ? slice : of_class.try_emplace(shared, slice).first->second);
+    value_begin.push_back(like[slice] == slice ? values : value_begin[like[slice]]);
+    if (like[slice] != slice) continue;
+    values += longest;
+    result.unlike.push_back(slice);
   }
   std::vector<std::int64_t> lattice;
   for (const HalfPlace& p : coarse.place) lattice.push_back(pack(p));
   using device::to_device;
-  CoarseRows result;
   result.block = {to_device("solve::coarse_row", row),
                   to_device("solve::coarse_slice_begin", slice_begin),
                   to_device("solve::coarse_column", column),
-                  device::allocate<float>("solve::coarse_value", 9 * column.size()),
+                  to_device("solve::coarse_value_begin", value_begin),
+                  device::allocate<float>("solve::coarse_value",
+                                          static_cast<std::size_t>(values) * 9 * slice_lanes),
                   device::allocate<float>("solve::coarse_own", 3 * row.size())};
+  result.like = to_device("solve::coarse_like", like);
   result.place = to_device("solve::coarse_place", place);
   result.lattice = to_device("solve::coarse_lattice", lattice);
   return result;
 }
 
 LevelMatrix coarse_matrix(const LevelMatrix& fine, const Interpolation& p, const CoarseRows& rows) {
-  constexpr Index most_columns = 1 << 14;  // at once: 9 MB of sums
-  const std::vector<Index> begin = device::to_host(rows.block.slice_begin);
-  const Index slices = rows.block.slices();
+  constexpr Index most_columns = 1 << 13;  // at once: 5 MB of sums
+  const std::vector<Index> slice_begin = device::to_host(rows.block.slice_begin);
+  const auto columns = [&](Index slice) { return slice_begin[slice + 1] - slice_begin[slice]; };
+  struct Portion {
+    std::size_t first;
+    Index slices, columns;
+  };
+  std::vector<Portion> portions;
   Index largest = 0;
-  std::vector<Index> portion{0};
-  for (Index s = 0; s < slices; ++s)
-    if (s + 1 == slices || begin[s + 2] - begin[portion.back()] > most_columns) {
-      largest = std::max(largest, begin[s + 1] - begin[portion.back()]);
-      portion.push_back(s + 1);
-    }
+  for (std::size_t i = 0; i < rows.unlike.size(); ++i) {
+    const Index more = columns(rows.unlike[i]);
+    if (portions.empty() || portions.back().columns + more > most_columns)
+      portions.push_back({i, 0, 0});
+    ++portions.back().slices;
+    portions.back().columns += more;
+    largest = std::max(largest, portions.back().columns);
+  }
   Products g{fine,
              p,
              find_spring_rows(fine),
@@ -274,8 +325,17 @@ LevelMatrix coarse_matrix(const LevelMatrix& fine, const Interpolation& p, const
              0,
              device::allocate<Real>("solve::products",
                                     static_cast<std::size_t>(largest) * 9 * slice_lanes)};
-  for (std::size_t i = 0; i + 1 < portion.size(); ++i)
-    multiply_slices(g, begin, portion[i], portion[i + 1]);
+  for (const Portion& portion : portions)
+    multiply_slices(g, &rows.unlike[portion.first], portion.slices, portion.columns);
+  const auto like = rows.like;
+  const SingleBlocks block = rows.block;
+  device::for_each(
+      "rockfold::solve::share_own", block.slices(), KOKKOS_LAMBDA(const Index s) {
+        if (like(s) == s) return;
+        for (int e = 0; e < 3 * slice_lanes; ++e)
+          block.own(3 * static_cast<std::size_t>(s) * slice_lanes + e) =
+              block.own(3 * static_cast<std::size_t>(like(s)) * slice_lanes + e);
+      });
   LevelMatrix coarse;
   coarse.rows = static_cast<Index>(rows.place.extent(0));
   coarse.block = rows.block;
@@ -294,8 +354,10 @@ void invert_diagonal(const LevelMatrix& a, const SingleInverse& inverse) {
         const int at[6] = {0, 4, 8, 1, 5, 2};
         for (int m = 0; m < 6; ++m) {
           Real sum = m < 3 ? block.own(3 * static_cast<std::size_t>(slot) + m) : 0;
-          for (Index k = block.slice_begin(slice); k < block.slice_begin(slice + 1); ++k)
-            sum -= block.value((static_cast<std::size_t>(k) * 9 + at[m]) * slice_lanes + lane);
+          const Index columns = block.slice_begin(slice + 1) - block.slice_begin(slice);
+          for (Index k = 0; k < columns; ++k)
+            sum -=
+                block.values(slice)[(static_cast<std::size_t>(k) * 9 + at[m]) * slice_lanes + lane];
           diagonal(p, m) = sum;
         }
       });

@@ -108,7 +108,7 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
   if (op.functions > 1 && (any || automatic))
     system.cover_grid = make_cover_grid(covers, merged.fixed.points);
   else if (any || (automatic && op.covers >= least_for_multigrid))
-    system.grid = make_multigrid(covers, merged.fixed.points);
+    system.grid = make_multigrid(covers, op, merged.fixed.points);
   system.springs = build_springs(merged.fixed, op.unknowns);
   system.shares = std::move(merged.shares);
   system.work = make_pcg_work(op.unknowns);

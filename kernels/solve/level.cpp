@@ -105,8 +105,7 @@ void sweep_slice(const SingleBlocks& block, Index slice, const Sweep& s) {
     }
   }
   slice_add(block.slice_begin(slice + 1) - begin, block.column.data() + begin * slice_lanes,
-            block.value.data() + static_cast<std::size_t>(begin) * 9 * slice_lanes,
-            components(s.d, 0), own, sum);
+            block.values(slice), components(s.d, 0), own, sum);
   for (int l = 0; l < slice_lanes; ++l) {
     const Index p = block.row(slot + l);
     const float y[3] = {sum[0][l], sum[1][l], sum[2][l]};
@@ -144,10 +143,11 @@ KOKKOS_INLINE_FUNCTION void sweep_block_row(const SingleBlocks& block, Index slo
     own[i] = s.d(p, i);
     y[i] = block.own(3 * static_cast<std::size_t>(slot) + i) * own[i];
   }
-  for (Index k = block.slice_begin(slice); k < block.slice_begin(slice + 1); ++k) {
+  const Index begin = block.slice_begin(slice);
+  for (Index k = begin; k < block.slice_begin(slice + 1); ++k) {
     const Index q = block.column(k * slice_lanes + slot % slice_lanes);
-    const float* v =
-        &block.value(static_cast<std::size_t>(k) * 9 * slice_lanes + slot % slice_lanes);
+    const float* v = block.values(slice) + static_cast<std::size_t>(k - begin) * 9 * slice_lanes +
+                     slot % slice_lanes;
     float t[3];
     for (int j = 0; j < 3; ++j) t[j] = s.d(q, j) - own[j];
     for (int i = 0; i < 3; ++i)

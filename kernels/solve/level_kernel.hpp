@@ -22,13 +22,18 @@ struct SingleStencil {
   KOKKOS_INLINE_FUNCTION Index runs() const { return static_cast<Index>(first.extent(0)); }
 };
 
-/// Block rows, as DeviceBlocks: a slice's values stand as [column][9][lane].
+/// Block rows, as DeviceBlocks: a slice's values stand as [column][9][lane]. Slices of rows that are alike share them.
 struct SingleBlocks {
   Array<Index> row, slice_begin, column;
+  Array<Index> value_begin;  ///< [S] where a slice's values begin, in columns
   Array<float> value;
   Array<float> own;  ///< [S·lanes][3] D
 
   Index slices() const { return static_cast<Index>(slice_begin.extent(0)) - 1; }
+  /// Of a slice, [columns][9][lane].
+  KOKKOS_INLINE_FUNCTION float* values(Index slice) const {
+    return value.data() + static_cast<std::size_t>(value_begin(slice)) * 9 * slice_lanes;
+  }
 };
 
 /// Springs between the rock and the ground, y += Nᵀ k N x.
@@ -51,22 +56,36 @@ struct LevelMatrix {
 LevelMatrix finest_matrix(const Operator& op, const Springs& springs, const PointRows& points,
                           const Combination& c, Real spring_factor, Real scale);
 
-/// Interpolation from a level to the next finer one, and its transpose.
+/// Interpolation from a level to the next finer one, and its transpose. A cover between 2ⁿ coarse ones takes as much of each.
 struct Interpolation {
   Array<Index> parent_begin, parent;
-  Array<float> parent_weight;
   Array<Index> child_begin, child;
-  Array<float> child_weight;
+  Array<std::uint8_t> child_parents;  ///< how many parents a child has: 1, 2, 4 or 8
+  KOKKOS_INLINE_FUNCTION float parent_weight(Index cover) const {
+    return 1.0F / static_cast<float>(parent_begin(cover + 1) - parent_begin(cover));
+  }
+  KOKKOS_INLINE_FUNCTION float child_weight(Index entry) const {
+    return 1.0F / static_cast<float>(child_parents(entry));
+  }
 };
 Interpolation make_interpolation(const CoarseCovers& coarse);
 
 /// The rows of a coarse level, without values: allocated once.
 struct CoarseRows {
   SingleBlocks block;
+  Array<Index> like;            ///< [S] the first slice with the same values, perhaps itself
+  std::vector<Index> unlike;    ///< those that have values of their own, ascending
   Array<Index> place;           ///< see LevelMatrix
   Array<std::int64_t> lattice;  ///< [rows] x + 2²¹ y + 2⁴² z of the row's node
 };
-CoarseRows make_coarse_rows(const CoarseCovers& coarse);
+
+/// Rows of one class are alike: the same couplings to the covers around, or `none`. Those of the finest level: full stencils of one
+/// table without springs.
+std::vector<Index> finest_classes(const Operator& op, const PointRows& springs);
+/// Those of a coarse level: rows with one cover at each of the nodes around, whose children are alike in their order.
+std::vector<Index> coarse_classes(const CoarseCovers& coarse, const std::vector<Index>& fine);
+
+CoarseRows make_coarse_rows(const CoarseCovers& coarse, const std::vector<Index>& classes);
 
 /// Galerkin's product Pᵀ A P into the rows of the coarse level.
 LevelMatrix coarse_matrix(const LevelMatrix& fine, const Interpolation& p, const CoarseRows& rows);

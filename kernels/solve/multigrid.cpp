@@ -37,13 +37,12 @@ void first_step(const GridLevel& level, Real share) {
 
 void restrict_residual(const Interpolation& p, const SingleField& fine, const SingleField& coarse) {
   const auto begin = p.child_begin, child = p.child;
-  const auto weight = p.child_weight;
   device::for_each(
       "rockfold::solve::restrict", static_cast<Index>(coarse.extent(0)),
       KOKKOS_LAMBDA(const Index q) {
         float sum[3] = {0, 0, 0};
         for (Index k = begin(q); k < begin(q + 1); ++k)
-          for (int i = 0; i < 3; ++i) sum[i] += weight(k) * fine(child(k), i);
+          for (int i = 0; i < 3; ++i) sum[i] += p.child_weight(k) * fine(child(k), i);
         for (int i = 0; i < 3; ++i) coarse(q, i) = sum[i];
       });
 }
@@ -52,13 +51,13 @@ void restrict_residual(const Interpolation& p, const SingleField& fine, const Si
 void add_correction(const Interpolation& p, const SingleField& coarse, const SingleField& d,
                     const SingleField& x) {
   const auto begin = p.parent_begin, parent = p.parent;
-  const auto weight = p.parent_weight;
   device::for_each(
       "rockfold::solve::prolong", static_cast<Index>(d.extent(0)), KOKKOS_LAMBDA(const Index q) {
         float sum[3] = {0, 0, 0};
         for (Index k = begin(q); k < begin(q + 1); ++k)
-          for (int i = 0; i < 3; ++i) sum[i] += weight(k) * coarse(parent(k), i);
+          for (int i = 0; i < 3; ++i) sum[i] += coarse(parent(k), i);
         for (int i = 0; i < 3; ++i) {
+          sum[i] *= p.parent_weight(q);
           d(q, i) = sum[i];
           x(q, i) += sum[i];
         }
@@ -243,17 +242,20 @@ MaterialPoints of_constants(const MaterialPoints& points, Index covers) {
 
 }  // namespace
 
-Multigrid make_multigrid(const CoverArrays& covers, const MaterialPoints& points) {
+Multigrid make_multigrid(const CoverArrays& covers, const Operator& op,
+                         const MaterialPoints& points) {
   Multigrid grid;
   const std::vector<CoarseCovers> coarse = coarsen_covers(covers, small_part);
   if (coarse.empty()) return grid;
   grid.levels.resize(coarse.size() + 1);
   allocate_fields(grid.levels[0], covers.cover_count());
   grid.points = make_point_rows(of_constants(points, covers.cover_count()), covers.cover_count());
+  std::vector<Index> classes = finest_classes(op, grid.points);
   for (std::size_t l = 0; l < coarse.size(); ++l) {
     GridLevel& level = grid.levels[l + 1];
     allocate_fields(level, coarse[l].count());
-    level.structure = make_coarse_rows(coarse[l]);
+    classes = coarse_classes(coarse[l], classes);
+    level.structure = make_coarse_rows(coarse[l], classes);
     level.from = make_interpolation(coarse[l]);
   }
   if (largest_part(coarse.back()) <= small_part)

@@ -29,7 +29,8 @@ struct Multigrid {
 };
 
 /// Levels without values, from topology; none for a lattice that has no coarser one. `points`: those of the springs.
-Multigrid make_multigrid(const CoverArrays& covers, const MaterialPoints& points);
+Multigrid make_multigrid(const CoverArrays& covers, const Operator& op,
+                         const MaterialPoints& points);
 
 /// Values for αK + βM + γ NᵀkN. `diagonal`: its inverted diagonal blocks; `scale`: its largest diagonal entry.
 void set_values(Multigrid& grid, const Operator& op, const Springs& springs, const Combination& c,
