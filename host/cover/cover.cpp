@@ -8,6 +8,7 @@
 #include "host/cover/piece_index.hpp"
 #include "host/cover/pieces.hpp"
 #include "host/cut/complex.hpp"
+#include "src/arrays/shape_functions.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 
@@ -90,6 +91,8 @@ Covering build_covers(const Cutting& cutting, const Model& model, Progress& prog
   Covering covering;
   covering.arrays.lattice = lattice.lattice();
   covering.arrays.order = cover.order;
+  covering.arrays.series = cover.series;
+  check_series(covering.arrays);
   auto index = std::make_shared<PieceIndex>(std::move(planes), std::move(lattice));
   connect(complex, model, pieces, covering.arrays, *index);
   covering.pieces = std::move(index);

@@ -18,6 +18,8 @@ constexpr Real patch_width = 2.5;  // spacings
 constexpr Real least_share = 0.4;  // of a patch's area: smaller ones join their neighbours
 // A polynomial that differs less than this from those of lower degree, in the mean over a patch, says nothing new there: [degree]
 constexpr Real least_residual[] = {0, 2e-2, 2e-3, 5e-4};
+constexpr Real least_of_series =
+    5e-4;  // likewise of a function of a local series, over its own size
 
 using Points = std::vector<SurfacePoint>;
 
@@ -37,10 +39,12 @@ Real monomial(const Vec3& x, const std::array<int, 3>& exponent) {
   return value;
 }
 
-/// Polynomials that are orthonormal in the mean over points (Gram & Schmidt, twice), by their values there; the first is 1. What the
-/// points cannot tell apart (across their plane, along a line) is left out.
-std::vector<std::vector<Real>> orthonormal_polynomials(const Points& points, Real spacing,
-                                                       int degree) {
+using Values = std::vector<std::vector<Real>>;  // [function][point]
+
+/// Polynomials, then `more` functions, made orthonormal in the mean over points (Gram & Schmidt, twice), by their values there; the
+/// first is 1. What the points cannot tell apart (across their plane, along a line) is left out.
+Values orthonormal_functions(const Points& points, Real spacing, int degree,
+                             const Values& more = {}) {
   Real area = 0;
   Vec3 centre{};
   for (const auto& p : points) area += p.area, centre += p.area * p.x;
@@ -50,25 +54,81 @@ std::vector<std::vector<Real>> orthonormal_polynomials(const Points& points, Rea
     for (std::size_t n = 0; n < points.size(); ++n) sum += points[n].area * a[n] * b[n];
     return sum / area;
   };
-  std::vector<std::vector<Real>> found;
-  for (const auto& exponent : exponents(degree)) {
-    std::vector<Real> value(points.size());
-    for (std::size_t n = 0; n < points.size(); ++n)
-      value[n] = monomial((1 / spacing) * (points[n].x - centre), exponent);
+  Values found;
+  const auto add = [&](std::vector<Real> value, Real least) {
     for (int pass = 0; pass < 2; ++pass)
       for (const auto& known : found) {
         const Real share = mean(known, value);
         for (std::size_t n = 0; n < value.size(); ++n) value[n] -= share * known[n];
       }
     const Real size = std::sqrt(mean(value, value));
-    if (!(size > least_residual[exponent[0] + exponent[1] + exponent[2]])) continue;
+    if (!(size > least)) return;
     for (Real& v : value) v /= size;
     found.push_back(std::move(value));
+  };
+  for (const auto& exponent : exponents(degree)) {
+    std::vector<Real> value(points.size());
+    for (std::size_t n = 0; n < points.size(); ++n)
+      value[n] = monomial((1 / spacing) * (points[n].x - centre), exponent);
+    add(std::move(value), least_residual[exponent[0] + exponent[1] + exponent[2]]);
   }
+  for (const auto& value : more) add(value, least_of_series * std::sqrt(mean(value, value)));
   return found;
 }
 
-/// The rows of all polynomials up to a degree over the points.
+/// The local series of a cover.
+Values series_values(const CoverArrays& covers, Index cover, const Points& points) {
+  Values values;
+  if (!covers.series) return values;
+  const Vec3 node = covers.lattice.node_position(covers.cover_node[cover]);
+  values.assign(covers.series->functions(), std::vector<Real>(points.size()));
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    const auto function =
+        cover_functions(covers, cover, covers.lattice.to_local(points[n].x - node));
+    for (std::size_t k = 0; k < values.size(); ++k)
+      values[k][n] = function[covers.polynomials() + k];
+  }
+  return values;
+}
+
+/// The covers of an element with the weights of their nodes at x.
+std::vector<std::pair<Index, Real>> node_weights(const CoverArrays& covers, Index element,
+                                                 const Vec3& x) {
+  const ElementNodes nodes = element_nodes(covers, element);
+  const CellPart& part = covers.lattice.split(nodes.cell).part[nodes.part];
+  const auto weight =
+      part_weights(part, covers.lattice.to_local(x - covers.lattice.cell_centre(nodes.cell)));
+  std::vector<std::pair<Index, Real>> found;
+  for (int a = 0; a < part.nodes; ++a) found.emplace_back(nodes.cover[a], weight[a]);
+  return found;
+}
+
+struct Extent {
+  Vec3 centre{};
+  Real area = 0;
+};
+Extent extent(const Points& points) {
+  Extent e;
+  for (const auto& p : points) e.centre += p.area * p.x, e.area += p.area;
+  e.centre = (1 / e.area) * e.centre;
+  return e;
+}
+
+/// The series of the cover that weighs most amid the points.
+Values series_amid(const CoverArrays& covers, const Points& points) {
+  if (!covers.series) return {};
+  const Vec3 centre = extent(points).centre;
+  const auto middle = std::min_element(
+      points.begin(), points.end(),
+      [&](const auto& a, const auto& b) { return norm(a.x - centre) < norm(b.x - centre); });
+  const auto weights = node_weights(covers, middle->element, middle->x);
+  const auto most =
+      std::max_element(weights.begin(), weights.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  return series_values(covers, most->first, points);
+}
+
+/// The rows of all polynomials up to a degree over the points, and of the series of the cover amid them.
 void add_moments(const CoverArrays& covers, const Points& points, Real spacing, int degree,
                  std::vector<HeldRow>& rows) {
   MaterialPoints at;
@@ -77,12 +137,13 @@ void add_moments(const CoverArrays& covers, const Points& points, Real spacing, 
     add_material_point(covers, p.x, p.element, at);
     area += p.area;
   }
-  const auto polynomials = orthonormal_polynomials(points, spacing, degree);
-  for (std::size_t k = 0; k < polynomials.size(); ++k) {
+  const Values functions =
+      orthonormal_functions(points, spacing, degree, series_amid(covers, points));
+  for (std::size_t k = 0; k < functions.size(); ++k) {
     std::map<Index, Real> weight;
     for (std::size_t n = 0; n < points.size(); ++n)
       for (Index i = at.begin[n]; i < at.begin[n + 1]; ++i)
-        weight[at.unknown[i]] += points[n].area / area * polynomials[k][n] * at.weight[i];
+        weight[at.unknown[i]] += points[n].area / area * functions[k][n] * at.weight[i];
     HeldRow row{points[0].element, points[0].x, {}, {}, area, k > 0};
     for (const auto& [unknown, w] : weight) {
       row.unknown.push_back(unknown);
@@ -109,18 +170,6 @@ Points surface_points(const std::vector<FacePolygon>& surface, int degree) {
     }
   }
   return points;
-}
-
-/// The covers of an element with the weights of their nodes at x.
-std::vector<std::pair<Index, Real>> node_weights(const CoverArrays& covers, Index element,
-                                                 const Vec3& x) {
-  const ElementNodes nodes = element_nodes(covers, element);
-  const CellPart& part = covers.lattice.split(nodes.cell).part[nodes.part];
-  const auto weight =
-      part_weights(part, covers.lattice.to_local(x - covers.lattice.cell_centre(nodes.cell)));
-  std::vector<std::pair<Index, Real>> found;
-  for (int a = 0; a < part.nodes; ++a) found.emplace_back(nodes.cover[a], weight[a]);
-  return found;
 }
 
 constexpr Real rounding = 1e-9;
@@ -156,17 +205,18 @@ void hold_covers(const CoverArrays& covers, const Points& points, const FacePoly
     const Vec3 node = covers.lattice.node_position(covers.cover_node[cover]);
     Real area = 0;
     for (const auto& p : share) area += p.area;
-    const auto polynomials = orthonormal_polynomials(share, spacing, covers.order);
-    for (std::size_t j = 0; j < polynomials.size(); ++j) {
+    const Values functions =
+        orthonormal_functions(share, spacing, covers.order, series_values(covers, cover, share));
+    for (std::size_t j = 0; j < functions.size(); ++j) {
       HeldRow row{share[0].element, share[0].x, {}, {}, area, j > 0};
       row.weight.assign(covers.functions(), 0);
       for (int k = 0; k < covers.functions(); ++k)
         row.unknown.push_back(k * covers.cover_count() + cover);
       for (std::size_t n = 0; n < share.size(); ++n) {
         const auto function =
-            cover_functions(covers.lattice.to_local(share[n].x - node), covers.functions());
+            cover_functions(covers, cover, covers.lattice.to_local(share[n].x - node));
         for (int k = 0; k < covers.functions(); ++k)
-          row.weight[k] += share[n].area / area * polynomials[j][n] * function[k];
+          row.weight[k] += share[n].area / area * functions[j][n] * function[k];
       }
       rows.push_back(std::move(row));
     }
@@ -204,17 +254,6 @@ std::vector<Points> patches(const CoverArrays& covers, const Points& points, con
   std::vector<Points> list;
   for (auto& [at, patch] : found) list.push_back(std::move(patch));
   return list;
-}
-
-struct Extent {
-  Vec3 centre{};
-  Real area = 0;
-};
-Extent extent(const Points& points) {
-  Extent e;
-  for (const auto& p : points) e.centre += p.area * p.x, e.area += p.area;
-  e.centre = (1 / e.area) * e.centre;
-  return e;
 }
 
 /// Patches that are small beside the largest go to the nearest one that is not.
@@ -300,7 +339,7 @@ void hold_turning(const CoverArrays& covers, const Points& points, const Vec3& n
 
 /// How many linear functions add_moments tells apart over the points.
 int linear_functions(const Points& points, Real spacing) {
-  return static_cast<int>(orthonormal_polynomials(points, spacing, 1).size()) - 1;
+  return static_cast<int>(orthonormal_functions(points, spacing, 1).size()) - 1;
 }
 
 }  // namespace
@@ -310,13 +349,14 @@ void hold_surface(const CoverArrays& covers, const std::vector<FacePolygon>& sur
   const bool block = covers.lattice.kind == LatticeKind::block;
   const int of_weights = covers.lattice.kind == LatticeKind::hex8 ? 3 : block ? 0 : 1;
   const int of_functions = of_weights + covers.order;
+  const int of_series = covers.series ? covers.series->degree() : 0;
   if (!block && runs_through_nodes(covers, surface, spacing)) {
-    hold_covers(covers, surface_points(surface, of_weights + 2 * covers.order), surface[0], spacing,
-                rows);
+    hold_covers(covers, surface_points(surface, std::max(of_weights + 2 * covers.order, of_series)),
+                surface[0], spacing, rows);
     return;
   }
   const int degree = block ? covers.order : covers.order + 1;
-  const Points points = surface_points(surface, of_functions + degree);
+  const Points points = surface_points(surface, std::max(of_functions + degree, of_series));
   if (points.empty()) return;
   const Vec3& normal = surface[0].normal;
   const std::vector<Points> all =

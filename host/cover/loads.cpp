@@ -1,5 +1,6 @@
 #include "host/cover/loads.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -28,11 +29,12 @@ Error outside(const Place& entry, const std::string& key, const Vec3& x) {
                   fmt::format("({:g}, {:g}, {:g}) is not in the rock", x[0], x[1], x[2]));
 }
 
-/// Degree of the functions of an element on a plane.
+/// Degree of the functions of an element on a plane, or that to which those of a local series are integrated.
 int function_degree(const CoverArrays& covers) {
   const LatticeKind kind = covers.lattice.kind;
   const int of_weights = kind == LatticeKind::hex8 ? 3 : kind == LatticeKind::block ? 0 : 1;
-  return of_weights + covers.order;
+  const int degree = of_weights + covers.order;
+  return covers.series ? std::max(degree, covers.series->degree()) : degree;
 }
 
 /// Points on the free faces of a region, each with its share of the area.

@@ -261,8 +261,8 @@ Real rounding_force(const Deformation& body, const Array<Real>& partial, const A
 
 namespace {
 
-/// Of an element: eight nodes of ten functions.
-constexpr int most_width = padded(80);
+/// Of an element: eight nodes.
+constexpr int most_width = padded(8 * most_functions);
 /// So many points are taken together.
 constexpr int point_batch = 16;
 

@@ -8,14 +8,16 @@
 #include "kernels/finite/point_rule.hpp"
 #include "kernels/integrate/moments_kernel.hpp"
 #include "kernels/solve/part_functions.hpp"
+#include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold::finite {
 
 namespace {
 
-/// Exact for the strain energy of small strain: twice the degree of the functions' gradients.
-int quadrature_degree(const LatticeFunctions& functions) {
+/// Exact for the strain energy of small strain: twice the degree of the functions' gradients; or as a local series asks for.
+int quadrature_degree(const CoverArrays& covers, const LatticeFunctions& functions) {
+  if (covers.series) return std::min(covers.series->degree(), most_series_degree);
   return 2 * std::max(0, functions.degree - 1);
 }
 
@@ -139,6 +141,7 @@ class Builder {
       for (const CellPart& part : split.part) rules_.push_back(part_rule(split, part, degree_));
     }
     const bool own = degree_ > 0;  // points of their own for cut elements
+    if (covers_.series) return sample();
     result_.functions = functions_.nodes * functions_.functions;
     result_.points = static_cast<int>(rules_.front().size());
     if (own && covers_.cut_count() > 0)
@@ -159,6 +162,43 @@ class Builder {
   }
 
  private:
+  /// With a local series no two elements are alike: each is a kind of its own.
+  Quadrature sample() {
+    const ElementFunctions all(covers_);
+    const CutRules rules(covers_, moments_, functions_.reciprocal, degree_);
+    const Index elements = covers_.element_count(),
+                whole = functions_.parts * covers_.regular_count();
+    for (PointRule& rule : rules_) rule = reduce(rule, degree_);
+    result_.functions = all.width();
+    result_.points = integrate::count_to(degree_);
+    result_.kinds = elements;
+    const std::size_t points = static_cast<std::size_t>(elements) * result_.points;
+    result_.place.resize(points);
+    result_.gradient.resize(points * result_.functions);
+    result_.weight.resize(points, 0);
+    for (Index e = 0; e < elements; ++e) result_.kind.push_back(e);
+    using Host = Kokkos::DefaultHostExecutionSpace;
+    Kokkos::parallel_for(
+        "rockfold::finite::sample",
+        Kokkos::RangePolicy<Host, Kokkos::Schedule<Kokkos::Dynamic>>(0, elements),
+        [&](const Index e) {
+          const ElementNodes nodes = element_nodes(covers_, e);
+          const int part = kind_of(nodes.cell, nodes.part);
+          const PointRule rule = e < whole ? rules_[part] : rules.rule(e - whole);
+          set_weights(e, rule.weight,
+                      e < whole ? functions_.part[part].moment[0] : functions_.share);
+          std::vector<FunctionValue> value(all.width());
+          for (int q = 0; q < result_.points; ++q) {
+            const std::size_t at = static_cast<std::size_t>(e) * result_.points + q;
+            result_.place[at] = rule.point[q < static_cast<int>(rule.size()) ? q : 0];
+            all.at(nodes, result_.place[at], value.data());
+            for (int f = 0; f < all.width(); ++f)
+              result_.gradient[at * result_.functions + f] = value[f].gradient;
+          }
+        });
+    return std::move(result_);
+  }
+
   /// What is left of a kind's points repeats the first, and gets no weight.
   void place_points(Index kind, int part, const std::vector<Vec3>& points) {
     for (int q = 0; q < result_.points; ++q) {
@@ -219,7 +259,7 @@ class Builder {
   const CoverArrays& covers_;
   const PieceMoments& moments_;
   const LatticeFunctions functions_;
-  const int degree_ = quadrature_degree(functions_);
+  const int degree_ = quadrature_degree(covers_, functions_);
   std::vector<PointRule> rules_;  // of whole parts
   Quadrature result_;
 };

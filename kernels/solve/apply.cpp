@@ -4,6 +4,7 @@
 // A block row reads for each neighbour 80 bytes of values and 4 of column, which is nearly all that it moves.
 #include "kernels/solve/operator_kernel.hpp"
 #include "kernels/solve/simd.hpp"
+#include "src/arrays/shape_functions.hpp"
 
 namespace rockfold::solve {
 namespace {
@@ -43,7 +44,7 @@ void apply_run(const DeviceStencil& stencil, Index run, const Combination& c, In
                const Field& x, const Field& y) {
   const int n = stencil.functions;
   if (n == 1 && stencil.stride == 1) return apply_run_of_one(stencil, run, c, x, y);
-  constexpr int most_offsets = 27, most = most_offsets * 10;
+  constexpr int most_offsets = 27, most = most_offsets * most_functions;
   Real block[9 * most];
   Components at[most];
   const Index first = stencil.first(run), offsets = stencil.run_offsets(run);

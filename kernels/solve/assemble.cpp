@@ -1,6 +1,9 @@
-// Values of the operator: the constants of the lattice for stencil rows and whole cells, integrals for cut elements.
+// Values of the operator: the constants of the lattice for stencil rows and whole cells, integrals for cut elements; integrals for all
+// where covers have a local series.
 #include "kernels/solve/assemble_kernel.hpp"
+#include "kernels/solve/sampled_elements_kernel.hpp"
 #include "kernels/solve/shifted_function_kernel.hpp"
+#include "src/arrays/shape_functions.hpp"
 
 namespace rockfold::solve {
 namespace {
@@ -231,9 +234,11 @@ DeviceStencil upload(const StencilRuns& runs, const Constants& constants, int fu
 
 Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
                         const std::vector<ElasticMaterial>& materials, bool stencils) {
+  check_series(covers);
+  const bool sampled = covers.series != nullptr;  // then no two cells are alike
   const ElementTable table = make_element_table(covers, moments, materials);
-  const Constants constants = make_constants(covers, table);
-  const Rows rows = sort_rows(covers, slice_lanes, stencils);
+  const Constants constants = sampled ? Constants{} : make_constants(covers, table);
+  const Rows rows = sort_rows(covers, slice_lanes, stencils && !sampled);
   Operator op;
   op.covers = covers.cover_count();
   op.unknowns = covers.unknown_count();
@@ -243,7 +248,10 @@ Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
   op.neighbours = rows.neighbours;
   op.stencil = upload(rows.stencil, constants, op.functions);
   op.block = upload(rows.block, op.functions);
-  assemble(op.block, table, constants);
+  if (sampled)
+    assemble_sampled(op.block, table, covers);
+  else
+    assemble(op.block, table, constants);
   choose_differences(op.block, table.parts.weight_degree <= 1);
   Kokkos::fence();
   return op;

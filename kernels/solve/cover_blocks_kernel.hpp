@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kernels/solve/springs_kernel.hpp"
+#include "src/arrays/shape_functions.hpp"
 
 namespace rockfold::solve {
 
@@ -29,8 +30,8 @@ void invert_cover_blocks(const CoverBlocks& blocks, const Springs& springs, Real
 /// Where the couplings of each cover with itself stand: its slot of block rows, or −1 − its run.
 Array<Index> cover_places(const Operator& op);
 
-/// The widest block: ten functions.
-inline constexpr int most_block_width = 30;
+/// The widest block.
+inline constexpr int most_block_width = 3 * most_functions;
 
 /// Pivots of a matrix of unit diagonal below this are rounding.
 constexpr Real least_pivot = 1e-10;

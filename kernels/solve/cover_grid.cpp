@@ -176,7 +176,7 @@ Real largest_eigenvalue(const Cycle& cycle, const CoverLevel& level, std::size_t
 
 /// Points as seen from coarse functions: N P.
 MaterialPoints coarsen_points(const MaterialPoints& points, const CoarseCovers& coarse,
-                              const std::vector<Real>& step, int functions) {
+                              const std::vector<Real>& step, bool quadratic) {
   const Index fines = static_cast<Index>(coarse.parent_begin.size()) - 1, coarses = coarse.count();
   MaterialPoints result;
   result.element = points.element;
@@ -191,7 +191,7 @@ MaterialPoints coarsen_points(const MaterialPoints& points, const CoarseCovers& 
           weight[f * coarses + coarse.parent[q]] += share * w;
         };
         add(k, 1);
-        if (functions <= 4 || k < 1 || k > 3) continue;
+        if (!quadratic || k < 1 || k > 3) continue;
         const int d = k - 1, e = (d + 1) % 3, g = (d + 2) % 3;
         const Real* s = &step[3 * static_cast<std::size_t>(q)];
         add(4 + d, s[d]);
@@ -220,7 +220,8 @@ std::vector<Real> parent_steps(const std::vector<HalfPlace>& fine, const CoarseC
   return step;
 }
 
-CoverTransfer make_transfer(const CoarseCovers& coarse, const std::vector<Real>& step) {
+CoverTransfer make_transfer(const CoarseCovers& coarse, const std::vector<Real>& step,
+                            bool quadratic) {
   std::vector<Index> begin(coarse.place.size() + 1, 0), child(coarse.parent.size());
   std::vector<Real> weight(child.size()), child_step(step.size());
   for (const Index q : coarse.parent) ++begin[q + 1];
@@ -243,7 +244,8 @@ CoverTransfer make_transfer(const CoarseCovers& coarse, const std::vector<Real>&
                     std::vector<Real>(coarse.weight.begin(), coarse.weight.end())),
           to_device("solve::cover_child_weight", weight),
           to_device("solve::cover_parent_step", step),
-          to_device("solve::cover_child_step", child_step)};
+          to_device("solve::cover_child_step", child_step),
+          quadratic};
 }
 
 void allocate_level(CoverLevel& level, Index covers, int functions) {
@@ -269,6 +271,7 @@ void make_coarse_level(CoverLevel& level, const CoarseCovers& coarse, int functi
 CoverGrid make_cover_grid(const CoverArrays& covers, const MaterialPoints& points) {
   CoverGrid grid;
   const int functions = covers.functions();
+  const bool quadratic = covers.order == 2;
   const Index small = small_part(functions);
   const std::vector<CoarseCovers> coarse = coarsen_covers(covers, small);
   if (coarse.empty()) return grid;
@@ -279,9 +282,9 @@ CoverGrid make_cover_grid(const CoverArrays& covers, const MaterialPoints& point
   Real half = 0.5;
   for (std::size_t l = 0; l < coarse.size(); ++l, half *= 2) {
     const std::vector<Real> step = parent_steps(place, coarse[l], half);
-    seen = coarsen_points(seen, coarse[l], step, functions);
+    seen = coarsen_points(seen, coarse[l], step, quadratic);
     make_coarse_level(grid.levels[l + 1], coarse[l], functions, seen);
-    grid.levels[l + 1].from = make_transfer(coarse[l], step);
+    grid.levels[l + 1].from = make_transfer(coarse[l], step, quadratic);
     place = coarse[l].place;
   }
   if (largest_part(coarse.back()) <= small)

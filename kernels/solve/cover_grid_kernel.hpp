@@ -1,11 +1,12 @@
-// Multigrid for covers of order 1 and 2 as a preconditioner: z = B r, one V-cycle with Chebyshev smoothing of degree 2 over the
+// Multigrid for covers with several functions as a preconditioner: z = B r, one V-cycle with Chebyshev smoothing of degree 2 over the
 // blocks of whole covers before and after, symmetric and positive.
 //
 // Functions of covers are nearly dependent. With linear weights Σ_a N_a(x) (x − x_a) = 0: functions ξ whose coefficients g_a vary slowly
 // do next to nothing, Σ N_a g_a·(x − x_a) are bubbles of (g_a − g_b)·(x_a − x_b) on the edges. Their energy is that of a truss of its own, as
 // smooth as elasticity, and no correction by constant functions reaches it. So all functions have coarse ones, interpolated by themselves, as if
 // each were a displacement. At order 2 the functions ξξ, G = a symmetric matrix, do the same as g_a = G x_a: a coarse G carries along
-// g_a = G (x_a − x_A), so that what is nothing on the coarse level stays nothing on the finer one.
+// g_a = G (x_a − x_A), so that what is nothing on the coarse level stays nothing on the finer one. A local
+// series has coefficients that vary slowly where its functions are alike from cover to cover: they are interpolated likewise.
 //
 // Levels, places and weights are those of coarse_covers.hpp; their matrices are Galerkin's products. Springs stay beside them, by rows Nₗ = N P.
 #pragma once
@@ -34,6 +35,8 @@ struct CoverTransfer {
   Array<Real> parent_weight, child_weight;
   Array<Real> parent_step,
       child_step;  ///< [entries][3] finer place − coarser place, in cells of the lattice
+  bool quadratic =
+      false;  ///< whether functions 4 … 9 are ξξ, whose coarse ones carry along functions ξ
 };
 
 struct CoverLevel {

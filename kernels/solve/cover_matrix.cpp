@@ -6,9 +6,10 @@ namespace rockfold::solve {
 namespace {
 
 /// f += weight · what the coarse functions c are there (see the header's G), by function.
-KOKKOS_INLINE_FUNCTION void prolong(int n, Real weight, const Real* step, const Real* c, Real* f) {
+KOKKOS_INLINE_FUNCTION void prolong(int n, bool quadratic, Real weight, const Real* step,
+                                    const Real* c, Real* f) {
   for (int k = 0; k < n; ++k) f[k] += weight * c[k];
-  if (n <= 4) return;
+  if (!quadratic) return;
   for (int d = 0; d < 3; ++d) {
     const int e = (d + 1) % 3, g = (d + 2) % 3;
     f[1 + d] += weight * (step[d] * c[4 + d] + 0.5 * step[e] * c[7 + d] + 0.5 * step[g] * c[7 + g]);
@@ -16,8 +17,9 @@ KOKKOS_INLINE_FUNCTION void prolong(int n, Real weight, const Real* step, const 
 }
 
 /// The transpose, without weight, in place: entries of one function are `stride` apart.
-KOKKOS_INLINE_FUNCTION void restrict_in_place(int n, const Real* step, Real* f, int stride) {
-  if (n <= 4) return;
+KOKKOS_INLINE_FUNCTION void restrict_in_place(bool quadratic, const Real* step, Real* f,
+                                              int stride) {
+  if (!quadratic) return;
   for (int d = 0; d < 3; ++d) {
     const int e = (d + 1) % 3;
     f[(4 + d) * stride] += step[d] * f[(1 + d) * stride];
@@ -119,19 +121,19 @@ void multiply_rows(const Rows& fine, const CoverTransfer& p, const CoverMatrix& 
             if (j == none) continue;
             for (int e = 0; e < width; ++e)
               for (int d = 0; d < 3; ++d)
-                restrict_in_place(n, &p.child_step(3 * c), a + e * width + d, 3);
+                restrict_in_place(p.quadratic, &p.child_step(3 * c), a + e * width + d, 3);
             for (Index q = p.parent_begin(j); q < p.parent_begin(j + 1); ++q) {
               Real* sum = find_block(to, row, p.parent(q));
               if (sum == nullptr) continue;
               const Real weight = p.child_weight(c) * p.parent_weight(q);
-              if (n <= 4) {
+              if (!p.quadratic) {
                 for (int e = 0; e < size; ++e) sum[e] += weight * a[e];
                 continue;
               }
               for (int r = 0; r < width; ++r)
                 for (int d = 0; d < 3; ++d) {
                   for (int f = 0; f < n; ++f) b[f] = a[(3 * f + d) * width + r];
-                  restrict_in_place(n, &p.parent_step(3 * q), b, 1);
+                  restrict_in_place(true, &p.parent_step(3 * q), b, 1);
                   for (int f = 0; f < n; ++f) sum[(3 * f + d) * width + r] += weight * b[f];
                 }
             }
@@ -193,7 +195,7 @@ void restrict_functions(const CoverTransfer& p, int functions, const Field& fine
           Real sum[most_block_width / 3] = {}, f[most_block_width / 3];
           for (Index c = t.child_begin(q); c < t.child_begin(q + 1); ++c) {
             for (int k = 0; k < functions; ++k) f[k] = fine(k * fines + t.child(c), d);
-            restrict_in_place(functions, &t.child_step(3 * c), f, 1);
+            restrict_in_place(t.quadratic, &t.child_step(3 * c), f, 1);
             for (int k = 0; k < functions; ++k) sum[k] += t.child_weight(c) * f[k];
           }
           for (int k = 0; k < functions; ++k) coarse(k * coarses + q, d) = sum[k];
@@ -212,7 +214,7 @@ void add_correction(const CoverTransfer& p, int functions, const Field& coarse, 
           Real sum[most_block_width / 3] = {}, c[most_block_width / 3];
           for (Index q = t.parent_begin(i); q < t.parent_begin(i + 1); ++q) {
             for (int k = 0; k < functions; ++k) c[k] = coarse(k * coarses + t.parent(q), e);
-            prolong(functions, t.parent_weight(q), &t.parent_step(3 * q), c, sum);
+            prolong(functions, t.quadratic, t.parent_weight(q), &t.parent_step(3 * q), c, sum);
           }
           for (int k = 0; k < functions; ++k) {
             d(k * fines + i, e) = sum[k];

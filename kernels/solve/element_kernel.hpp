@@ -1,4 +1,4 @@
-// Stiffness and mass of manifold elements (thesis 4.2), exact for every lattice and order.
+// Stiffness and mass of manifold elements (thesis 4.2), exact for every lattice and order. Those of covers with a local series: sampled_elements_kernel.hpp.
 //
 // With φ_f the functions of an element's part (part_functions.hpp) and S_ij = ∫ ∂_i φ_f ∂_j φ_g dV over the element
 //
@@ -21,6 +21,17 @@ std::vector<Elastic> make_elastic(const std::vector<ElasticMaterial>& materials)
 
 /// A coupling of two functions: block of 9 of stiffness, row by row, and mass.
 inline constexpr int entry_size = 10;
+
+/// entry[10] = S_fg, ∫ φ_f φ_g dV becomes K_fg, M_fg.
+KOKKOS_INLINE_FUNCTION void elastic_entry(const Elastic& m, Real* entry) {
+  Real s[9];
+  for (int i = 0; i < 9; ++i) s[i] = entry[i];
+  const Real shear = m.mu * (s[0] + s[4] + s[8]);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      entry[3 * i + j] = m.lambda * s[3 * i + j] + m.mu * s[3 * j + i] + (i == j ? shear : 0);
+  entry[9] *= m.density;
+}
 
 /// One row of an element's matrices: function f with the moments folded in, so that a coupling is a few dot products.
 struct ElementRow {

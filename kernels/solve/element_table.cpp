@@ -51,6 +51,7 @@ ElementTable make_element_table(const CoverArrays& covers, const PieceMoments& m
   const LatticeFunctions functions = lattice_functions(covers.lattice, series);
   ElementTable table;
   table.parts = make_part_table(functions);
+  table.functions = functions.functions;
   table.covers = covers.cover_count();
   table.regular = covers.regular_count();
   table.cut = covers.cut_count();
@@ -89,7 +90,9 @@ ElementTable make_element_table(const CoverArrays& covers, const PieceMoments& m
 
 ElementTable make_element_table(const CoverArrays& covers, const PieceMoments& moments,
                                 const std::vector<ElasticMaterial>& materials) {
-  return make_element_table(covers, moments, materials, cover_series(covers.order));
+  ElementTable table = make_element_table(covers, moments, materials, cover_series(covers.order));
+  table.functions = covers.functions();
+  return table;
 }
 
 }  // namespace rockfold::solve

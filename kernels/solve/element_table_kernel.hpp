@@ -6,8 +6,9 @@
 namespace rockfold::solve {
 
 struct ElementTable {
-  PartTable parts;
-  Index covers = 0;            ///< P
+  PartTable parts;    ///< the polynomials; its functions and width do not count a local series
+  int functions = 0;  ///< of a cover
+  Index covers = 0;   ///< P
   Index regular = 0, cut = 0;  ///< lattice cells, elements
   Array<Index> regular_cover;  ///< [R][nodes of a cell]
   Array<Index> regular_material;
@@ -19,6 +20,8 @@ struct ElementTable {
   Array<Real> amid_moment;  ///< [E][moments] likewise about `origin`; empty for linear functions
   Array<Real> origin;       ///< [E][3] η amid the element
   Array<Elastic> elastic;   ///< [materials]
+  Array<Real>
+      mean_slope;  ///< [elements][width][3] 1/m with a local series, where it is wanted; else empty
 
   KOKKOS_INLINE_FUNCTION Index count() const { return parts.parts * regular + cut; }
   KOKKOS_INLINE_FUNCTION bool whole(Index e) const { return e < parts.parts * regular; }
@@ -59,7 +62,7 @@ KOKKOS_INLINE_FUNCTION void displacement_gradient(const ElementTable& table, Ind
                                                   Real (*h)[3]) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) h[i][j] = 0;
-  const int functions = table.parts.functions;
+  const int functions = table.functions;
   const Index first = table.cover(e, 0);
   for (int a = 0; a < table.parts.nodes; ++a) {
     const Index cover = table.cover(e, a);

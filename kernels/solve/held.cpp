@@ -117,7 +117,7 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
   MergedPoints merged = merge_points(fixed);
   const bool any = preconditioner == Preconditioner::multigrid,
              automatic = preconditioner == Preconditioner::automatic;
-  if (covers.order > 0 && (any || automatic))
+  if (op.functions > 1 && (any || automatic))
     system.cover_grid = make_cover_grid(covers, merged.fixed.points);
   else if (any || (automatic && op.covers >= least_for_multigrid))
     system.grid = make_multigrid(covers, op, merged.fixed.points);

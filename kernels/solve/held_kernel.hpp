@@ -31,8 +31,8 @@ struct HeldSystem {
   CoverBlocks cover_blocks;   ///< of covers with more functions than one
   Real largest_diagonal = 0;  ///< before their inversion
   Preconditioner preconditioner = Preconditioner::automatic;
-  Multigrid grid;             ///< of order 0; without levels where it is not wanted
-  CoverGrid cover_grid;       ///< of orders 1 and 2, likewise
+  Multigrid grid;             ///< of one function; without levels where it is not wanted
+  CoverGrid cover_grid;       ///< of several, likewise
   bool grid_current = false;  ///< its values are those of the present combination
   bool grid_failed = false;   ///< it broke down with them
   bool slow = false;          ///< the diagonal blocks alone have taken many iterations

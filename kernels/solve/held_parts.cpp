@@ -63,7 +63,7 @@ RigidRow rigid_row(const CoverArrays& covers, const FixedPoints& fixed, std::siz
     if (function == 0) {
       row.shift += weight;
       row.arm += weight * (covers.lattice.node_position(covers.cover_node[cover]) - origin);
-    } else if (function <= 3) {
+    } else if (function < std::min(covers.polynomials(), 4)) {
       row.arm += weight * covers.lattice.edge[function - 1];
     }
   }

@@ -14,8 +14,8 @@ namespace rockfold {
 
 /// The functions m_k(ξ) of a cover, ξ from its node in units of the edges; m_0 = 1.
 ///
-/// This is where a local series comes in (thesis 4.1.2 b): functions appended here become unknowns of every cover. They must be
-/// polynomials, so that all integrals stay exact; those of a crack tip enter by their expansion about the cover's node.
+/// Polynomials, so that all integrals are exact and the same in all whole cells. Other functions of a cover are a local series
+/// (src/arrays/local_series.hpp), which elements are sampled for: sampled_elements_kernel.hpp.
 struct CoverSeries {
   int degree = 0;
   std::vector<std::vector<Real>> function;  ///< [functions][count_to(degree)]

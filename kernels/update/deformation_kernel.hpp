@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "kernels/solve/held_kernel.hpp"
+#include "kernels/solve/sampled_elements_kernel.hpp"
 #include "kernels/update/motion.hpp"
 
 namespace rockfold {
@@ -44,6 +45,14 @@ class Deformation {
   /// Writes at.stress.
   virtual void point_stress(const Field& d, const TrackedPoints::Data& at) const = 0;
 };
+
+/// The slopes of all functions at the points; `sampled`: null but for covers with a local series, whose functions the host has to evaluate.
+inline solve::PointSlopes sampled_slopes_at(const CoverArrays* sampled,
+                                            const TrackedPoints::Data& at) {
+  if (sampled == nullptr) return {};
+  return solve::sampled_slopes(*sampled, device::to_host(at.element),
+                               device::copy_to_host(at.local));
+}
 
 std::unique_ptr<Deformation> make_small_strain(const MotionSetup& setup,
                                                const solve::HeldSystem& held);

@@ -20,7 +20,9 @@ class FiniteStrain : public LargeDeformation {
         partial_(
             device::allocate<Real>("update::strain_partial", device::chunk_count(body_.elements))),
         sums_("rockfold::update::strain_sums", 1),
-        rounding_(finite::rounding_force(body_, partial_, sums_)) {}
+        rounding_(finite::rounding_force(body_, partial_, sums_)) {
+    if (setup.covers.series) sampled_ = std::make_unique<CoverArrays>(setup.covers);
+  }
 
   bool linear() const override { return false; }
 
@@ -71,12 +73,13 @@ class FiniteStrain : public LargeDeformation {
     const auto element = at.element;
     const auto local = at.local;
     const auto stress = at.stress;
+    const solve::PointSlopes slopes = sampled_slopes_at(sampled_.get(), at);
     device::for_each(
         "rockfold::update::large_point_stress", at.points.count, KOKKOS_LAMBDA(const Index n) {
           const Index e = element(n);
           const Real x[3] = {local(n, 0), local(n, 1), local(n, 2)};
           Real h[3][3], strain[6], s[6] = {0, 0, 0, 0, 0, 0};
-          gradient_at(table, d, e, x, h);
+          gradient_at(table, d, e, x, slopes.at(n), h);
           finite::green_strain(&h[0][0], strain);
           finite::add_elastic_stress(table.elastic(table.material(e)), 1, strain, s);
           if (before.any()) add_stress_before(before, before.cell_z(e) + x[2], s);
@@ -92,6 +95,7 @@ class FiniteStrain : public LargeDeformation {
   StressBefore before_;
   Array<Real> partial_, sums_;
   Real rounding_;
+  std::unique_ptr<const CoverArrays> sampled_;  // of covers with a local series
 };
 
 }  // namespace

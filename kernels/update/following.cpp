@@ -29,6 +29,7 @@ FollowingPressures make_following_pressures(const MotionSetup& setup) {
   loads.table = device::to_device("update::following_table", table);
   loads.force = device::make_field("update::following_force", count);
   loads.tables = DeviceTables(all.tables);
+  loads.slopes = solve::sampled_slopes(setup.covers, points.element, points.local);
   loads.elements = solve::make_element_table(setup.covers, setup.moments, setup.materials);
   return loads;
 }
@@ -41,11 +42,12 @@ void add_following_pressures(const FollowingPressures& loads, Real t, const Fiel
   const auto local = loads.local, area = loads.area, force = loads.force;
   const auto pressure = loads.pressure;
   const solve::ElementTable elements = loads.elements;
+  const solve::PointSlopes slopes = loads.slopes;
   device::for_each(
       "rockfold::update::following", loads.points.points.count, KOKKOS_LAMBDA(const Index n) {
         const Real x[3] = {local(n, 0), local(n, 1), local(n, 2)};
         Real deformed[3][3];
-        gradient_at(elements, d, element(n), x, deformed);
+        gradient_at(elements, d, element(n), x, slopes.at(n), deformed);
         for (int i = 0; i < 3; ++i) deformed[i][i] += 1;
         const Real p = pressure(n) * (table(n) == none ? 1 : value(3 * table(n)));
         for (int i = 0; i < 3; ++i) {

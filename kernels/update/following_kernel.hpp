@@ -2,7 +2,7 @@
 // vector before the deformation (Nanson's formula), cof F = det(F) F⁻ᵀ.
 #pragma once
 
-#include "kernels/solve/element_table_kernel.hpp"
+#include "kernels/solve/sampled_elements_kernel.hpp"
 #include "kernels/update/loads_kernel.hpp"
 
 namespace rockfold::update {
@@ -17,6 +17,7 @@ struct FollowingPressures {
   Field force;           ///< work space
   DeviceTables tables;
   solve::ElementTable elements;
+  solve::PointSlopes slopes;  ///< with a local series
   bool any() const { return points.any(); }
 };
 FollowingPressures make_following_pressures(const MotionSetup& setup);

@@ -1,6 +1,7 @@
 #include "kernels/integrate/moments.hpp"
 #include "kernels/solve/part_functions.hpp"
 #include "kernels/update/initial_stress_kernel.hpp"
+#include "src/arrays/element_points.hpp"
 #include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
 
@@ -58,6 +59,31 @@ std::array<Real, 4> integrals(const Real* p, int degree, const Real* moment) {
   return sum;
 }
 
+/// Where functions are known at points alone.
+std::vector<Vec3> sampled_initial_stress_force(const CoverArrays& covers,
+                                               const InitialStress& stress) {
+  const ElementPoints rule(covers, covers.series->degree());
+  const ElementFunctions functions(covers);
+  const int n = covers.functions();
+  std::vector<Vec3> force(covers.unknown_count());
+  std::vector<RockPoint> points;
+  std::vector<FunctionValue> value(functions.width());
+  for (Index e = 0; e < covers.element_count(); ++e) {
+    const ElementNodes nodes = element_nodes(covers, e);
+    points.clear();
+    rule.add_element(e, points);
+    for (const RockPoint& p : points) {
+      Real z = covers.lattice.cell_centre(nodes.cell)[2];
+      for (int d = 0; d < 3; ++d) z += p.eta[d] * covers.lattice.edge[d][2];
+      functions.at(nodes, p.eta, value.data());
+      for (int f = 0; f < functions.width(); ++f)
+        force[f % n * covers.cover_count() + nodes.cover[f / n]] +=
+            p.weight * pull(stress_at(stress, z), value[f].gradient);
+    }
+  }
+  return force;
+}
+
 }  // namespace
 
 std::array<Real, 6> stress_at(const InitialStress& stress, Real z) {
@@ -80,6 +106,7 @@ ElementHeights element_heights(const CoverArrays& covers, const PieceMoments& mo
 
 std::vector<Vec3> initial_stress_force(const CoverArrays& covers, const PieceMoments& moments,
                                        const InitialStress& stress) {
+  if (covers.series) return sampled_initial_stress_force(covers, stress);
   const LatticeFunctions all = lattice_functions(covers);
   std::vector<Vec3> force(covers.unknown_count());
   if (all.degree == 0) return force;  // nothing strains

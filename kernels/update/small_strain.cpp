@@ -16,6 +16,10 @@ class SmallStrain : public Deformation {
         elements_(solve::make_element_table(setup.covers, setup.moments, setup.materials)),
         before_(make_stress_before(setup)),
         work_(device::make_field("update::small_strain", setup.covers.unknown_count())) {
+    if (setup.covers.series) {
+      sampled_ = std::make_unique<CoverArrays>(setup.covers);
+      elements_.mean_slope = solve::sampled_mean_slopes(setup.covers);
+    }
     if (!before_.any()) return;
     initial_ = device::make_field("update::initial_force", setup.covers.unknown_count());
     device::copy_to_device(initial_stress_force(setup.covers, setup.moments, setup.initial_stress),
@@ -69,11 +73,12 @@ class SmallStrain : public Deformation {
     const auto element = at.element;
     const auto local = at.local;
     const auto stress = at.stress;
+    const solve::PointSlopes slopes = sampled_slopes_at(sampled_.get(), at);
     device::for_each(
         "rockfold::update::point_stress", at.points.count, KOKKOS_LAMBDA(const Index n) {
           Real* s = &stress(6 * static_cast<std::size_t>(n));
           const Real x[3] = {local(n, 0), local(n, 1), local(n, 2)};
-          stress_at(table, d, element(n), x, s);
+          stress_at(table, d, element(n), x, slopes.at(n), s);
           if (any) add_stress_before(before, before.cell_z(element(n)) + x[2], s);
         });
   }
@@ -85,6 +90,7 @@ class SmallStrain : public Deformation {
   StressBefore before_;
   Field initial_;  // f0
   Field work_;
+  std::unique_ptr<const CoverArrays> sampled_;  // of covers with a local series
 };
 
 }  // namespace

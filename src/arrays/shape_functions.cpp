@@ -1,8 +1,65 @@
 #include "src/arrays/shape_functions.hpp"
 
+#include <string>
+
+#include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
+namespace {
+
+/// Value and gradient of the monomials, as cover_functions has them.
+void monomials(const Vec3& xi, const Mat3& reciprocal, int functions, FunctionValue* f) {
+  const auto value = cover_functions(xi, functions);
+  for (int k = 0; k < functions; ++k) f[k] = {value[k], {}};
+  for (int d = 0; d < 3; ++d) {
+    if (functions > 1) f[1 + d].gradient = reciprocal[d];
+    if (functions <= 4) continue;
+    const int e = (d + 1) % 3;
+    f[4 + d].gradient = 2 * xi[d] * reciprocal[d];
+    f[7 + d].gradient = xi[e] * reciprocal[d] + xi[d] * reciprocal[e];
+  }
+}
+
+/// The local series of a cover at ξ.
+void series_functions(const CoverArrays& covers, Index cover, const Vec3& xi, FunctionValue* f) {
+  const LocalSeries& series = *covers.series;
+  SeriesPoint at{cover, covers.lattice.node_position(covers.cover_node[cover]), {}, xi};
+  at.x = at.node;
+  for (int d = 0; d < 3; ++d) at.x += xi[d] * covers.lattice.edge[d];
+  for (int k = 0; k < series.functions(); ++k) f[k] = {};
+  series.evaluate(at, f);
+}
+
+/// The weights of a part's nodes with their gradients.
+std::array<FunctionValue, 8> weights_with_gradients(const CellPart& part, const Vec3& eta,
+                                                    const Mat3& reciprocal) {
+  const auto value = part_weights(part, eta);
+  std::array<FunctionValue, 8> weight{};
+  for (int a = 0; a < part.nodes; ++a) {
+    weight[a].value = value[a];
+    for (int d = 0; d < 3; ++d) {
+      Real slope = 0;  // ∂N_a/∂η_d
+      for (int m = 0; m < 8; ++m) {
+        if ((m >> d & 1) == 0) continue;
+        Real lower = part.weight[a][m];
+        for (int e = 0; e < 3; ++e)
+          if (e != d && (m >> e & 1) != 0) lower *= eta[e];
+        slope += lower;
+      }
+      weight[a].gradient += slope * reciprocal[d];
+    }
+  }
+  return weight;
+}
+
+/// η of a node from its cell's centre.
+Vec3 node_place(const CellSplit& split, int node) {
+  const HalfSteps& at = split.node[node];
+  return {0.5 * at[0] - 0.5, 0.5 * at[1] - 0.5, 0.5 * at[2] - 0.5};
+}
+
+}  // namespace
 
 std::array<Real, most_functions> cover_functions(const Vec3& xi, int functions) {
   std::array<Real, most_functions> m{1};
@@ -11,6 +68,36 @@ std::array<Real, most_functions> cover_functions(const Vec3& xi, int functions) 
   if (functions > 4)
     for (int d = 0; d < 3; ++d) m[4 + d] = xi[d] * xi[d], m[7 + d] = xi[d] * xi[(d + 1) % 3];
   return m;
+}
+
+std::array<Real, most_functions> cover_functions(const CoverArrays& covers, Index cover,
+                                                 const Vec3& xi) {
+  auto m = cover_functions(xi, covers.polynomials());
+  if (!covers.series) return m;
+  std::array<FunctionValue, most_functions> f;
+  series_functions(covers, cover, xi, f.data());
+  for (int k = covers.polynomials(); k < covers.functions(); ++k)
+    m[k] = f[k - covers.polynomials()].value;
+  return m;
+}
+
+void check_series(const CoverArrays& covers) {
+  if (!covers.series) return;
+  const int own = covers.series->functions(), degree = covers.series->degree();
+  if (own < 1 || covers.functions() > most_functions)
+    throw Error(ErrorKind::analysis, "local series: found " + std::to_string(own) +
+                                         " functions beside the " +
+                                         std::to_string(covers.polynomials()) + " of order " +
+                                         std::to_string(covers.order) + "; must be 1 to " +
+                                         std::to_string(most_functions - covers.polynomials()) +
+                                         " (most_functions in src/arrays/shape_functions.hpp)");
+  if (degree < 1 || degree > 60)
+    throw Error(ErrorKind::analysis,
+                "local series: found degree " + std::to_string(degree) + "; must be 1 to 60");
+  if (covers.lattice.kind == LatticeKind::block && covers.order == 0)
+    throw Error(ErrorKind::analysis,
+                "local series: found lattice \"block\" with covers of order 0, whose blocks cannot "
+                "turn; must be order 1");
 }
 
 std::array<Real, 8> part_weights(const CellPart& part, const Vec3& eta) {
@@ -50,6 +137,31 @@ Index material_of(const CoverArrays& covers, Index element) {
                          : covers.element_material[element - whole];
 }
 
+ElementFunctions::ElementFunctions(const CoverArrays& covers)
+    : covers_(covers),
+      reciprocal_(covers.lattice.reciprocal()),
+      functions_(covers.functions()),
+      width_(covers.nodes_per_part() * functions_) {}
+
+void ElementFunctions::at(const ElementNodes& element, const Vec3& eta,
+                          FunctionValue* function) const {
+  const CellSplit& split = covers_.lattice.split(element.cell);
+  const CellPart& part = split.part[element.part];
+  const auto weight = weights_with_gradients(part, eta, reciprocal_);
+  for (int a = 0; a < part.nodes; ++a, function += functions_) {
+    const Vec3 xi = eta - node_place(split, part.node[a]);
+    monomials(xi, reciprocal_, covers_.polynomials(), function);
+    if (covers_.series)
+      series_functions(covers_, element.cover[a], xi, function + covers_.polynomials());
+    for (int k = 0; k < functions_; ++k) {
+      const FunctionValue of_cover = function[k];
+      function[k].value = weight[a].value * of_cover.value;
+      function[k].gradient =
+          weight[a].value * of_cover.gradient + of_cover.value * weight[a].gradient;
+    }
+  }
+}
+
 namespace {
 
 void add_unknowns(const CoverArrays& covers, const Vec3& local, Index element, Real share,
@@ -60,10 +172,8 @@ void add_unknowns(const CoverArrays& covers, const Vec3& local, Index element, R
   const Vec3 eta = covers.lattice.to_local(local);
   const auto weight = part_weights(part, eta);
   for (int a = 0; a < part.nodes; ++a) {
-    const HalfSteps& at = split.node[part.node[a]];
-    Vec3 xi;
-    for (int d = 0; d < 3; ++d) xi[d] = eta[d] - (0.5 * at[d] - 0.5);
-    const auto function = cover_functions(xi, covers.functions());
+    const Vec3 xi = eta - node_place(split, part.node[a]);
+    const auto function = cover_functions(covers, nodes.cover[a], xi);
     for (int k = 0; k < covers.functions(); ++k) {
       points.unknown.push_back(k * covers.cover_count() + nodes.cover[a]);
       points.weight.push_back(share * weight[a] * function[k]);

@@ -3,7 +3,7 @@
 // With φ_ak(η) = N_a(η) m_k(η − η_a) the displacement in an element is Σ_ak φ_ak d_ak. Cover functions m_k are the monomials
 // up to the cover's order in lattice coordinates about its own node:
 //   order 0: 1;  order 1: ξ_0 ξ_1 ξ_2;  order 2: ξ_0² ξ_1² ξ_2² ξ_0ξ_1 ξ_1ξ_2 ξ_2ξ_0
-// It is the same space as the thesis' (Eq. 4-6), far better conditioned.
+// It is the same space as the thesis' (Eq. 4-6), far better conditioned. A local series (local_series.hpp) adds functions after these.
 #pragma once
 
 #include <array>
@@ -12,6 +12,7 @@
 
 namespace rockfold {
 
+/// Of a cover, its local series among them. The kernels' stack arrays have room for so many.
 inline constexpr int most_functions = 10;
 
 /// How many cover functions an order has: 1, 4, 10.
@@ -19,8 +20,15 @@ constexpr int functions_of_order(int order) {
   return order == 0 ? 1 : order == 1 ? 4 : 10;
 }
 
-/// m_k(ξ), k < functions.
+/// The monomials m_k(ξ), k < functions.
 std::array<Real, most_functions> cover_functions(const Vec3& xi, int functions);
+
+/// All functions of a cover at ξ: the monomials of its order, then its local series.
+std::array<Real, most_functions> cover_functions(const CoverArrays& covers, Index cover,
+                                                 const Vec3& xi);
+
+/// Throws Error(analysis) where the covers cannot carry their local series: too many functions, or blocks that it alone could turn.
+void check_series(const CoverArrays& covers);
 
 /// N_a(η) of a part's nodes.
 std::array<Real, 8> part_weights(const CellPart& part, const Vec3& eta);
@@ -35,6 +43,21 @@ struct ElementNodes {
 ElementNodes element_nodes(const CoverArrays& covers, Index element);
 /// Into Model::materials.
 Index material_of(const CoverArrays& covers, Index element);
+
+/// All φ_ak with their gradients, of any element at any point: for what is integrated or evaluated on the host.
+class ElementFunctions {
+ public:
+  explicit ElementFunctions(const CoverArrays& covers);
+
+  int width() const { return width_; }  ///< nodes of a part · functions of a cover
+  /// φ_ak and ∂φ_ak/∂x at η, [a · functions + k].
+  void at(const ElementNodes& element, const Vec3& eta, FunctionValue* function) const;
+
+ private:
+  const CoverArrays& covers_;
+  Mat3 reciprocal_;  // gradients of η, 1/m
+  int functions_, width_;
+};
 
 /// Adds the material point x (m) of an element to `points`. Where two splits are overlaid (tet5_mixed), `other` is
 /// the element of the second split that holds it, and the point moves by the mean of the two.

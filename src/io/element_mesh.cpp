@@ -76,7 +76,7 @@ class PointTable {
       const HalfSteps& at = split.node[part.node[a]];
       Vec3 xi;
       for (int d = 0; d < 3; ++d) xi[d] = eta[d] - (0.5 * at[d] - 0.5);
-      const auto function = cover_functions(xi, covers_.functions());
+      const auto function = cover_functions(covers_, nodes.cover[a], xi);
       for (int k = 0; k < covers_.functions(); ++k) {
         const Real w = weight[a] * function[k];
         if (std::abs(w) <= least_weight) continue;

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "kernels/solve/part_functions.hpp"
+#include "src/arrays/element_points.hpp"
+#include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -86,13 +88,28 @@ class Averages {
       const Vec3 by = f % n == 0 ? d - d_[cover[0]] : d;
       for (int i = 0; i < 3; ++i) gradient[i] += by[i] * slope;
     }
-    Mat3 deformed = gradient;
-    for (int i = 0; i < 3; ++i) {
-      gradient_[block][i] += gradient[i];
-      deformed[i] = (volume > 0 ? 1 / volume : 0) * deformed[i];
-      deformed[i][i] += 1;
+    add_gradient(block, volume, gradient);
+  }
+
+  /// An element or a piece of it at its points, where functions are known at points alone.
+  void add(Index block, const ElementNodes& nodes, const std::vector<RockPoint>& points,
+           const ElementFunctions& functions) {
+    const int n = covers_.functions();
+    std::vector<FunctionValue> value(functions.width());
+    Real volume = 0;
+    Mat3 gradient{};
+    for (const RockPoint& p : points) {
+      volume += p.weight;
+      functions.at(nodes, p.eta, value.data());
+      for (int f = 0; f < functions.width(); ++f) {
+        const Vec3& d = d_[f % n * covers_.cover_count() + nodes.cover[f / n]];
+        sums_[block].displacement += (p.weight * value[f].value) * d;
+        const Vec3 by = f % n == 0 ? d - d_[nodes.cover[0]] : d;
+        for (int i = 0; i < 3; ++i) gradient[i] += (p.weight * by[i]) * value[f].gradient;
+      }
     }
-    sum.volume += large_ ? volume * determinant(deformed) : volume;
+    before_[block] += volume;
+    add_gradient(block, volume, gradient);
   }
 
   std::vector<BlockMotion> take() {
@@ -111,6 +128,17 @@ class Averages {
   }
 
  private:
+  /// `gradient`: ∫ ∂u/∂x dV over a body.
+  void add_gradient(Index block, Real volume, const Mat3& gradient) {
+    Mat3 deformed = gradient;
+    for (int i = 0; i < 3; ++i) {
+      gradient_[block][i] += gradient[i];
+      deformed[i] = (volume > 0 ? 1 / volume : 0) * deformed[i];
+      deformed[i][i] += 1;
+    }
+    sums_[block].volume += large_ ? volume * determinant(deformed) : volume;
+  }
+
   const CoverArrays& covers_;
   LatticeFunctions functions_;
   const std::vector<Vec3>& d_;
@@ -126,6 +154,27 @@ int part_of(const CoverArrays& covers, Index e) {
          covers.parts_per_cell() * LatticeFunctions::form(covers.lattice, covers.element_cell[e]);
 }
 
+/// Where functions are known at points alone.
+std::vector<BlockMotion> average_sampled_motion(const CoverArrays& covers, Averages& sums) {
+  const ElementPoints rule(covers, covers.series->degree());
+  const ElementFunctions functions(covers);
+  const Index whole = covers.parts_per_cell() * covers.regular_count();
+  std::vector<RockPoint> points;
+  for (Index e = 0; e < whole; ++e) {
+    points.clear();
+    rule.add_element(e, points);
+    sums.add(covers.regular_block[e / covers.parts_per_cell()], element_nodes(covers, e), points,
+             functions);
+  }
+  for (Index e = 0; e < covers.cut_count(); ++e)
+    for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q) {
+      points.clear();
+      rule.add_piece(q, points);
+      sums.add(covers.piece_block[q], element_nodes(covers, whole + e), points, functions);
+    }
+  return sums.take();
+}
+
 }  // namespace
 
 std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
@@ -133,6 +182,7 @@ std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
                                               const std::vector<Vec3>& displacement, Index blocks,
                                               bool large) {
   Averages sums(covers, displacement, blocks, large);
+  if (covers.series) return average_sampled_motion(covers, sums);
   const LatticeFunctions& all = sums.functions();
   for (Index r = 0; r < covers.regular_count(); ++r) {
     const int first = all.parts * LatticeFunctions::form(covers.lattice, covers.regular_cell[r]);
@@ -159,25 +209,44 @@ LargestDisplacement find_largest_displacement(const CoverArrays& covers,
   const auto offer = [&](const Vec3& u, const Vec3& point, Index block) {
     if (largest.block == none || norm(u) > largest.length) largest = {norm(u), point, block};
   };
-  // At a node of a whole cell all functions of its cover vanish but the constant one.
+  // At a node of a whole cell all functions of its cover vanish but the constant one and those of a series.
+  const auto at_node = [&](Index cover) {
+    Vec3 u = displacement[cover];
+    if (!covers.series) return u;
+    const auto function = cover_functions(covers, cover, {});
+    for (int k = covers.polynomials(); k < covers.functions(); ++k)
+      u += function[k] * displacement[k * covers.cover_count() + cover];
+    return u;
+  };
   const int cell_nodes = covers.nodes_per_cell();
   for (Index r = 0; r < covers.regular_count(); ++r)
     for (int c = 0; c < cell_nodes; ++c)
-      offer(displacement[covers.regular_cover[cell_nodes * r + c]],
+      offer(at_node(covers.regular_cover[cell_nodes * r + c]),
             covers.lattice.node_position(covers.lattice.cell_node(covers.regular_cell[r], c)),
             covers.regular_block[r]);
   const LatticeFunctions all = lattice_functions(covers);
+  const ElementFunctions functions(covers);
+  const int n = covers.functions();
+  std::vector<Real> value(functions.width());
+  std::vector<FunctionValue> sampled(functions.width());
+  const Index whole = covers.parts_per_cell() * covers.regular_count();
   for (Index e = 0; e < covers.cut_count(); ++e) {
     const Vec3 centre = covers.lattice.cell_centre(covers.element_cell[e]);
+    const ElementNodes nodes = element_nodes(covers, whole + e);
     for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
       for (Index v = covers.vertex_begin[q]; v < covers.vertex_begin[q + 1]; ++v) {
         const Vec3 x{covers.vertex_xyz[3 * v], covers.vertex_xyz[3 * v + 1],
                      covers.vertex_xyz[3 * v + 2]};
-        const auto value = all.values(part_of(covers, e), covers.lattice.to_local(x));
+        const Vec3 eta = covers.lattice.to_local(x);
+        if (covers.series) {
+          functions.at(nodes, eta, sampled.data());
+          for (std::size_t f = 0; f < value.size(); ++f) value[f] = sampled[f].value;
+        } else {
+          value = all.values(part_of(covers, e), eta);
+        }
         Vec3 u{};
         for (std::size_t f = 0; f < value.size(); ++f)
-          u += value[f] * displacement[f % all.functions * covers.cover_count() +
-                                       covers.element_cover[all.nodes * e + f / all.functions]];
+          u += value[f] * displacement[f % n * covers.cover_count() + nodes.cover[f / n]];
         offer(u, centre + x, covers.piece_block[q]);
       }
   }

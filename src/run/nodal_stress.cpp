@@ -94,7 +94,7 @@ std::vector<Stress> average_nodal_stress(const ElementMesh& mesh,
 }
 
 bool stress_is_uniform(const CoverArrays& covers, const InitialStress& initial) {
-  return covers.order == 0 && covers.nodes_per_part() == 4 &&
+  return covers.functions() == 1 && covers.nodes_per_part() == 4 &&
          initial.gradient == std::array<Real, 6>{};
 }
 

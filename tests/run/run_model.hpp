@@ -1,6 +1,7 @@
 // A model as text, from reading to the answer, as the program does it.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,11 @@ struct ModelAnswer {
   StoredState last;
 };
 
-/// Throws what the parts of the program throw; `answer` then holds the states stored before.
-inline void run_model(const std::string& text, ModelAnswer& answer) {
-  const Model model = parse_model(text, "m.toml", {}, Purpose::run);
+/// Throws what the parts of the program throw; `answer` then holds the states stored before. `change`: what no key of the text sets.
+inline void run_model(const std::string& text, ModelAnswer& answer,
+                      const std::function<void(Model&)>& change = {}) {
+  Model model = parse_model(text, "m.toml", {}, Purpose::run);
+  if (change) change(model);
   Progress silent;
   const Cutting cutting = cut_blocks(model, silent);
   const BlockArrays blocks = flatten_blocks(cutting, model);
