@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
+#include <utility>
 
 #include "kernels/integrate/moments_kernel.hpp"
-#include "src/base/gauss.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold::finite {
@@ -40,146 +38,194 @@ class Polynomials {
   std::vector<Real> line_;
 };
 
-/// A rule of as many points as polynomials, and the inverse of their values. Where there is no point yet stands a unit vector with no
-/// weight, which must never get any.
+/// Coordinates in which the values of the polynomials at the points are at most 1 and well apart, as far as the points tell the polynomials
+/// apart at all: Gram & Schmidt's method, at each step for the point with most left.
+class Coordinates {
+ public:
+  Coordinates(const std::vector<RockPoint>& points, int degree) : points_(points.size()) {
+    const std::size_t terms = integrate::count_to(degree);
+    std::vector<Real> left = values(points, degree);  // [terms][points]
+    std::vector<Real> direction(terms), share(points_);
+    Real most = 0;
+    for (std::size_t k = 0; k < std::min(terms, points_); ++k) {
+      const auto [pivot, size] = longest(left);
+      most = std::max(most, size);
+      if (!(size > 1e-12 * most)) break;
+      pivot_.push_back(pivot);
+      for (std::size_t m = 0; m < terms; ++m) direction[m] = left[m * points_ + pivot] / size;
+      std::fill(share.begin(), share.end(), 0.0);
+      for (std::size_t m = 0; m < terms; ++m)
+        add_scaled(points_, direction[m], &left[m * points_], share.data());
+      for (std::size_t m = 0; m < terms; ++m)
+        add_scaled(points_, -direction[m], share.data(), &left[m * points_]);
+      for (const Real c : share) value_.push_back(c / size);
+    }
+  }
+
+  std::size_t count() const { return pivot_.size(); }
+  /// Points whose coordinates are independent: that of the k-th are 0 beyond its own, which is 1.
+  const std::vector<Index>& pivots() const { return pivot_; }
+  Real at(std::size_t coordinate, Index point) const {
+    return value_[coordinate * points_ + point];
+  }
+
+  /// y += a x, n numbers.
+  static void add_scaled(std::size_t n, Real a, const Real* x, Real* y) {
+    for (std::size_t i = 0; i < n; ++i) y[i] += a * x[i];
+  }
+
+ private:
+  static std::vector<Real> values(const std::vector<RockPoint>& points, int degree) {
+    Polynomials polynomials(degree);
+    std::vector<Real> of_point, all(points.size() * integrate::count_to(degree));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      polynomials.evaluate(points[i].eta, of_point);
+      for (std::size_t m = 0; m < of_point.size(); ++m) all[m * points.size() + i] = of_point[m];
+    }
+    return all;
+  }
+
+  std::pair<Index, Real> longest(const std::vector<Real>& left) const {
+    std::vector<Real> square(points_, 0);
+    for (std::size_t m = 0; m < left.size(); m += points_)
+      for (std::size_t i = 0; i < points_; ++i) square[i] += left[m + i] * left[m + i];
+    const auto found = std::max_element(square.begin(), square.end());
+    return {static_cast<Index>(found - square.begin()), std::sqrt(*found)};
+  }
+
+  std::size_t points_;
+  std::vector<Index> pivot_;
+  std::vector<Real> value_;  ///< [coordinates][points]
+};
+
+/// A rule of as many points as coordinates, and the inverse of their coordinates.
 class Basis {
  public:
-  Basis(const PointRule& from, int degree)
+  Basis(const std::vector<RockPoint>& from, const Coordinates& coordinates)
       : from_(from),
-        polynomials_(degree),
-        size_(integrate::count_to(degree)),
+        coordinates_(coordinates),
+        size_(coordinates.count()),
         inverse_(size_ * size_, 0),
         share_(size_),
         weight_(size_, 0),
-        point_(size_, none) {
+        point_(coordinates.pivots()) {
     for (std::size_t i = 0; i < size_; ++i) inverse_[i * size_ + i] = 1;
-  }
-
-  /// Takes point j with its weight in; false: it tells the polynomials still without a point apart, but less than `least`.
-  bool absorb(Index j, Real least) {
-    polynomials_.evaluate(from_.point[j], value_);
-    for (std::size_t i = 0; i < size_; ++i)
-      share_[i] = std::inner_product(value_.begin(), value_.end(), &inverse_[i * size_], 0.0);
-    const std::size_t open = largest_open();
-    if (open < size_ && std::abs(share_[open]) > rounding) {
-      if (std::abs(share_[open]) < least) return false;
-      replace(open, j, from_.weight[j]);
-      return true;
+    for (std::size_t i = 0; i < size_; ++i) {
+      find_shares(point_[i]);
+      replace(i, point_[i], from_[point_[i]].weight);
+      total_ += weight_[i];
     }
-    Real move = from_.weight[j];
-    std::size_t leaves = size_;
-    for (std::size_t i = 0; i < size_; ++i)
-      if (point_[i] != none && share_[i] < -rounding && weight_[i] < -share_[i] * move) {
-        move = -weight_[i] / share_[i];
-        leaves = i;
-      }
-    for (std::size_t i = 0; i < size_; ++i)
-      if (point_[i] != none) weight_[i] = std::max(0.0, weight_[i] + move * share_[i]);
-    if (leaves < size_) replace(leaves, j, from_.weight[j] - move);
-    return true;
   }
 
-  /// With weights found anew from all of the given rule: what rounding has left in them on the way goes.
-  PointRule result() {
+  /// Takes point j in, with its weight.
+  void absorb(Index j) {
+    const Real given = from_[j].weight;
+    find_shares(j);
+    const std::size_t leaves = place_to_leave(given);
+    const Real move = leaves < size_ ? weight_[leaves] / -share_[leaves] : given;
+    for (std::size_t i = 0; i < size_; ++i)
+      weight_[i] = std::max(0.0, weight_[i] + move * share_[i]);
+    if (leaves < size_) replace(leaves, j, given - move);
+    total_ += given;
+  }
+
+  /// Points and their weights, found anew from all of the given rule: what rounding has left in them on the way goes.
+  std::vector<std::pair<Index, Real>> result() {
     std::vector<Real> left(size_, 0);
-    for (std::size_t j = 0; j < from_.size(); ++j) add(from_.point[j], from_.weight[j], left);
+    for (std::size_t j = 0; j < from_.size(); ++j)
+      for (std::size_t m = 0; m < size_; ++m)
+        left[m] += from_[j].weight * coordinates_.at(m, static_cast<Index>(j));
     std::fill(weight_.begin(), weight_.end(), 0.0);
     for (int round = 0; round < 3; ++round) {
-      for (std::size_t i = 0; i < size_; ++i)
-        if (point_[i] != none) {
-          const Real step = std::inner_product(left.begin(), left.end(), &inverse_[i * size_], 0.0);
-          weight_[i] += step;
-          share_[i] = step;
-        }
-      for (std::size_t i = 0; i < size_; ++i)
-        if (point_[i] != none) add(from_.point[point_[i]], -share_[i], left);
+      std::fill(share_.begin(), share_.end(), 0.0);
+      for (std::size_t m = 0; m < size_; ++m)
+        Coordinates::add_scaled(size_, left[m], &inverse_[m * size_], share_.data());
+      for (std::size_t i = 0; i < size_; ++i) {
+        weight_[i] += share_[i];
+        for (std::size_t m = 0; m < size_; ++m)
+          left[m] -= share_[i] * coordinates_.at(m, point_[i]);
+      }
     }
-    PointRule rule;
+    std::vector<std::pair<Index, Real>> rule;
     for (std::size_t i = 0; i < size_; ++i)
-      if (weight_[i] > 0) rule.add(from_.point[point_[i]], weight_[i]);
+      if (weight_[i] > 0) rule.emplace_back(point_[i], weight_[i]);
     return rule;
   }
 
  private:
   static constexpr Real rounding = 1e-11;
 
-  /// sum += w · polynomials(x)
-  void add(const Vec3& x, Real w, std::vector<Real>& sum) {
-    polynomials_.evaluate(x, value_);
-    for (std::size_t m = 0; m < size_; ++m) sum[m] += w * value_[m];
+  /// The point as a sum of those there are.
+  void find_shares(Index j) {
+    std::fill(share_.begin(), share_.end(), 0.0);
+    for (std::size_t m = 0; m < size_; ++m)
+      Coordinates::add_scaled(size_, coordinates_.at(m, j), &inverse_[m * size_], share_.data());
   }
 
-  /// The place without a point that the new one has most of.
-  std::size_t largest_open() const {
-    std::size_t best = size_;
-    Real most = -1;
+  /// The point whose weight ends first as `most` of a new one is moved to the points there are; size_ if none does. Of those that end
+  /// within rounding of each other the one with the largest share: small ones would spoil the inverse (Harris 1973).
+  std::size_t place_to_leave(Real most) const {
+    const Real slack = 1e-14 * total_;
+    Real bound = most;
     for (std::size_t i = 0; i < size_; ++i)
-      if (point_[i] == none && std::abs(share_[i]) > most) {
-        most = std::abs(share_[i]);
-        best = i;
-      }
-    return best;
+      if (share_[i] < -rounding) bound = std::min(bound, (weight_[i] + slack) / -share_[i]);
+    std::size_t leaves = size_;
+    for (std::size_t i = 0; i < size_; ++i)
+      if (share_[i] < -rounding && weight_[i] <= bound * -share_[i] &&
+          weight_[i] < most * -share_[i] && (leaves == size_ || share_[i] < share_[leaves]))
+        leaves = i;
+    return leaves;
   }
 
   /// Point j, whose shares are known, stands at place r from now on.
   void replace(std::size_t r, Index j, Real weight) {
-    Real* pivot_row = &inverse_[r * size_];
-    for (std::size_t m = 0; m < size_; ++m) pivot_row[m] /= share_[r];
-    for (std::size_t i = 0; i < size_; ++i) {
-      if (i == r) continue;
-      Real* row = &inverse_[i * size_];
-      const Real s = share_[i];
-      for (std::size_t m = 0; m < size_; ++m) row[m] -= s * pivot_row[m];
+    for (std::size_t m = 0; m < size_; ++m) {
+      Real* column = &inverse_[m * size_];
+      const Real pivot = column[r] / share_[r];
+      Coordinates::add_scaled(size_, -pivot, share_.data(), column);
+      column[r] = pivot;
     }
     point_[r] = j;
     weight_[r] = weight;
   }
 
-  const PointRule& from_;
-  Polynomials polynomials_;
+  const std::vector<RockPoint>& from_;
+  const Coordinates& coordinates_;
   std::size_t size_;
-  std::vector<Real> inverse_;  ///< [places][polynomials]
-  std::vector<Real> value_, share_, weight_;
+  std::vector<Real> inverse_;  ///< [coordinates][places]
+  std::vector<Real> share_, weight_;
   std::vector<Index> point_;
+  Real total_ = 0;  ///< of the weights taken in
 };
+
+/// The points in a box −1/2 … 1/2 about them.
+std::vector<RockPoint> in_box(std::vector<RockPoint> points) {
+  Vec3 low = points.front().eta, high = low;
+  for (const RockPoint& p : points)
+    for (int d = 0; d < 3; ++d) {
+      low[d] = std::min(low[d], p.eta[d]);
+      high[d] = std::max(high[d], p.eta[d]);
+    }
+  for (RockPoint& p : points)
+    for (int d = 0; d < 3; ++d)
+      p.eta[d] = (p.eta[d] - 0.5 * (low[d] + high[d])) / std::max(high[d] - low[d], 1e-15);
+  return points;
+}
 
 }  // namespace
 
-PointRule tetrahedron_rule(int degree) {
-  const int n = (degree + 2) / 2;
-  PointRule rule;
-  for (const auto& a : gauss_points(n, 2))
-    for (const auto& b : gauss_points(n, 1))
-      for (const auto& c : gauss_points(n))
-        rule.add({a.x, b.x * (1 - a.x), c.x * (1 - a.x) * (1 - b.x)},
-                 6 * a.weight * b.weight * c.weight);
-  return rule;
-}
-
-PointRule cell_rule(int degree) {
-  const auto line = gauss_points((degree + 2) / 2);
-  PointRule rule;
-  for (const auto& a : line)
-    for (const auto& b : line)
-      for (const auto& c : line)
-        rule.add({a.x - 0.5, b.x - 0.5, c.x - 0.5}, a.weight * b.weight * c.weight);
-  return rule;
-}
-
-PointRule reduce(const PointRule& rule, int degree) {
-  if (rule.size() <= static_cast<std::size_t>(integrate::count_to(degree))) return rule;
-  // Far apart first: neighbours tell little apart.
-  std::vector<Index> waiting;
-  const std::size_t count = rule.size();
-  std::size_t stride = static_cast<std::size_t>(0.618 * static_cast<Real>(count));
-  while (std::gcd(stride, count) != 1) ++stride;
-  for (std::size_t i = 0; i < count; ++i) waiting.push_back(static_cast<Index>(i * stride % count));
-  Basis basis(rule, degree);
-  for (Real least = 1e-1; !waiting.empty(); least *= 1e-2) {
-    const auto taken = [&](Index j) { return basis.absorb(j, least); };
-    waiting.erase(std::remove_if(waiting.begin(), waiting.end(), taken), waiting.end());
-  }
-  return basis.result();
+std::vector<RockPoint> reduce(const std::vector<RockPoint>& points, int degree) {
+  const std::size_t count = points.size();
+  if (count <= static_cast<std::size_t>(integrate::count_to(degree))) return points;
+  const Coordinates coordinates(in_box(points), degree);
+  Basis basis(points, coordinates);
+  std::vector<bool> taken(count, false);
+  for (const Index j : coordinates.pivots()) taken[j] = true;
+  for (std::size_t j = 0; j < count; ++j)
+    if (!taken[j]) basis.absorb(static_cast<Index>(j));
+  std::vector<RockPoint> few;
+  for (const auto& [j, weight] : basis.result()) few.push_back({points[j].eta, weight});
+  return few;
 }
 
 }  // namespace rockfold::finite

@@ -42,16 +42,18 @@ ElementPoints::ElementPoints(const CoverArrays& covers, int degree)
 
 void ElementPoints::add_element(Index element, std::vector<RockPoint>& to) const {
   const Index whole = covers_.parts_per_cell() * covers_.regular_count();
-  if (element < whole) return add_whole(element, to);
+  if (element < whole) {
+    const ElementNodes nodes = element_nodes(covers_, element);
+    const CellSplit& split = covers_.lattice.split(nodes.cell);
+    return add_part(split, split.part[nodes.part], to);
+  }
   const Index cut = element - whole;
   for (Index q = covers_.piece_begin[cut]; q < covers_.piece_begin[cut + 1]; ++q) add_piece(q, to);
 }
 
-void ElementPoints::add_whole(Index element, std::vector<RockPoint>& to) const {
-  const ElementNodes nodes = element_nodes(covers_, element);
-  const CellSplit& split = covers_.lattice.split(nodes.cell);
-  const CellPart& part = split.part[nodes.part];
-  if (part.nodes == 8) {
+void ElementPoints::add_part(const CellSplit& split, const CellPart& part,
+                             std::vector<RockPoint>& to) const {
+  if (part.nodes != 4) {
     for (const RockPoint& p : hexahedron_) to.push_back({p.eta, share_ * cell_volume_ * p.weight});
     return;
   }
@@ -71,8 +73,8 @@ void ElementPoints::add_piece(Index piece, std::vector<RockPoint>& to) const {
   const auto local = [&](const Vec3& x) {
     return Vec3{dot(reciprocal_[0], x), dot(reciprocal_[1], x), dot(reciprocal_[2], x)};
   };
-  const Vec3 apex = vertex(covers_.vertex_begin[piece]);
   const Index begin = covers_.triangle_begin[piece], end = covers_.triangle_begin[piece + 1];
+  const Vec3 apex = vertex(covers_.triangle_vertex[3 * begin]);
   Real total = 0;
   for (Index t = begin; t < end; ++t) {
     const Index* of = &covers_.triangle_vertex[3 * t];

@@ -25,6 +25,8 @@ class ElementPoints {
   /// Appends the points of an element, numbered as in CoverArrays. A piece that rounding has flattened gets one of the volume that
   /// its moments have (kernels/integrate/moments.hpp).
   void add_element(Index element, std::vector<RockPoint>& to) const;
+  /// Of a whole part of a cell.
+  void add_part(const CellSplit& split, const CellPart& part, std::vector<RockPoint>& to) const;
   /// Of one piece alone.
   void add_piece(Index piece, std::vector<RockPoint>& to) const;
 
@@ -33,7 +35,6 @@ class ElementPoints {
     std::array<Real, 4> at;  // shares of the corners
     Real weight;             // share of the volume
   };
-  void add_whole(Index element, std::vector<RockPoint>& to) const;
   void add_tetrahedron(const std::array<Vec3, 4>& corner, Real volume,
                        std::vector<RockPoint>& to) const;
 
