@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -24,6 +25,60 @@ namespace {
 constexpr Real augmented_factor = 10;  // of E/h: the multipliers do the rest (DESIGN.md, "Solve")
 constexpr Real penalty_factor =
     1000;  // of E/h: displacement off by about 1e-3 of the element's own
+
+/// Of its node's weight at the node: a cover that nowhere in the elements held comes to as much is not held for them, but where
+/// no other rock is its.
+constexpr Real least_weight = 0.1;
+constexpr Real least_cosine = 0.9;  // between a plane and the faces that lie along it
+constexpr Real close_by = 1e-3;     // spacings: nearer to a held face than that vertices go with it
+
+/// Parts of held faces by the cells of a grid, to tell which points lie on them.
+class HeldFaces {
+ public:
+  explicit HeldFaces(Real spacing) : spacing_(spacing) {}
+
+  void add(const FacePolygon& polygon) {
+    const std::size_t id = boxes_.size();
+    Box box{polygon.corner[0], polygon.corner[0], polygon.normal, polygon.corner[0]};
+    for (const Vec3& x : polygon.corner)
+      for (int d = 0; d < 3; ++d) {
+        box.low[d] = std::min(box.low[d], x[d] - close_by * spacing_);
+        box.high[d] = std::max(box.high[d], x[d] + close_by * spacing_);
+      }
+    boxes_.push_back(box);
+    const Cell low = cell(box.low), high = cell(box.high);
+    for (auto i = low[0]; i <= high[0]; ++i)
+      for (auto j = low[1]; j <= high[1]; ++j)
+        for (auto k = low[2]; k <= high[2]; ++k) of_cell_[{i, j, k}].push_back(id);
+  }
+
+  bool hold(const Vec3& x) const {
+    const auto found = of_cell_.find(cell(x));
+    return found != of_cell_.end() &&
+           std::any_of(found->second.begin(), found->second.end(), [&](std::size_t id) {
+             const Box& box = boxes_[id];
+             bool inside = std::abs(dot(box.normal, x - box.point)) <= close_by * spacing_;
+             for (int d = 0; d < 3; ++d)
+               inside = inside && x[d] >= box.low[d] && x[d] <= box.high[d];
+             return inside;
+           });
+  }
+
+ private:
+  struct Box {
+    Vec3 low, high, normal, point;
+  };
+  using Cell = std::array<std::int64_t, 3>;
+  Cell cell(const Vec3& x) const {
+    Cell c{};
+    for (int d = 0; d < 3; ++d) c[d] = static_cast<std::int64_t>(std::floor(x[d] / spacing_));
+    return c;
+  }
+
+  const Real spacing_;
+  std::vector<Box> boxes_;
+  std::map<Cell, std::vector<std::size_t>> of_cell_;
+};
 
 /// Elements and their covers; regular cells by their parts.
 class Elements {
@@ -163,6 +218,7 @@ class Fixer {
     result_.table.push_back(row.moment ? none : table_);
     result_.condition.push_back(static_cast<Index>(fixed_ - model_.fixed.data()));
     result_.stiffness.push_back(stiffness);
+    result_.reach.push_back(row.reach);
     const auto enforce = fixed_->method == FixMethod::penalty    ? Enforce::penalty
                          : fixed_->method == FixMethod::lagrange ? Enforce::exact
                                                                  : Enforce::augmented;
@@ -175,11 +231,13 @@ class Fixer {
     add_row({element, x, at.unknown, at.weight, 0, false}, stiffness);
   }
 
-  /// The free faces of a region. Whether there are any.
-  bool add_surface(const Region& region) {
+  /// The free faces of a region that `wanted` takes. Whether there are any.
+  template <class Wanted>
+  bool add_surface(const Region& region, const Wanted& wanted) {
     std::map<std::tuple<Index, Index>, std::vector<FacePolygon>> surfaces;  // by plane and body
     visit_free_faces(cutting_, covering_, region, [&](const FacePolygon& polygon) {
-      surfaces[{polygon.plane, elements_.body(polygon.element)}].push_back(polygon);
+      if (wanted(polygon))
+        surfaces[{polygon.plane, elements_.body(polygon.element)}].push_back(polygon);
     });
     for (const auto& [key, surface] : surfaces) {
       std::vector<HeldRow> rows;
@@ -188,44 +246,114 @@ class Fixer {
     }
     return !surfaces.empty();
   }
+  bool add_surface(const Region& region) {
+    return add_surface(region, [](const FacePolygon&) { return true; });
+  }
 
-  /// Whole elements that `inside` holds, by all unknowns of their covers; of other elements the vertices in it.
+  /// A cover of elements that are held as a whole.
+  struct HeldCover {
+    Index element = none;  ///< the first of them
+    Real weight = 0;       ///< of its node in them, at most
+    bool alone = true;     ///< whether all of its rock is held
+  };
+
+  /// Whole elements that `inside` holds, by all unknowns of their covers; of other elements the vertices in it. Slivers of rock that
+  /// others of a cover's elements share must not hold all of these: they hold the covers at whose nodes they lie.
+  /// Vertices that `faces` hold are theirs.
   template <class Inside>
-  void add_volume(const Inside& inside, bool whole_elements) {
-    std::map<Index, Index> covers;  // each with its first element
+  void add_volume(const Inside& inside, bool whole_elements, const HeldFaces& faces) {
+    std::map<Index, HeldCover> covers;
+    const auto is_whole = [&](Index block, const std::vector<Vec3>& vertex) {
+      return whole_elements && std::all_of(vertex.begin(), vertex.end(),
+                                           [&](const Vec3& x) { return inside(x, block); });
+    };
     elements_.each([&](Index element, Index block, const std::vector<Vec3>& vertex) {
-      const bool whole =
-          whole_elements && std::all_of(vertex.begin(), vertex.end(),
-                                        [&](const Vec3& x) { return inside(x, block); });
-      if (whole)
-        for (const Index p : elements_.covers_of(element)) covers.emplace(p, element);
-      else
+      if (is_whole(block, vertex)) {
+        hold_element(element, vertex, covers);
+      } else {
         for (const Vec3& x : vertex)
-          if (inside(x, block)) add_vertex(x, element);
+          if (inside(x, block) && !faces.hold(x))
+            add_vertex(x, element, [&](const Vec3& node) { return inside(node, block); });
+      }
     });
-    for (const auto& [cover, element] : covers) add_cover(cover, element);
+    elements_.each([&](Index element, Index block, const std::vector<Vec3>& vertex) {
+      if (is_whole(block, vertex)) return;
+      for (const Index p : elements_.covers_of(element))
+        if (const auto found = covers.find(p); found != covers.end()) found->second.alone = false;
+    });
+    for (const auto& [cover, held] : covers)
+      if (held.alone || held.weight >= least_weight) add_cover(cover, held);
   }
 
-  /// A vertex of an element stands for some h²/8 of area, of the order of its share.
-  void add_vertex(const Vec3& x, Index element) {
-    add_point(x, element, none, spacing_ * spacing_ / 8 * stiffness(element));
+  void hold_element(Index element, const std::vector<Vec3>& vertex,
+                    std::map<Index, HeldCover>& covers) const {
+    const ElementNodes nodes = element_nodes(covers_, element);
+    const CellPart& part = covers_.lattice.split(nodes.cell).part[nodes.part];
+    const Vec3 centre = covers_.lattice.cell_centre(nodes.cell);
+    for (const Vec3& x : vertex) {
+      const auto weight = part_weights(part, covers_.lattice.to_local(x - centre));
+      for (int a = 0; a < part.nodes; ++a) {
+        HeldCover& held = covers.emplace(nodes.cover[a], HeldCover{element}).first->second;
+        held.weight = std::max(held.weight, weight[a]);
+      }
+    }
   }
 
-  void add_cover(Index cover, Index element) {
+  /// A vertex of an element stands for some h²/8 of area, of the order of its share. Beside nodes that `inside` holds, it holds these: with
+  /// the little that others have in it as well, held exactly, the layer of elements beyond could not deform.
+  template <class Inside>
+  void add_vertex(const Vec3& x, Index element, const Inside& inside) {
+    const ElementNodes nodes = element_nodes(covers_, element);
+    const CellPart& part = covers_.lattice.split(nodes.cell).part[nodes.part];
+    const auto weight =
+        part_weights(part, covers_.lattice.to_local(x - covers_.lattice.cell_centre(nodes.cell)));
+    Real beyond = 0;
+    std::set<Index> others;
+    for (int a = 0; a < part.nodes; ++a)
+      if (const Index p = nodes.cover[a];
+          !inside(covers_.lattice.node_position(covers_.cover_node[p]))) {
+        others.insert(p);
+        beyond += std::abs(weight[a]);
+      }
+    MaterialPoints at;
+    add_material_point(covers_, x, element, at);
+    HeldRow row{element, x, {}, {}, 0, false};
+    for (std::size_t i = 0; i < at.unknown.size(); ++i) {
+      if (beyond < least_weight && others.count(at.unknown[i] % covers_.cover_count()) > 0)
+        continue;
+      row.unknown.push_back(at.unknown[i]);
+      row.weight.push_back(at.weight[i]);
+    }
+    add_row(row, spacing_ * spacing_ / 8 * stiffness(element));
+  }
+
+  void add_cover(Index cover, const HeldCover& held) {
     const Vec3 node = covers_.lattice.node_position(covers_.cover_node[cover]);
     for (int k = 0; k < covers_.functions(); ++k)
-      add_row({element, node, {k * covers_.cover_count() + cover}, {1}, 0, k > 0},
-              spacing_ * spacing_ * stiffness(element));
+      add_row({held.element,
+               node,
+               {k * covers_.cover_count() + cover},
+               {1},
+               0,
+               k > 0,
+               std::min<Real>(1, held.weight)},
+              spacing_ * spacing_ * stiffness(held.element));
   }
 
   void add(const FaceRegion& region) { add_surface(region); }
 
   void add(const PlaneRegion& region) {
-    if (add_surface(region)) return;
+    // Faces that lie along it, and vertices beside them: a wider plane holds no less. Slivers of faces across are not such faces.
+    HeldFaces faces(spacing_);
+    add_surface(region, [&](const FacePolygon& polygon) {
+      const bool along = std::abs(dot(polygon.normal, region.normal)) >= least_cosine;
+      if (along) faces.add(polygon);
+      return along;
+    });
     const Real tolerance = std::max(region.tolerance, slack_);
     add_volume([&](const Vec3& x,
                    Index) { return std::abs(dot(region.normal, x - region.point)) <= tolerance; },
-               false);
+               false, faces);
   }
 
   void add(const BoxRegion& region) {
@@ -239,7 +367,7 @@ class Fixer {
             if (x[d] < region.min[d] - slack_ || x[d] > region.max[d] + slack_) return false;
           return true;
         },
-        !flat);
+        !flat, HeldFaces(spacing_));
   }
 
   void add(const PointRegion& region) {
@@ -251,7 +379,9 @@ class Fixer {
 
   void add(const BlockRegion& region) {
     const Holder h = locator_.find(region.point);
-    if (h.found()) add_volume([&](const Vec3&, Index block) { return block == h.block; }, true);
+    if (h.found())
+      add_volume([&](const Vec3&, Index block) { return block == h.block; }, true,
+                 HeldFaces(spacing_));
   }
 
   const Cutting& cutting_;

@@ -197,10 +197,13 @@ bool runs_through_nodes(const CoverArrays& covers, const std::vector<FacePolygon
 void hold_covers(const CoverArrays& covers, const Points& points, const FacePolygon& polygon,
                  Real spacing, std::vector<HeldRow>& rows) {
   std::map<Index, Points> of_cover;
+  std::map<Index, Real> most_weight;
   for (const auto& p : points)
     for (const auto& [cover, weight] : node_weights(covers, p.element, p.x))
-      if (weight > 0 && in_plane(covers, cover, polygon, spacing))
+      if (weight > 0 && in_plane(covers, cover, polygon, spacing)) {
         of_cover[cover].push_back({p.element, p.x, weight * p.area});
+        most_weight[cover] = std::max(most_weight[cover], weight);
+      }
   for (const auto& [cover, share] : of_cover) {
     const Vec3 node = covers.lattice.node_position(covers.cover_node[cover]);
     Real area = 0;
@@ -208,13 +211,17 @@ void hold_covers(const CoverArrays& covers, const Points& points, const FacePoly
     const Values functions =
         orthonormal_functions(share, spacing, covers.order, series_values(covers, cover, share));
     for (std::size_t j = 0; j < functions.size(); ++j) {
-      HeldRow row{share[0].element, share[0].x, {}, {}, area, j > 0};
+      HeldRow row{share[0].element, share[0].x, {}, {}, area, j > 0, most_weight[cover]};
       row.weight.assign(covers.functions(), 0);
       for (int k = 0; k < covers.functions(); ++k)
         row.unknown.push_back(k * covers.cover_count() + cover);
       for (std::size_t n = 0; n < share.size(); ++n) {
-        const auto function =
-            cover_functions(covers, cover, covers.lattice.to_local(share[n].x - node));
+        // In the node's plane, however far rounding has put the surface off it: functions across would else enter with next to
+        // nothing, and those of the covers behind, whose sums with them move no rock, not at all.
+        const Vec3 arm = share[n].x - node;
+        const auto function = cover_functions(
+            covers, cover,
+            covers.lattice.to_local(arm - dot(arm, polygon.normal) * polygon.normal));
         for (int k = 0; k < covers.functions(); ++k)
           row.weight[k] += share[n].area / area * functions[j][n] * function[k];
       }
@@ -328,7 +335,9 @@ void hold_turning(const CoverArrays& covers, const Points& points, const Vec3& n
       for (Index i = at.begin[n]; i < at.begin[n + 1]; ++i)
         weight[at.unknown[i]] += scale * points[n].area / whole.area * linear * at.weight[i];
     }
-    HeldRow row{points[0].element, points[0].x, {}, {}, whole.area / (scale * scale), true};
+    HeldRow row{
+        points[0].element,           points[0].x, {}, {}, whole.area / (scale * scale), true,
+        std::min<Real>(1, 1 / scale)};
     for (const auto& [unknown, w] : weight) {
       row.unknown.push_back(unknown);
       row.weight.push_back(w);

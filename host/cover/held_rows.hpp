@@ -30,6 +30,7 @@ struct HeldRow {
   std::vector<Real> weight;
   Real area = 0;  ///< m²
   bool moment = false;
+  Real reach = 1;  ///< how far the surface moves with one metre of the row, at most
 };
 
 /// Appends the rows of a plane surface that lies in one connected part of the rock. `spacing`: m, of the lattice.

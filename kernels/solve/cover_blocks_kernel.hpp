@@ -33,7 +33,8 @@ Array<Index> cover_places(const Operator& op);
 /// The widest block.
 inline constexpr int most_block_width = 3 * most_functions;
 
-/// Pivots of a matrix of unit diagonal below this are rounding.
+/// Pivots of a matrix of unit diagonal below this are rounding: what they stand for gets no answer. Search directions then have none of it;
+/// with some, conjugate gradients follow its energy of rounding, which may be negative, as soon as there is little else left.
 constexpr Real least_pivot = 1e-10;
 
 /// a ← its inverse; a symmetric with unit (or zero) diagonal. Cholesky: a = L Lᵀ, then L⁻¹, then L⁻ᵀ L⁻¹.
@@ -42,7 +43,7 @@ KOKKOS_INLINE_FUNCTION void invert_symmetric(int n, Real* a) {
     Real pivot = a[j * n + j];
     for (int k = 0; k < j; ++k) pivot -= a[j * n + k] * a[j * n + k];
     const bool resists = pivot > least_pivot;
-    const Real root = resists ? device::math::sqrt(pivot) : 1;
+    const Real root = resists ? device::math::sqrt(pivot) : 0;
     a[j * n + j] = root;
     for (int k = 0; !resists && k < j; ++k) a[j * n + k] = 0;  // left to itself
     for (int i = j + 1; i < n; ++i) {
@@ -52,11 +53,11 @@ KOKKOS_INLINE_FUNCTION void invert_symmetric(int n, Real* a) {
     }
   }
   for (int j = 0; j < n; ++j) {
-    a[j * n + j] = 1 / a[j * n + j];
+    a[j * n + j] = a[j * n + j] > 0 ? 1 / a[j * n + j] : 0;
     for (int i = j + 1; i < n; ++i) {
       Real sum = 0;
       for (int k = j; k < i; ++k) sum -= a[i * n + k] * a[k * n + j];
-      a[i * n + j] = sum / a[i * n + i];
+      a[i * n + j] = a[i * n + i] > 0 ? sum / a[i * n + i] : 0;
     }
   }
   for (int i = 0; i < n; ++i)

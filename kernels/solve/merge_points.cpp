@@ -35,6 +35,7 @@ void append(FixedPoints& to, const FixedPoints& from, std::size_t n) {
   to.value.push_back(from.value[n]);
   to.stiffness.push_back(0);
   to.augmented.push_back(from.augmented[n]);
+  to.reach.push_back(0);
 }
 
 }  // namespace
@@ -55,6 +56,8 @@ MergedPoints merge_points(const FixedPoints& given) {
     if (is_new) append(result.fixed, given, n);
     result.shares.merged.push_back(at->second);
     result.fixed.stiffness[at->second] += given.stiffness[n];
+    Real& reach = result.fixed.reach[at->second];
+    reach = std::max(reach, given.reach.empty() ? 1 : given.reach[n]);
   }
   for (std::size_t n = 0; n < given.points.size(); ++n) {
     const Real sum = result.fixed.stiffness[result.shares.merged[n]];

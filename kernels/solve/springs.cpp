@@ -30,6 +30,8 @@ Springs build_springs(const FixedPoints& fixed, Index unknowns) {
   springs.multiplier = device::make_field("solve::multiplier", n);
   springs.target = device::make_field("solve::target", n);
   springs.force = device::make_field("solve::spring_force", n);
+  springs.reach = device::to_device(
+      "solve::reach", fixed.reach.empty() ? std::vector<Real>(count, 1) : fixed.reach);
   springs.share = device::allocate<Real>("solve::share", fixed.points.unknown.size());
   device::copy_to_device(stiffness, springs.given_stiffness);
   device::copy_to_device(stiffness, springs.stiffness);
@@ -120,7 +122,7 @@ Real multiplier_change(const Springs& springs, Real factor, const Field& x, cons
           if (!(s.augmented(n, d) > 0)) continue;
           const Real gap = interpolate_one(s.points, n, d, x) - goal(n, d);
           change(n, d) = device::math::sqrt(factor * s.stiffness(n, d)) * gap;
-          worst = device::math::fmax(worst, device::math::fabs(gap));
+          worst = device::math::fmax(worst, s.reach(n) * device::math::fabs(gap));
         }
         return worst;
       });

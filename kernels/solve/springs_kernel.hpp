@@ -19,6 +19,7 @@ struct Springs : PointRows {
   Field augmented;    ///< (n, d) 1 where a multiplier works
   Field multiplier;   ///< (n, d) N
   Field target;       ///< (n, d) m, prescribed displacement
+  Array<Real> reach;  ///< (n) how far rock moves with one metre of the point, at most
   Field force;        ///< (n, d) work space
   Array<Real> share;  ///< work space, one for each entry of `points`
 };
@@ -40,7 +41,8 @@ void add_spring_diagonal(const Springs& springs, Real factor, const Blocks& d);
 void stiffen_springs(const Springs& springs, Real factor, Index covers, const Blocks& d);
 
 /// change(n, d) = √(factor · k) (N x − goal) at augmented points, 0 elsewhere: the next change of the multipliers in the scale
-/// in which their iteration is symmetric. Returns the largest |N x − goal|, m.
+/// in which their iteration is symmetric. Returns how far off rock
+/// is at most: the largest reach · |N x − goal|, m.
 Real multiplier_change(const Springs& springs, Real factor, const Field& x, const Field& goal,
                        const Field& change);
 

@@ -102,6 +102,9 @@ struct FixedPoints {
   std::vector<Index> condition;  ///< [N] into Model::fixed; may be empty
   std::vector<Real> stiffness;  ///< [N] N/m penalty of the point (its share of the area times Pa/m)
   std::vector<std::uint8_t> augmented;  ///< [N] an Enforce
+  /// [N] how far the rock that a row holds moves with one metre of it, at most; empty: 1. Much less than 1 where all the rock that a
+  /// cover holds is a sliver far from its node.
+  std::vector<Real> reach;
   std::vector<TimeTable> tables;        ///< m over s
 };
 

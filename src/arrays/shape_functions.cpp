@@ -101,14 +101,17 @@ void check_series(const CoverArrays& covers) {
 }
 
 std::array<Real, 8> part_weights(const CellPart& part, const Vec3& eta) {
-  std::array<Real, 8> monomial{1};
-  for (int m = 1; m < 8; ++m) {
-    const int d = (m & 1) != 0 ? 0 : (m & 2) != 0 ? 1 : 2;
-    monomial[m] = eta[d] * monomial[m & ~(1 << d)];
-  }
   std::array<Real, 8> weight{};
-  for (int a = 0; a < part.nodes; ++a)
-    for (int m = 0; m < 8; ++m) weight[a] += part.weight[a][m] * monomial[m];
+  for (int a = 0; a < part.nodes; ++a) {
+    const auto& of = part.weight[a];
+    if (part.nodes == 8) {
+      // Products: beside the faces across from a node its weight is far below the rounding of a sum of monomials.
+      weight[a] = 1;
+      for (int d = 0; d < 3; ++d) weight[a] *= 0.5 + 4 * of[1 << d] * eta[d];
+    } else {
+      weight[a] = of[0] + of[1] * eta[0] + of[2] * eta[1] + of[4] * eta[2];
+    }
+  }
   return weight;
 }
 
