@@ -49,10 +49,16 @@ constexpr Index least_for_multigrid = 2000, least_for_cover_grid = 100;
 /// Iterations of a dynamic step from which multigrid would be faster.
 constexpr Index many_iterations = 80;
 
-/// Whether the next solve is to use multigrid. A mass matrix needs none; nor do short time steps.
+/// A mass matrix of covers with one function needs no multigrid. With several, what is nearly dependent in them is as smooth
+/// and as weak in the mass as in the stiffness.
+bool worth_a_grid(const HeldSystem& system) {
+  return system.combination.stiffness != 0 || system.op.functions > 1;
+}
+
+/// Whether the next solve is to use multigrid. Short time steps need none.
 bool wants_grid(const HeldSystem& system) {
   if ((system.grid.levels.empty() && system.cover_grid.levels.empty()) || system.grid_failed ||
-      !(system.largest_diagonal > 0) || system.combination.stiffness == 0)
+      !(system.largest_diagonal > 0) || !worth_a_grid(system))
     return false;
   if (system.preconditioner == Preconditioner::multigrid || system.slow) return true;
   const Index least = system.op.functions == 1 ? least_for_multigrid : least_for_cover_grid;
@@ -80,16 +86,56 @@ Preconditioning choose(HeldSystem& system, const Apply& a) {
   return m;
 }
 
-/// After a solve that broke down: from multigrid to blocks, from blocks to multigrid. False: there is no other way.
+/// From multigrid to blocks, from blocks to multigrid. False: there is no other way.
 bool change_way(HeldSystem& system, Preconditioning& m, const Apply& a) {
-  if (m.any_grid()) {
-    system.grid_failed = true;
-  } else {
+  const bool from_grid = m.any_grid();
+  system.grid_failed = from_grid;
+  if (!from_grid) {
     system.slow = true;
     if (!wants_grid(system)) return false;
   }
   m = choose(system, a);
   return true;
+}
+
+/// Iterations after which the other way is tried: first with blocks, first with multigrid, then with blocks (a cycle costs what ten
+/// of them do), then with multigrid.
+Index patience(bool grid, int tries) {
+  if (tries == 0) return grid ? 300 : 200;
+  return grid ? 1000 : 1500;
+}
+
+/// Where forces cancel there may be less left than a share of it could be told from rounding.
+bool small_enough(const PcgReport& done, const PcgOptions& pcg) {
+  return done.converged || done.residual <= pcg.tolerance;
+}
+
+/// With the preconditioner that suits the system. Where that breaks down (not positive in its precision, covers too nearly dependent
+/// for it), or takes long, the other goes on from there; where that is no better, the first that did not break down.
+PcgReport solve_either_way(HeldSystem& system, const Apply& a, const Field& x,
+                           const PcgOptions& pcg, Preconditioning& m) {
+  m = choose(system, a);
+  PcgReport done;
+  Index spent = 0;
+  bool another = true, first_broke = false;
+  for (int tries = 0;; ++tries) {
+    const bool grid = m.any_grid(), may_change = another && !(tries == 1 && first_broke);
+    PcgOptions how = pcg;
+    how.max_iterations = pcg.max_iterations - spent;
+    if (may_change && (grid || !system.grid.levels.empty() || !system.cover_grid.levels.empty()))
+      how.max_iterations = std::min(how.max_iterations, patience(grid, tries));
+    done = solve_pcg(system.work, a, m, system.load, x, how);
+    spent += done.iterations;
+    const bool broke = done.iterations < how.max_iterations;
+    if (small_enough(done, pcg) || !may_change || spent >= pcg.max_iterations || interrupt_signal ||
+        !change_way(system, m, a))
+      break;
+    if (std::isnan(done.residual)) Kokkos::deep_copy(x, 0.0);
+    if (tries == 0) first_broke = broke;
+    if (tries == 1) another = false;
+  }
+  done.iterations = spent;
+  return done;
 }
 
 bool any_augmented(const Springs& springs) {
@@ -120,6 +166,7 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
 }
 
 void set_combination(HeldSystem& system, const Combination& c, Real spring_factor, bool stiffen) {
+  if ((system.combination.stiffness == 0) != (c.stiffness == 0)) system.slow = false;
   system.combination = c;
   system.spring_factor = spring_factor;
   if (system.other.diagonal)
@@ -154,24 +201,13 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
   };
   PcgOptions pcg = options.pcg;
   SolveReport report;
-  // Where forces cancel there may be less left than a share of it could be told from rounding.
-  const auto small_enough = [&](const PcgReport& done) {
-    return done.converged || done.residual <= pcg.tolerance;
-  };
   auto solve = [&](Real reduction) {
     Kokkos::deep_copy(system.load, b);
     add_spring_load(springs, factor, goal, system.load);
     pcg.reduction = reduction;
-    Preconditioning m = choose(system, a);
-    PcgReport done = solve_pcg(system.work, a, m, system.load, x, pcg);
-    // Not positive in its precision, or covers too nearly dependent for it: the other way may do.
-    if (!small_enough(done) && done.iterations < pcg.max_iterations && !interrupt_signal &&
-        change_way(system, m, a)) {
-      if (std::isnan(done.residual)) Kokkos::deep_copy(x, 0.0);
-      report.iterations += done.iterations;
-      done = solve_pcg(system.work, a, m, system.load, x, pcg);
-    }
-    if (!m.any_grid() && system.combination.stiffness != 0)
+    Preconditioning m;
+    const PcgReport done = solve_either_way(system, a, x, pcg, m);
+    if (!m.any_grid() && worth_a_grid(system))
       system.slow = system.slow || done.iterations > many_iterations;
     report.preconditioner = m.any_grid() ? Preconditioner::multigrid
                             : system.preconditioner == Preconditioner::block_jacobi
@@ -180,7 +216,7 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
     pcg.reference = done.reference;  // one measure for all solves
     report.iterations += done.iterations;
     report.residual = done.residual;
-    report.converged = small_enough(done);
+    report.converged = small_enough(done, pcg);
   };
   const bool augmented = any_augmented(springs);
   solve(augmented ? inner_reduction : 0);
