@@ -25,6 +25,18 @@ Real largest_sum(const Field& x, const Field& base) {
       });
 }
 
+/// Where augmented points come to rest under their multipliers.
+Field resting_places(const HeldSystem& system, const Field& goal) {
+  if (system.compliance.extent(0) == 0) return goal;
+  const Field place = system.rest, compliance = system.compliance,
+              multiplier = system.springs.multiplier;
+  device::for_each(
+      "rockfold::solve::resting_places", system.springs.points.count, KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d) place(n, d) = goal(n, d) + compliance(n, d) * multiplier(n, d);
+      });
+  return place;
+}
+
 /// λ from λ and springs.force, the change it would take by itself.
 void update_multipliers(HeldSystem& system) {
   const Springs& springs = system.springs;
@@ -230,7 +242,8 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
   bool exact = false;  // whether each solve goes to the tolerance, each update by itself
   Real best = std::numeric_limits<Real>::infinity();
   for (int stalled = 0; report.converged;) {
-    const Real gap = multiplier_change(springs, factor, x, goal, springs.force);
+    const Real gap =
+        multiplier_change(springs, factor, x, resting_places(system, goal), springs.force);
     report.gap = gap > 0 ? gap / std::max({largest_sum(x, base), largest_entry(goal), least}) : 0;
     stalled = gap < 0.5 * best ? 0 : stalled + 1;
     if (stalled == 0) best = gap;

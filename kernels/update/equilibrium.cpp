@@ -9,13 +9,17 @@ namespace {
 /// How nearly supports' accelerations are met, over the largest: steps steer what is left out within three (supports.cpp).
 constexpr Real start_gap = 1e-8;
 
+/// Springs by that much stiffer than multipliers need become multipliers.
+constexpr Real far_stiffer = 4;
+
 /// What springs were before stiff ones became multipliers.
 struct SpringsBefore {
   Field augmented, stiffness;
 };
 
-/// Springs far stiffer than the masses that they hold, held by multipliers instead. A penalty is made for the rock's stiffness, and
-/// is enormous beside its mass: what the covers' functions can do without straining the springs would take thousands of iterations.
+/// Springs far stiffer than the masses that they hold, by multipliers to which they yield: the same forces, found otherwise. A penalty
+/// is made for the rock's stiffness, and is enormous beside its mass: what the covers' functions can do without straining the springs
+/// would take thousands of iterations.
 SpringsBefore hold_by_multipliers(Motion::Data& m, Real spring_factor) {
   solve::Springs& s = m.held.springs;
   const SpringsBefore before{s.augmented, s.stiffness};
@@ -33,12 +37,17 @@ SpringsBefore hold_by_multipliers(Motion::Data& m, Real spring_factor) {
         for (int d = 0; d < 3; ++d) by_multiplier(n, d) = given(n, d) > 0 ? 1 : 0;
       });
   solve::stiffen_springs(chosen, spring_factor, m.covers, mass);
+  m.held.rest = device::make_field("update::rest", count);
+  const auto compliance = m.held.compliance = device::make_field("update::compliance", count);
   device::for_each(
-      "rockfold::update::soft_springs", count, KOKKOS_LAMBDA(const Index n) {
+      "rockfold::update::stiff_springs", count, KOKKOS_LAMBDA(const Index n) {
         for (int d = 0; d < 3; ++d) {
-          if (before.augmented(n, d) > 0 || before.stiffness(n, d) > stiffness(n, d)) continue;
-          by_multiplier(n, d) = 0;
-          stiffness(n, d) = before.stiffness(n, d);
+          if (before.augmented(n, d) > 0) continue;
+          const Real k = before.stiffness(n, d);
+          const bool stiff = k > far_stiffer * stiffness(n, d);
+          by_multiplier(n, d) = stiff ? 1 : 0;
+          compliance(n, d) = stiff ? 1 / (spring_factor * (k - stiffness(n, d))) : 0;
+          if (!stiff) stiffness(n, d) = k;
         }
       });
   return before;
@@ -48,6 +57,7 @@ void make_springs_again(Motion::Data& m, const SpringsBefore& before) {
   solve::Springs& s = m.held.springs;
   s.augmented = before.augmented;
   s.stiffness = before.stiffness;
+  m.held.compliance = m.held.rest = Field();
   const auto augmented = s.augmented, multiplier = s.multiplier;
   device::for_each(
       "rockfold::update::springs_again", s.points.count, KOKKOS_LAMBDA(const Index n) {
