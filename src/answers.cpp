@@ -158,12 +158,17 @@ ResultHeader result_header(const Options& options) {
   return {command_name(options.command), version, commit};
 }
 
-void keep_states(ResultWriter& writer, Terminal& terminal) {
+void keep_states(ResultWriter& writer, ErrorKind why, Terminal& terminal) {
   if (writer.state_count() == 0) return;
   writer.finish();
   const Index states = writer.state_count();
-  terminal.warn(fmt::format("the analysis failed; {} holds the {} before it did", writer.path(),
-                            states == 1 ? "state" : std::to_string(states) + " states"));
+  const std::string kept = states == 1 ? "the state" : "the " + std::to_string(states) + " states";
+  if (why == ErrorKind::io)
+    terminal.warn(fmt::format("no more results could be written; {} holds {} before that",
+                              writer.path(), kept));
+  else
+    terminal.warn(
+        fmt::format("the analysis failed; {} holds {} before it did", writer.path(), kept));
 }
 
 void add_run_seconds(PhaseClock& clock, const RunResult& run) {

@@ -43,8 +43,8 @@ int hand_out_examples(const Options& options);
 
 ResultHeader result_header(const Options& options);
 
-/// Finishes the file of an analysis that failed, if it holds any state, and says so.
-void keep_states(ResultWriter& writer, Terminal& terminal);
+/// Finishes the file of an analysis that failed, or whose results could not be written, if it holds any state, and says so.
+void keep_states(ResultWriter& writer, ErrorKind why, Terminal& terminal);
 
 /// contact, assemble, solve and output.
 void add_run_seconds(PhaseClock& clock, const RunResult& run);

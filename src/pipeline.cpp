@@ -69,8 +69,8 @@ RunResult analyse(const CoveredRock& rock, const Model& model, const BlockArrays
   const DeviceScope device(threads);
   try {
     return run_analysis(input, store, terminal);
-  } catch (const Error&) {
-    keep_states(writer, terminal);
+  } catch (const Error& error) {
+    keep_states(writer, error.kind(), terminal);
     throw;
   }
 }

@@ -25,6 +25,18 @@ Real largest_sum(const Field& x, const Field& base) {
       });
 }
 
+/// Where augmented points come to rest under their multipliers.
+Field resting_places(const HeldSystem& system, const Field& goal) {
+  if (system.compliance.extent(0) == 0) return goal;
+  const Field place = system.rest, compliance = system.compliance,
+              multiplier = system.springs.multiplier;
+  device::for_each(
+      "rockfold::solve::resting_places", system.springs.points.count, KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d) place(n, d) = goal(n, d) + compliance(n, d) * multiplier(n, d);
+      });
+  return place;
+}
+
 /// λ from λ and springs.force, the change it would take by itself.
 void update_multipliers(HeldSystem& system) {
   const Springs& springs = system.springs;
@@ -49,10 +61,16 @@ constexpr Index least_for_multigrid = 2000, least_for_cover_grid = 100;
 /// Iterations of a dynamic step from which multigrid would be faster.
 constexpr Index many_iterations = 80;
 
-/// Whether the next solve is to use multigrid. A mass matrix needs none; nor do short time steps.
+/// A mass matrix of covers with one function needs no multigrid. With several, what is nearly dependent in them is as smooth
+/// and as weak in the mass as in the stiffness.
+bool worth_a_grid(const HeldSystem& system) {
+  return system.combination.stiffness != 0 || system.op.functions > 1;
+}
+
+/// Whether the next solve is to use multigrid. Short time steps need none.
 bool wants_grid(const HeldSystem& system) {
   if ((system.grid.levels.empty() && system.cover_grid.levels.empty()) || system.grid_failed ||
-      !(system.largest_diagonal > 0) || system.combination.stiffness == 0)
+      !(system.largest_diagonal > 0) || !worth_a_grid(system))
     return false;
   if (system.preconditioner == Preconditioner::multigrid || system.slow) return true;
   const Index least = system.op.functions == 1 ? least_for_multigrid : least_for_cover_grid;
@@ -92,16 +110,56 @@ Preconditioning choose(HeldSystem& system, const Apply& a) {
   return m;
 }
 
-/// After a solve that broke down: from multigrid to blocks, from blocks to multigrid. False: there is no other way.
+/// From multigrid to blocks, from blocks to multigrid. False: there is no other way.
 bool change_way(HeldSystem& system, Preconditioning& m, const Apply& a) {
-  if (m.any_grid()) {
-    system.grid_failed = true;
-  } else {
+  const bool from_grid = m.any_grid();
+  system.grid_failed = from_grid;
+  if (!from_grid) {
     system.slow = true;
     if (!wants_grid(system)) return false;
   }
   m = choose(system, a);
   return true;
+}
+
+/// Iterations after which the other way is tried: first with blocks, first with multigrid, then with blocks (a cycle costs what ten
+/// of them do), then with multigrid.
+Index patience(bool grid, int tries) {
+  if (tries == 0) return grid ? 300 : 200;
+  return grid ? 1000 : 1500;
+}
+
+/// Where forces cancel there may be less left than a share of it could be told from rounding.
+bool small_enough(const PcgReport& done, const PcgOptions& pcg) {
+  return done.converged || done.residual <= pcg.tolerance;
+}
+
+/// With the preconditioner that suits the system. Where that breaks down (not positive in its precision, covers too nearly dependent
+/// for it), or takes long, the other goes on from there; where that is no better, the first that did not break down.
+PcgReport solve_either_way(HeldSystem& system, const Apply& a, const Field& x,
+                           const PcgOptions& pcg, Preconditioning& m) {
+  m = choose(system, a);
+  PcgReport done;
+  Index spent = 0;
+  bool another = true, first_broke = false;
+  for (int tries = 0;; ++tries) {
+    const bool grid = m.any_grid(), may_change = another && !(tries == 1 && first_broke);
+    PcgOptions how = pcg;
+    how.max_iterations = pcg.max_iterations - spent;
+    if (may_change && (grid || !system.grid.levels.empty() || !system.cover_grid.levels.empty()))
+      how.max_iterations = std::min(how.max_iterations, patience(grid, tries));
+    done = solve_pcg(system.work, a, m, system.load, x, how);
+    spent += done.iterations;
+    const bool broke = done.iterations < how.max_iterations;
+    if (small_enough(done, pcg) || !may_change || spent >= pcg.max_iterations || interrupt_signal ||
+        !change_way(system, m, a))
+      break;
+    if (std::isnan(done.residual)) Kokkos::deep_copy(x, 0.0);
+    if (tries == 0) first_broke = broke;
+    if (tries == 1) another = false;
+  }
+  done.iterations = spent;
+  return done;
 }
 
 bool any_augmented(const Springs& springs) {
@@ -131,6 +189,7 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
 }
 
 void set_combination(HeldSystem& system, const Combination& c, Real spring_factor, bool stiffen) {
+  if ((system.combination.stiffness == 0) != (c.stiffness == 0)) system.slow = false;
   system.combination = c;
   system.spring_factor = spring_factor;
   find_diagonal(system);
@@ -173,24 +232,13 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
   };
   PcgOptions pcg = options.pcg;
   SolveReport report;
-  // Where forces cancel there may be less left than a share of it could be told from rounding.
-  const auto small_enough = [&](const PcgReport& done) {
-    return done.converged || done.residual <= pcg.tolerance;
-  };
   auto solve = [&](Real reduction) {
     Kokkos::deep_copy(system.load, b);
     add_spring_load(springs, factor, goal, system.load);
     pcg.reduction = reduction;
-    Preconditioning m = choose(system, a);
-    PcgReport done = solve_pcg(system.work, a, m, system.load, x, pcg);
-    // Not positive in its precision, or covers too nearly dependent for it: the other way may do.
-    if (!small_enough(done) && done.iterations < pcg.max_iterations && !interrupt_signal &&
-        change_way(system, m, a)) {
-      if (std::isnan(done.residual)) Kokkos::deep_copy(x, 0.0);
-      report.iterations += done.iterations;
-      done = solve_pcg(system.work, a, m, system.load, x, pcg);
-    }
-    if (!m.any_grid() && system.combination.stiffness != 0)
+    Preconditioning m;
+    const PcgReport done = solve_either_way(system, a, x, pcg, m);
+    if (!m.any_grid() && worth_a_grid(system))
       system.slow = system.slow || done.iterations > many_iterations;
     report.preconditioner = m.any_grid() ? Preconditioner::multigrid
                             : system.preconditioner == Preconditioner::block_jacobi
@@ -199,7 +247,7 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
     pcg.reference = done.reference;  // one measure for all solves
     report.iterations += done.iterations;
     report.residual = done.residual;
-    report.converged = small_enough(done);
+    report.converged = small_enough(done, pcg);
   };
   const bool augmented = any_augmented(springs);
   solve(augmented ? inner_reduction : 0);
@@ -213,7 +261,8 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
   bool exact = false;  // whether each solve goes to the tolerance, each update by itself
   Real best = std::numeric_limits<Real>::infinity();
   for (int stalled = 0; report.converged;) {
-    const Real gap = multiplier_change(springs, factor, x, goal, springs.force);
+    const Real gap =
+        multiplier_change(springs, factor, x, resting_places(system, goal), springs.force);
     report.gap = gap > 0 ? gap / std::max({largest_sum(x, base), largest_entry(goal), least}) : 0;
     stalled = gap < 0.5 * best ? 0 : stalled + 1;
     if (stalled == 0) best = gap;

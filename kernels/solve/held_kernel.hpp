@@ -25,6 +25,9 @@ struct HeldSystem {
   Springs springs;     ///< of the merged points
   PointShares shares;  ///< of the points given in them
   PcgWork work;
+  /// (n, d) unknown / N by which augmented points yield to their multipliers, as springs do; empty: they hold their places.
+  Field compliance;
+  Field rest;  ///< work space, likewise empty
   Combination combination;
   Real spring_factor = 1;
   Blocks inverse;             ///< see inverse_of; empty while nothing needs them

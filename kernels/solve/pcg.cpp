@@ -283,6 +283,9 @@ Real iterate(const PcgWork& work, const Apply& a, const Preconditioning& m, cons
   return std::numeric_limits<Real>::infinity();
 }
 
+/// Share of the tolerance below which no reduction goes.
+constexpr Real far_below = 1e-3;
+
 }  // namespace
 
 PcgWork make_pcg_work(Index covers) {
@@ -322,8 +325,12 @@ PcgReport solve_pcg(PcgWork& work, const Apply& a, const Preconditioning& precon
     return report;
   }
   Real residual = start(work, a, preconditioning, b, x);
-  // Below the rounding of b alone a residual means nothing.
-  const Real floor = std::numeric_limits<Real>::epsilon() * report.reference;
+  // What is left far below the tolerance is rounding, of b and of what b was found from: to reduce that further moves x along what
+  // A does not resist.
+  const Real floor =
+      std::max(std::max(std::numeric_limits<Real>::epsilon(), far_below * options.tolerance) *
+                   report.reference,
+               std::min(options.rounding, options.tolerance * report.reference));
   const Real target = options.reduction > 0 ? std::max(options.reduction * residual, floor)
                                             : options.tolerance * report.reference;
   // The recurrence drifts from the true residual: that is measured anew, and the search restarted where it had drifted.

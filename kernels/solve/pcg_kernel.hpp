@@ -15,6 +15,8 @@ struct PcgOptions {
   Real tolerance = 1e-8;  ///< ‖r‖ / reference
   Index max_iterations = 5000;
   Real reference = 0;  ///< N, what residuals are measured against where it exceeds ‖b‖
+  Real rounding =
+      0;  ///< N, of b: no reduction goes below it, nor below a thousandth of the tolerance
   Real reduction = 0;  ///< > 0: stop where the starting residual has shrunk to this share instead
 };
 

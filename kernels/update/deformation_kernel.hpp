@@ -40,6 +40,8 @@ class Deformation {
   virtual void diagonal(const solve::Combination& c, const solve::Blocks& d) const = 0;
   /// J stored by the displacement d, 0 in place.
   virtual Real energy(const Field& d) const = 0;
+  /// N: what rounding alone leaves of balanced forces at d.
+  virtual Real rounding(const Field& d) const = 0;
   /// [elements][6] Pa, the mean of each element.
   virtual void element_stress(const Field& d, const Array<Real>& stress) const = 0;
   /// Writes at.stress.

@@ -6,17 +6,96 @@
 namespace rockfold::update {
 namespace {
 
+/// How nearly supports' accelerations are met, over the largest: steps steer what is left out within three (supports.cpp).
+constexpr Real start_gap = 1e-8;
+
+/// Springs by that much stiffer than multipliers need become multipliers.
+constexpr Real far_stiffer = 4;
+
+/// What springs were before stiff ones became multipliers.
+struct SpringsBefore {
+  Field augmented, stiffness;
+};
+
+/// Springs far stiffer than the masses that they hold, by multipliers to which they yield: the same forces, found otherwise. A penalty
+/// is made for the rock's stiffness, and is enormous beside its mass: what the covers' functions can do without straining the springs
+/// would take thousands of iterations.
+SpringsBefore hold_by_multipliers(Motion::Data& m, Real spring_factor) {
+  solve::Springs& s = m.held.springs;
+  const SpringsBefore before{s.augmented, s.stiffness};
+  if (!s.any()) return before;
+  const Index count = s.points.count;
+  s.augmented = device::make_field("update::by_multiplier", count);
+  s.stiffness = device::make_field("update::held_stiffness", count);
+  const solve::Blocks mass("rockfold::update::mass_diagonal", m.unknowns);
+  m.rock->diagonal({0, 1}, mass);
+  solve::Springs chosen = s;  // with none given, all stand where multipliers work well
+  chosen.given_stiffness = device::make_field("update::no_stiffness", count);
+  const auto by_multiplier = s.augmented, stiffness = s.stiffness, given = s.given_stiffness;
+  device::for_each(
+      "rockfold::update::all_by_multiplier", count, KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d) by_multiplier(n, d) = given(n, d) > 0 ? 1 : 0;
+      });
+  solve::stiffen_springs(chosen, spring_factor, m.covers, mass);
+  m.held.rest = device::make_field("update::rest", count);
+  const auto compliance = m.held.compliance = device::make_field("update::compliance", count);
+  device::for_each(
+      "rockfold::update::stiff_springs", count, KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d) {
+          if (before.augmented(n, d) > 0) continue;
+          const Real k = before.stiffness(n, d);
+          const bool stiff = k > far_stiffer * stiffness(n, d);
+          by_multiplier(n, d) = stiff ? 1 : 0;
+          compliance(n, d) = stiff ? 1 / (spring_factor * (k - stiffness(n, d))) : 0;
+          if (!stiff) stiffness(n, d) = k;
+        }
+      });
+  return before;
+}
+
+void make_springs_again(Motion::Data& m, const SpringsBefore& before) {
+  solve::Springs& s = m.held.springs;
+  s.augmented = before.augmented;
+  s.stiffness = before.stiffness;
+  m.held.compliance = m.held.rest = Field();
+  const auto augmented = s.augmented, multiplier = s.multiplier;
+  device::for_each(
+      "rockfold::update::springs_again", s.points.count, KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d)
+          if (!(augmented(n, d) > 0)) multiplier(n, d) = 0;
+      });
+}
+
 /// A support that starts with a velocity takes the rock along: the velocity nearest to that given, measured by mass, that
 /// goes with the augmented points. Else theirs would swing about their tables' slope for ever.
-SolveReport catch_up_with_supports(Motion::Data& m) {
+SolveReport catch_up_with_supports(Motion::Data& m, const Field& augmented) {
   if (!m.supports.tables.any() || !m.supports.tables.moving_after(m.now.time)) return {};
   const Real before = kinetic_energy(m);
   m.rock->apply({0, 1}, m.now.velocity, m.right);
-  aim_velocity(m);
+  aim_velocity(m, augmented);
   const SolveReport report =
       solve::solve_held(m.held, m.right, m.goal, m.now.velocity, Field(), solve_options(m, 0));
   Kokkos::deep_copy(m.now.multiplier, 0.0);  // of a blow, not of a force
   m.now.work.supports += kinetic_energy(m) - before;
+  return report;
+}
+
+/// The velocity and the acceleration at the start. `augmented`: the points held by multipliers from then on.
+SolveReport set_in_motion(Motion::Data& m, const Field& augmented) {
+  const SolveReport caught = catch_up_with_supports(m, augmented);
+  if (!caught.converged) return caught;
+  Kokkos::deep_copy(m.now.acceleration, 0.0);
+  const Real reference = find_residual(m, m.damped());
+  aim_acceleration(m, augmented);
+  const std::vector<Vec3> guess = uniform_field(m.unknowns, m.covers, m.gravity);
+  device::copy_to_device(guess, m.now.acceleration);
+  solve::HeldOptions how = solve_options(m, reference);
+  how.gap_tolerance = std::max(how.gap_tolerance, start_gap);
+  SolveReport report = solve::solve_held(m.held, m.right, m.goal, m.now.acceleration, Field(), how);
+  report.iterations += caught.iterations;
+  if (m.held.springs.any())
+    solve::spring_reactions(m.held.springs, m.held.spring_factor, m.now.acceleration, m.goal,
+                            m.now.reaction);
   return report;
 }
 
@@ -26,23 +105,12 @@ SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
   set_time(m, m.now.time);
   const Real hold = m.beta * dt * dt;
   set_matrix(m, {1, 1 / hold}, 0, 1, true);  // chooses the springs' stiffness
+  const SpringsBefore springs = hold_by_multipliers(m, hold);
   set_matrix(m, {0, 1}, 0, hold, false);
-  const SolveReport caught = catch_up_with_supports(m);
-  if (!caught.converged) return caught;
-  Kokkos::deep_copy(m.now.acceleration, 0.0);
-  const Real reference = find_residual(m, m.damped());
-  aim_acceleration(m);
-  const std::vector<Vec3> guess = uniform_field(m.unknowns, m.covers, m.gravity);
-  device::copy_to_device(guess, m.now.acceleration);
-  SolveReport report = solve::solve_held(m.held, m.right, m.goal, m.now.acceleration, Field(),
-                                         solve_options(m, reference));
-  report.iterations += caught.iterations;
-  if (m.held.springs.any())
-    solve::spring_reactions(m.held.springs, m.held.spring_factor, m.now.acceleration, m.goal,
-                            m.now.reaction);
+  const SolveReport report = set_in_motion(m, springs.augmented);
+  make_springs_again(m, springs);
   return report;
 }
-
 SolveReport solve_equilibrium(Motion::Data& m) {
   m.now.time = 1;
   set_time(m, m.now.time);
@@ -64,6 +132,8 @@ SolveReport solve_equilibrium(Motion::Data& m) {
         for (int i = 0; i < 3; ++i) d(p, i) += x(p, i);
       });
   update_reactions(m);
+  if (m.varying_loads.any())  // put on at once
+    m.now.work.loads += solve::dot(m.held.work, m.varying, m.increment);
   return report;
 }
 

@@ -51,7 +51,7 @@ class FiniteStrain : public LargeDeformation {
     finite::deform(body_, d);
     return finite::first_inverted(body_, least);
   }
-  Real rounding() const override { return rounding_; }
+  Real rounding(const Field& /*d*/) const override { return rounding_; }
 
   void apply(const solve::Combination& c, const Field& x, const Field& y) const override {
     solve::apply(op_, c, x, y);

@@ -16,8 +16,6 @@ class LargeDeformation : public Deformation {
   virtual void turn(const Field& x) const = 0;
   /// An element that d turns inside out, or none; those whose forces at a strain of 1 are below `least`, N, do not count.
   virtual Index inverted(const Field& d, Real least) const = 0;
-  /// N: what rounding alone leaves of balanced forces.
-  virtual Real rounding() const = 0;
 };
 
 std::unique_ptr<LargeDeformation> make_finite_strain(const MotionSetup& setup,

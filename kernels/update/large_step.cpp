@@ -124,11 +124,27 @@ void aim(const Motion::Data& m, const Balance& balance) {
       });
 }
 
-/// ‖right + forces of the supports‖, N.
-Real unbalanced(Motion::Data& m) {
-  Kokkos::deep_copy(m.work, m.right);
-  solve::add_spring_load(m.held.springs, m.held.spring_factor, m.goal, m.work);
-  return std::sqrt(solve::dot(m.held.work, m.work, m.work));
+/// ‖right + forces of the supports‖, N. `reference` becomes the norm of the latter, if that is larger.
+Real unbalanced(Motion::Data& m, Real& reference) {
+  const Field work = m.work, right = m.right;
+  Kokkos::deep_copy(work, 0.0);
+  solve::add_spring_load(m.held.springs, m.held.spring_factor, m.goal, work);
+  const auto out = m.sums;
+  device::sum_then<2>(
+      "rockfold::update::unbalanced", m.unknowns, m.partial,
+      KOKKOS_LAMBDA(const Index p, Sums<2>& sum) {
+        for (int d = 0; d < 3; ++d) {
+          const Real left = right(p, d) + work(p, d);
+          sum.value[0] += work(p, d) * work(p, d);
+          sum.value[1] += left * left;
+        }
+      },
+      KOKKOS_LAMBDA(const Sums<2>& sum) {
+        for (int k = 0; k < 2; ++k) out(k) = sum.value[k];
+      });
+  const std::vector<Real> squares = device::to_host(m.sums);
+  reference = std::max(reference, std::sqrt(squares[0]));
+  return std::sqrt(squares[1]);
 }
 
 /// Supports' largest distance from their places over the largest displacement, or over what forces of the size `reference` would
@@ -184,13 +200,13 @@ SolveReport iterate(Motion::Data& m, const Balance& balance, Real& wanted) {
   for (int i = 0; i < most_iterations; ++i) {
     Real reference = find_residual(m, balance);
     aim(m, balance);
+    const Real left = unbalanced(m, reference);
     reference = std::max(reference, 1e-30);
-    const Real left = unbalanced(m);
     total.residual = left / reference;
     total.gap = gap_of_supports(m, reference);
-    wanted = std::max(m.solver.tolerance * reference, 16 * m.large->rounding());
+    wanted = std::max(m.solver.tolerance * reference, 16 * m.rock->rounding(m.now.displacement));
     // Rounding alone: what is left is small, and another iteration would not take it away.
-    const bool stalled = left <= 256 * m.large->rounding() && left > 0.5 * before;
+    const bool stalled = left <= 256 * m.rock->rounding(m.now.displacement) && left > 0.5 * before;
     before = left;
     // A gap that whole solves do not halve stays: the report says how large it is, as under small strain.
     const bool closed = total.gap <= m.solver.gap_tolerance || total.gap > 0.5 * gap_before;
@@ -201,7 +217,8 @@ SolveReport iterate(Motion::Data& m, const Balance& balance, Real& wanted) {
     }
     if (!std::isfinite(left)) return total;
     solve::HeldOptions how = solve_options(m, reference);
-    how.pcg.tolerance = std::max(0.1 * wanted, 4 * m.large->rounding()) / reference;
+    how.pcg.tolerance =
+        std::max(0.1 * wanted, 4 * m.rock->rounding(m.now.displacement)) / reference;
     if (balance.dt == 0) how.patience = 40, how.max_outer = std::max<Index>(how.max_outer, 400);
     how.gap_tolerance *= 0.5;  // measured against another reference there
     set_tangent(m, balance, i == 0);
@@ -219,7 +236,10 @@ SolveReport iterate(Motion::Data& m, const Balance& balance, Real& wanted) {
       report = solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how);
       total.iterations += report.iterations;
       total.outer += report.outer;
-      if (!report.converged) return total;
+      if (!report.converged) {
+        total.residual = report.residual;  // of the solve that failed
+        return total;
+      }
     }
     m.large->turn(m.correction);
     correct(m, balance);
@@ -281,6 +301,19 @@ void count_large_work(Motion::Data& m, const finite::ForceRule& rule, const Fiel
   m.damping.stiffness = 0;
   count_work(m);
   m.damping.stiffness = by_strain;
+}
+
+/// Work of changing loads and of pressures that follow, put on at once where nothing has moved yet: `increment` is the way.
+void count_loads_at_once(Motion::Data& m) {
+  Real& work = m.now.work.loads;
+  if (m.varying_loads.any()) work += solve::dot(m.held.work, m.varying, m.increment);
+  if (!m.following.any()) return;
+  const Field in_place = m.correction;
+  Kokkos::deep_copy(in_place, 0.0);
+  Kokkos::deep_copy(m.work, 0.0);
+  add_following_pressures(m.following, m.now.time, in_place, 0.5, m.work);
+  add_following_pressures(m.following, m.now.time, m.now.displacement, 0.5, m.work);
+  work += solve::dot(m.held.work, m.work, m.increment);
 }
 
 }  // namespace
@@ -355,6 +388,7 @@ SolveReport solve_equilibrium_large(Motion::Data& m) {
   const auto way = m.increment, d = m.now.displacement;
   Kokkos::deep_copy(way, d);
   count_support_work(m, balance);
+  count_loads_at_once(m);
   return total;
 }
 

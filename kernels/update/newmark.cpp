@@ -121,6 +121,7 @@ solve::HeldOptions solve_options(const Motion::Data& m, Real reference) {
   how.pcg.tolerance = m.solver.tolerance;
   how.pcg.max_iterations = m.solver.max_iterations;
   how.pcg.reference = reference;
+  how.pcg.rounding = m.rock->rounding(m.now.displacement);
   how.gap_tolerance = m.solver.gap_tolerance;
   how.max_outer = m.solver.max_outer;
   return how;

@@ -1,4 +1,8 @@
 // Small strain: f = K d + f0, f0 that of the initial stress.
+#include <cmath>
+#include <limits>
+
+#include "kernels/device/sums_kernel.hpp"
 #include "kernels/update/deformation_kernel.hpp"
 #include "kernels/update/initial_stress_kernel.hpp"
 #include "kernels/update/stress_kernel.hpp"
@@ -8,6 +12,16 @@ namespace {
 
 constexpr solve::Combination stiffness_only{1, 0};
 
+/// N/m: the largest entry on K's diagonal.
+Real largest_stiffness(const solve::Operator& op) {
+  const solve::Blocks block("rockfold::update::stiffness_diagonal", op.unknowns);
+  solve::diagonal_blocks(op, stiffness_only, block);
+  return device::largest(
+      "rockfold::update::largest_stiffness", op.unknowns, KOKKOS_LAMBDA(const Index p) {
+        return device::math::fmax(block(p, 0), device::math::fmax(block(p, 1), block(p, 2)));
+      });
+}
+
 class SmallStrain : public Deformation {
  public:
   SmallStrain(const MotionSetup& setup, const solve::HeldSystem& held)
@@ -15,7 +29,8 @@ class SmallStrain : public Deformation {
         sums_(held.work),
         elements_(solve::make_element_table(setup.covers, setup.moments, setup.materials)),
         before_(make_stress_before(setup)),
-        work_(device::make_field("update::small_strain", setup.covers.unknown_count())) {
+        work_(device::make_field("update::small_strain", setup.covers.unknown_count())),
+        stiffest_(largest_stiffness(held.op)) {
     if (setup.covers.series) {
       sampled_ = std::make_unique<CoverArrays>(setup.covers);
       elements_.mean_slope = solve::sampled_mean_slopes(setup.covers);
@@ -52,6 +67,12 @@ class SmallStrain : public Deformation {
     Real sum = 0.5 * solve::dot(sums_, d, work_);
     if (before_.any()) sum += solve::dot(sums_, d, initial_);
     return sum;
+  }
+
+  Real rounding(const Field& d) const override {
+    constexpr Real terms = 8;  // whose roundings add up in a row
+    return terms * std::numeric_limits<Real>::epsilon() * stiffest_ *
+           std::sqrt(solve::dot(sums_, d, d));
   }
 
   void element_stress(const Field& d, const Array<Real>& stress) const override {
@@ -91,6 +112,7 @@ class SmallStrain : public Deformation {
   Field initial_;  // f0
   Field work_;
   std::unique_ptr<const CoverArrays> sampled_;  // of covers with a local series
+  Real stiffest_;  ///< N/m
 };
 
 }  // namespace

@@ -92,9 +92,17 @@ Index block_of(const CoverArrays& covers, Index element) {
         "analysis.newmark), or nothing resists it";
   } else {
     const SolverSpec& solver = input.model.solver;
-    what += "the solver did not converge: residual " + number(report.residual) + " after " +
-            std::to_string(report.iterations) + " iterations, tolerance " +
-            number(solver.tolerance) + " (solver.tolerance, solver.max_iterations)";
+    if (report.residual <= solver.tolerance)
+      what += "the forces are balanced (residual " + number(report.residual) +
+              "), but supports are still " + number(report.gap) +
+              " of the largest displacement from their places after " +
+              std::to_string(report.iterations) +
+              " iterations: held points contradict each other "
+              "([[fixed]]), or are too many for the covers near them (cover.spacing)";
+    else
+      what += "the solver did not converge: residual " + number(report.residual) + " after " +
+              std::to_string(report.iterations) + " iterations, tolerance " +
+              number(solver.tolerance) + " (solver.tolerance, solver.max_iterations)";
   }
   throw Error(ErrorKind::analysis, what);
 }

@@ -1,8 +1,10 @@
 """What an analysis refuses, with the place in the model, and what it leaves behind when a solve does not converge."""
 import re
+import resource
+import subprocess
 import unittest
 
-from program import PRESSED, ProgramTest
+from program import BINARY, PRESSED, ProgramTest
 
 DYNAMIC = 'type = "dynamic"\nkinematics = "small"\ntime_step = 0.01\nsteps = 5'
 
@@ -66,6 +68,18 @@ class NoConvergence(ProgramTest):
         self.assertIn("step 3, time 0.03 s: the solver did not converge", done.stderr)
         self.assertIn("slow.vtkhdf holds the 2 states before it did", done.stderr)
         self.assertEqual(self.states(), [0, 2])
+
+    def test_is_not_what_a_full_disk_is_called(self):
+        text = PRESSED.replace('type = "static"', 'type = "dynamic"\ntime_step = 1e-3\nsteps = 40') + "[output]\nevery = 1\n"
+        self.write("slow.toml", text)
+        self.run_program("run", "slow.toml")
+        most = (self.folder / "slow.vtkhdf").stat().st_size * 3 // 4
+        done = subprocess.run([BINARY, "run", "slow.toml", "-q"], cwd=self.folder, capture_output=True, text=True, check=False,
+                              restore_signals=False,  # no SIGXFSZ
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (most, most)))
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertNotIn("analysis failed", done.stderr)
+        self.assertRegex(done.stderr, r"no more results could be written; \S*slow\.vtkhdf holds the (state|\d+ states) before that")
 
     def test_of_the_first_acceleration_keeps_the_start(self):
         self.write("slow.toml", PRESSED.replace('type = "static"', DYNAMIC) + "[solver]\nmax_iterations = 1\n")
