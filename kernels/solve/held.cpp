@@ -28,8 +28,8 @@ Real largest_sum(const Field& x, const Field& base) {
 /// Where augmented points come to rest under their multipliers.
 Field resting_places(const HeldSystem& system, const Field& goal) {
   if (system.compliance.extent(0) == 0) return goal;
-  const Field place = system.rest, compliance = system.compliance,
-              multiplier = system.springs.multiplier;
+  Field place = system.rest;
+  const Field compliance = system.compliance, multiplier = system.springs.multiplier;
   device::for_each(
       "rockfold::solve::resting_places", system.springs.points.count, KOKKOS_LAMBDA(const Index n) {
         for (int d = 0; d < 3; ++d) place(n, d) = goal(n, d) + compliance(n, d) * multiplier(n, d);

@@ -6,9 +6,6 @@
 namespace rockfold::update {
 namespace {
 
-/// How nearly supports' accelerations are met, over the largest: steps steer what is left out within three (supports.cpp).
-constexpr Real start_gap = 1e-8;
-
 /// Springs by that much stiffer than multipliers need become multipliers.
 constexpr Real far_stiffer = 4;
 
@@ -22,7 +19,7 @@ struct SpringsBefore {
 /// would take thousands of iterations.
 SpringsBefore hold_by_multipliers(Motion::Data& m, Real spring_factor) {
   solve::Springs& s = m.held.springs;
-  const SpringsBefore before{s.augmented, s.stiffness};
+  SpringsBefore before{s.augmented, s.stiffness};
   if (!s.any()) return before;
   const Index count = s.points.count;
   s.augmented = device::make_field("update::by_multiplier", count);
@@ -42,9 +39,12 @@ SpringsBefore hold_by_multipliers(Motion::Data& m, Real spring_factor) {
   device::for_each(
       "rockfold::update::stiff_springs", count, KOKKOS_LAMBDA(const Index n) {
         for (int d = 0; d < 3; ++d) {
-          if (before.augmented(n, d) > 0) continue;
           const Real k = before.stiffness(n, d);
-          const bool stiff = k > far_stiffer * stiffness(n, d);
+          if (before.augmented(n, d) > 0) {
+            stiffness(n, d) = k;
+            continue;
+          }
+          const bool stiff = stiffness(n, d) > 0 && k > far_stiffer * stiffness(n, d);
           by_multiplier(n, d) = stiff ? 1 : 0;
           compliance(n, d) = stiff ? 1 / (spring_factor * (k - stiffness(n, d))) : 0;
           if (!stiff) stiffness(n, d) = k;
@@ -89,9 +89,8 @@ SolveReport set_in_motion(Motion::Data& m, const Field& augmented) {
   aim_acceleration(m, augmented);
   const std::vector<Vec3> guess = uniform_field(m.unknowns, m.covers, m.gravity);
   device::copy_to_device(guess, m.now.acceleration);
-  solve::HeldOptions how = solve_options(m, reference);
-  how.gap_tolerance = std::max(how.gap_tolerance, start_gap);
-  SolveReport report = solve::solve_held(m.held, m.right, m.goal, m.now.acceleration, Field(), how);
+  SolveReport report = solve::solve_held(m.held, m.right, m.goal, m.now.acceleration, Field(),
+                                         solve_options(m, reference));
   report.iterations += caught.iterations;
   if (m.held.springs.any())
     solve::spring_reactions(m.held.springs, m.held.spring_factor, m.now.acceleration, m.goal,
