@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernels/solve/held_kernel.hpp"
+#include "kernels/solve/rock_motion_kernel.hpp"
 #include "src/base/interrupt.hpp"
 
 namespace rockfold::solve {
@@ -13,17 +14,6 @@ namespace {
 /// Share of its residual that an inner solve leaves. Larger, and smooth errors that hardly show in the residual come back in
 /// later gaps and mislead the acceleration; smaller, and digits are bought that the next multipliers change.
 constexpr Real inner_reduction = 1e-3;
-Real largest_sum(const Field& x, const Field& base) {
-  if (base.extent(0) == 0) return largest_entry(x);
-  return device::largest(
-      "rockfold::solve::largest_displacement", static_cast<Index>(x.extent(0)),
-      KOKKOS_LAMBDA(const Index p) {
-        Real most = 0;
-        for (int d = 0; d < 3; ++d)
-          most = device::math::fmax(most, device::math::fabs(base(p, d) + x(p, d)));
-        return most;
-      });
-}
 
 /// Where augmented points come to rest under their multipliers.
 Field resting_places(const HeldSystem& system, const Field& goal) {
@@ -219,6 +209,11 @@ const Blocks& inverse_of(HeldSystem& system) {
   return system.inverse;
 }
 
+Real largest_motion(HeldSystem& system, const Field& x, const Field& base) {
+  if (system.masses.extent(0) == 0) system.masses = cover_masses(system.op);
+  return largest_mean(system.op, system.masses, x, base, system.work.p, system.work.q);
+}
+
 SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, const Field& x,
                        const Field& base, const HeldOptions& options) {
   const Springs& springs = system.springs;
@@ -263,7 +258,8 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
   for (int stalled = 0; report.converged;) {
     const Real gap =
         multiplier_change(springs, factor, x, resting_places(system, goal), springs.force);
-    report.gap = gap > 0 ? gap / std::max({largest_sum(x, base), largest_entry(goal), least}) : 0;
+    report.gap =
+        gap > 0 ? gap / std::max({largest_motion(system, x, base), largest_entry(goal), least}) : 0;
     stalled = gap < 0.5 * best ? 0 : stalled + 1;
     if (stalled == 0) best = gap;
     // What was learned in earlier steps may have grown stale: every inner solve is inexact, and old pairs carry its noise on.

@@ -25,6 +25,7 @@ struct HeldSystem {
   Springs springs;     ///< of the merged points
   PointShares shares;  ///< of the points given in them
   PcgWork work;
+  Array<Real> masses;  ///< of covers, once largest_motion has been asked for
   /// (n, d) unknown / N by which augmented points yield to their multipliers, as springs do; empty: they hold their places.
   Field compliance;
   Field rest;  ///< work space, likewise empty
@@ -52,6 +53,9 @@ void set_combination(HeldSystem& system, const Combination& c, Real spring_facto
 
 /// The inverted diagonal blocks of the matrix as it is, [U]: found where they are not there.
 const Blocks& inverse_of(HeldSystem& system);
+
+/// How far rock moves at most under x + base (may be empty), m: see rock_motion_kernel.hpp. Uses the work space of conjugate gradients.
+Real largest_motion(HeldSystem& system, const Field& x, const Field& base);
 
 struct HeldOptions {
   PcgOptions pcg;

@@ -1,5 +1,7 @@
 #include "kernels/solve/rock_motion_kernel.hpp"
 
+#include "kernels/solve/springs_kernel.hpp"
+
 namespace rockfold::solve {
 namespace {
 
@@ -33,10 +35,12 @@ Real largest_mean(const Operator& op, const Array<Real>& masses, const Field& x,
         });
     motion = sum;
   }
+  const Real most_mass = device::largest(
+      "rockfold::solve::largest_mass", op.covers,
+      KOKKOS_LAMBDA(const Index p) { return masses(p); });
+  if (!(most_mass > 0)) return largest_entry(motion);  // rock without density
   apply(op, {0, 1}, motion, momentum);
-  const Real least = least_share * device::largest(
-                                       "rockfold::solve::largest_mass", op.covers,
-                                       KOKKOS_LAMBDA(const Index p) { return masses(p); });
+  const Real least = least_share * most_mass;
   return device::largest(
       "rockfold::solve::largest_mean", op.covers, KOKKOS_LAMBDA(const Index p) {
         if (!(masses(p) > least)) return 0.0;

@@ -158,13 +158,13 @@ Real gap_of_supports(Motion::Data& m, Real reference) {
         Real worst = 0;
         for (int d = 0; d < 3; ++d)
           if (s.augmented(n, d) > 0)
-            worst = device::math::fmax(worst, device::math::fabs(goal(n, d)));
+            worst = device::math::fmax(worst, s.reach(n) * device::math::fabs(goal(n, d)));
         return worst;
       });
   if (!(gap > 0)) return 0;
   const Real diagonal = m.held.largest_diagonal;
   const Real least = diagonal > 0 ? reference / diagonal : 0;
-  return gap / std::max({solve::largest_entry(m.now.displacement), gap, least});
+  return gap / std::max({solve::largest_motion(m.held, m.now.displacement, Field()), gap, least});
 }
 
 /// d' += x, and what follows from it.
