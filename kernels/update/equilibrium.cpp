@@ -2,12 +2,17 @@
 #include <algorithm>
 
 #include "kernels/update/motion_kernel.hpp"
+#include "src/base/interrupt.hpp"
 
 namespace rockfold::update {
 namespace {
 
 /// Springs by that much stiffer than multipliers need become multipliers.
 constexpr Real far_stiffer = 4;
+/// Iterations of a solve with the mass alone, of covers with several functions, before the stiffness is taken in.
+constexpr Index patience_with_mass = 1000;
+/// Of it, so that all that moves in a few steps starts as it would without.
+constexpr Real small_share = 1e-3;
 
 /// What springs were before stiff ones became multipliers.
 struct SpringsBefore {
@@ -80,18 +85,34 @@ SolveReport catch_up_with_supports(Motion::Data& m, const Field& augmented) {
   return report;
 }
 
-/// The velocity and the acceleration at the start. `augmented`: the points held by multipliers from then on.
-SolveReport set_in_motion(Motion::Data& m, const Field& augmented) {
-  const SolveReport caught = catch_up_with_supports(m, augmented);
-  if (!caught.converged) return caught;
+/// The acceleration at the start. `augmented`: the points held by multipliers from then on.
+SolveReport find_acceleration(Motion::Data& m, const Field& augmented, Index most_iterations) {
   Kokkos::deep_copy(m.now.acceleration, 0.0);
   const Real reference = find_residual(m, m.damped());
   aim_acceleration(m, augmented);
   const std::vector<Vec3> guess = uniform_field(m.unknowns, m.covers, m.gravity);
   device::copy_to_device(guess, m.now.acceleration);
-  SolveReport report = solve::solve_held(m.held, m.right, m.goal, m.now.acceleration, Field(),
-                                         solve_options(m, reference));
+  solve::HeldOptions how = solve_options(m, reference);
+  how.pcg.max_iterations = std::min(how.pcg.max_iterations, most_iterations);
+  return solve::solve_held(m.held, m.right, m.goal, m.now.acceleration, Field(), how);
+}
+
+/// The velocity and the acceleration at the start, from M a + κβΔt² K a = f where M a = f cannot be solved: among functions of which slivers
+/// hold next to no mass the stiffness tells apart what the mass does not. Motion slow beside the step is the same to κβ(ωΔt)².
+SolveReport set_in_motion(Motion::Data& m, const Field& augmented, Real hold) {
+  const SolveReport caught = catch_up_with_supports(m, augmented);
+  if (!caught.converged) return caught;
+  const bool several = m.held.op.functions > 1;
+  const Index most = m.solver.max_iterations;
+  SolveReport report = find_acceleration(m, augmented, several ? patience_with_mass : most);
   report.iterations += caught.iterations;
+  if (!report.converged && several && !interrupt_signal) {
+    const Index before = report.iterations;
+    set_matrix(m, {small_share * hold, 1}, 0, hold, false);
+    Kokkos::deep_copy(m.now.multiplier, 0.0);
+    report = find_acceleration(m, augmented, most);
+    report.iterations += before;
+  }
   if (m.held.springs.any())
     solve::spring_reactions(m.held.springs, m.held.spring_factor, m.now.acceleration, m.goal,
                             m.now.reaction);
@@ -106,10 +127,11 @@ SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
   set_matrix(m, {1, 1 / hold}, 0, 1, true);  // chooses the springs' stiffness
   const SpringsBefore springs = hold_by_multipliers(m, hold);
   set_matrix(m, {0, 1}, 0, hold, false);
-  const SolveReport report = set_in_motion(m, springs.augmented);
+  const SolveReport report = set_in_motion(m, springs.augmented, hold);
   make_springs_again(m, springs);
   return report;
 }
+
 SolveReport solve_equilibrium(Motion::Data& m) {
   m.now.time = 1;
   set_time(m, m.now.time);
