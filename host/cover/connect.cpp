@@ -159,6 +159,7 @@ class Connector {
     covers_.piece_begin = {0};
     covers_.triangle_begin = {0};
     covers_.vertex_begin = {0};
+    index_.face_begin = {0};
     index_.piece_element.assign(piece_order_.size(), none);
     const CellPart& any_part = cell_split(covers_.lattice.kind).part.front();
     covers_.element_vertices =
@@ -184,6 +185,8 @@ class Connector {
   }
 
   void write_shape(const PieceRecord& p) {
+    index_.face_inside.insert(index_.face_inside.end(), p.faces.begin(), p.faces.end());
+    index_.face_begin.push_back(static_cast<std::int64_t>(index_.face_inside.size()));
     const auto first = static_cast<Index>(covers_.vertex_xyz.size() / 3);
     for (const Vec3& x : p.vertices)
       covers_.vertex_xyz.insert(covers_.vertex_xyz.end(), x.begin(), x.end());
@@ -191,8 +194,8 @@ class Connector {
       for (const Index v : t) covers_.triangle_vertex.push_back(first + v);
     covers_.vertex_begin.push_back(static_cast<Index>(covers_.vertex_xyz.size() / 3));
     covers_.triangle_begin.push_back(static_cast<Index>(covers_.triangle_vertex.size() / 3));
-    covers_.element_vertices += p.vertex_count;
-    covers_.element_faces += p.face_count;
+    covers_.element_vertices += static_cast<std::int64_t>(p.vertices.size());
+    covers_.element_faces += static_cast<std::int64_t>(p.faces.size());
   }
 
   // An instance is one node of a regular lattice cell or of a cut element; `node` is one of the part's.

@@ -80,11 +80,11 @@ Covering build_covers(const Cutting& cutting, const Model& model, Progress& prog
   const Complex& complex = *cutting.complex;
   const CoverSpec& cover = *model.cover;
   check_cover_size(cover, rock_volume(complex));
-  PlaneTable planes = complex.planes;
-  LatticePlanes lattice = lay_lattice(complex, cover, planes);
+  CoverPlanes planes(complex.planes);
+  LatticePlanes lattice = lay_lattice(complex, cover, planes.table);
   Pieces pieces = cover.lattice == LatticeKind::block
                       ? block_pieces(complex, lattice)
-                      : cut_pieces(complex, lattice, planes, progress);
+                      : cut_pieces(complex, cover, lattice, planes, progress);
   if (cover.joint_tips == JointTips::extend && cover.joints == JointTreatment::separate &&
       cover.lattice != LatticeKind::block)
     extend_joint_tips(complex, model, lattice, planes, pieces);

@@ -37,7 +37,7 @@ class Visitor {
         region_(region),
         visit_(visit),
         surface_(complex_, covering),
-        slack_(relative_slack * covering.pieces->planes.model_size()) {}
+        slack_(relative_slack * covering.pieces->planes.table.model_size()) {}
 
   void run() {
     for (const FreePart& part : complex_.free_parts)

@@ -4,11 +4,13 @@ namespace rockfold {
 
 void GlueFinder::visit(const Fragment& fragment, const std::function<void(const Contact&)>& visit) {
   const Polygon polygon = complex_.polygon_of(fragment);
-  walker_.walk(polygon, half_space(polygon.plane, false),
-               [&](const std::array<Index, 3>& ijk, int part, const Polygon& piece) {
-                 const Contact c = contact(fragment, ijk, part, piece);
-                 if (c.one.any() && c.two.any()) visit(c);
-               });
+  const bool by_arithmetic = planes_.by_arithmetic(fragment.cell[0], fragment.cell[1]);
+  walker_.get(by_arithmetic)
+      .walk(polygon, half_space(polygon.plane, false),
+            [&](const std::array<Index, 3>& ijk, int part, const Polygon& piece) {
+              const Contact c = contact(fragment, ijk, part, piece);
+              if (c.one.any() && c.two.any()) visit(c);
+            });
 }
 
 // The part lies below the fragment's plane where that is the plane of one of its facets.

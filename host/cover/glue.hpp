@@ -18,9 +18,13 @@ struct Contact {
 
 class GlueFinder {
  public:
-  GlueFinder(const Complex& complex, const LatticePlanes& lattice, const PlaneTable& planes,
+  GlueFinder(const Complex& complex, const LatticePlanes& lattice, const CoverPlanes& planes,
              const OccupiedCells& cells)
-      : complex_(complex), lattice_(lattice), cells_(cells), walker_(lattice, planes) {}
+      : complex_(complex),
+        lattice_(lattice),
+        planes_(planes),
+        cells_(cells),
+        walker_(planes, [&](const PlaneTable& table) { return LatticeWalker(lattice, table); }) {}
 
   /// Calls visit for each part of a fragment with rock on both sides.
   void visit(const Fragment& fragment, const std::function<void(const Contact&)>& visit);
@@ -31,8 +35,9 @@ class GlueFinder {
 
   const Complex& complex_;
   const LatticePlanes& lattice_;
+  const CoverPlanes& planes_;
   const OccupiedCells& cells_;
-  LatticeWalker walker_;
+  ToolPair<LatticeWalker> walker_;
 };
 
 /// Whether a polygon has an area within all of the half-spaces, but for its own plane.

@@ -13,7 +13,7 @@ namespace {
 class TipExtender {
  public:
   TipExtender(const Complex& complex, const Model& model, const LatticePlanes& lattice,
-              const PlaneTable& planes, Pieces& pieces)
+              const CoverPlanes& planes, Pieces& pieces)
       : complex_(complex),
         model_(model),
         lattice_(lattice),
@@ -21,7 +21,7 @@ class TipExtender {
         pieces_(pieces),
         cells_(lattice.lattice(), pieces),
         glue_(complex, lattice, planes, cells_),
-        splitter_(planes) {}
+        splitter_(planes.table) {}
 
   void run() {
     find_elements();
@@ -85,7 +85,7 @@ class TipExtender {
            const std::vector<HalfSpaceId>& cuts, std::vector<PieceRecord>& result) {
     if (tip == end) {
       PieceRecord r =
-          make_record(lattice_, planes_, whole.lattice_cell, whole.part, whole.rock, cell);
+          make_record(lattice_, planes_.table, whole.lattice_cell, whole.part, whole.rock, cell);
       r.cuts = cuts;
       if (has_volume(r)) result.push_back(std::move(r));
       return;
@@ -105,7 +105,7 @@ class TipExtender {
   const Complex& complex_;
   const Model& model_;
   const LatticePlanes& lattice_;
-  const PlaneTable& planes_;
+  const CoverPlanes& planes_;
   Pieces& pieces_;
   const OccupiedCells cells_;
   GlueFinder glue_;
@@ -117,7 +117,7 @@ class TipExtender {
 }  // namespace
 
 void extend_joint_tips(const Complex& complex, const Model& model, const LatticePlanes& lattice,
-                       const PlaneTable& planes, Pieces& pieces) {
+                       const CoverPlanes& planes, Pieces& pieces) {
   TipExtender(complex, model, lattice, planes, pieces).run();
 }
 

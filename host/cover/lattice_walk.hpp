@@ -27,6 +27,9 @@ class LatticeWalker {
   LatticeWalker(const LatticePlanes& lattice, const PlaneTable& planes)
       : lattice_(lattice), splitter_(planes), clipper_(planes) {}
 
+  /// Of all cells so far.
+  const IntentCount& cell_intent() const { return splitter_.intent; }
+
   /// Splits a convex cell into whole lattice cells and convex pieces of parts.
   void walk(const CellView& cell, const CellVisitor& visitor);
 

@@ -15,18 +15,15 @@ constexpr Real relative_slack =
     1e-9;  // of the model's size: far above rounding, far below any block
 }
 
+// By the planes of the faces: the triangles of a sliver have no directions that could be trusted.
 Real Locator::piece_violation(const Vec3& x, Index piece) const {
-  const auto vertex = [&](Index v) {
-    return Vec3{covers_.vertex_xyz[3 * v], covers_.vertex_xyz[3 * v + 1],
-                covers_.vertex_xyz[3 * v + 2]};
-  };
+  const Vec3 r = x - index_.planes.table.centre();
   Real worst = -std::numeric_limits<Real>::infinity();
-  for (Index t = covers_.triangle_begin[piece]; t < covers_.triangle_begin[piece + 1]; ++t) {
-    const Vec3 a = vertex(covers_.triangle_vertex[3 * t]);
-    const Vec3 n = cross(vertex(covers_.triangle_vertex[3 * t + 1]) - a,
-                         vertex(covers_.triangle_vertex[3 * t + 2]) - a);
-    const Real length = norm(n);
-    if (length > 0) worst = std::max(worst, dot(n, x - a) / length);
+  for (auto f = index_.face_begin[piece]; f < index_.face_begin[piece + 1]; ++f) {
+    const HalfSpaceId h = index_.face_inside[f];
+    const Real above =
+        dot(index_.planes.table.normal(plane_of(h)), r) - index_.planes.table.offset(plane_of(h));
+    worst = std::max(worst, is_above(h) ? -above : above);
   }
   return worst;
 }
@@ -63,7 +60,6 @@ void Locator::try_regular(const Vec3& x, Index regular, Found& found) const {
 }
 
 void Locator::try_element(const Vec3& x, Index e, Found& found) const {
-  const Vec3 r = x - covers_.lattice.cell_centre(covers_.element_cell[e]);
   for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q) {
     Holder h;
     h.element = covers_.parts_per_cell() * covers_.regular_count() + e;
@@ -71,7 +67,7 @@ void Locator::try_element(const Vec3& x, Index e, Found& found) const {
     h.rock = index_.piece_rock[q];
     h.lattice_cell = covers_.element_cell[e];
     h.part = covers_.element_part[e];
-    h.violation = piece_violation(r, q);
+    h.violation = piece_violation(x, q);
     found.push_back(h);
   }
 }
@@ -83,12 +79,12 @@ Locator::Found Locator::near(const Vec3& x) const {
     Box point;
     point.add(x);
     for (Index e = 0; e < covers_.cut_count(); ++e)
-      if (element_box_[e].meets(point, relative_slack * index_.planes.model_size()))
+      if (element_box_[e].meets(point, relative_slack * index_.planes.table.model_size()))
         try_element(x, e, found);
     return found;
   }
   Vertex v;
-  v.x = x - index_.planes.centre();
+  v.x = x - index_.planes.table.centre();
   const LatticeBox box = index_.lattice.range(std::span(&v, 1));
   for (Index k = box.low[2]; k < box.high[2]; ++k)
     for (Index j = box.low[1]; j < box.high[1]; ++j)
@@ -105,7 +101,7 @@ Locator::Found Locator::near(const Vec3& x) const {
 }
 
 Holder Locator::find(const Vec3& x, Index block) const {
-  const Real slack = relative_slack * index_.planes.model_size();
+  const Real slack = relative_slack * index_.planes.table.model_size();
   const int first_split = covers_.first_split_parts();
   Holder best;
   for (const Holder& h : near(x)) {

@@ -39,7 +39,7 @@ class Locator {
   Found near(const Vec3& x) const;
   void try_regular(const Vec3& x, Index regular, Found& found) const;
   void try_element(const Vec3& x, Index element, Found& found) const;
-  Real piece_violation(const Vec3& from_centre, Index piece) const;
+  Real piece_violation(const Vec3& x, Index piece) const;
 
   const CoverArrays& covers_;
   const PieceIndex& index_;

@@ -4,21 +4,23 @@
 #include <array>
 #include <vector>
 
+#include "host/cover/cover_planes.hpp"
 #include "host/cover/lattice_planes.hpp"
-#include "host/exact/plane_table.hpp"
 #include "src/arrays/cover_arrays.hpp"
 
 namespace rockfold {
 
 struct PieceIndex {
-  PieceIndex(PlaneTable table, LatticePlanes lattice_planes)
-      : planes(std::move(table)), lattice(std::move(lattice_planes)) {}
+  PieceIndex(CoverPlanes cover_planes, LatticePlanes lattice_planes)
+      : planes(std::move(cover_planes)), lattice(std::move(lattice_planes)) {}
 
-  PlaneTable planes;  ///< of the cutting, and of the lattice
+  CoverPlanes planes;  ///< of the cutting, and of the lattice
   LatticePlanes lattice;
   std::vector<Index> regular_rock;  ///< [R] cell of the complex that holds the regular lattice cell
   std::vector<Index> piece_rock;    ///< [Q] cell of the complex that the piece is part of
-  std::vector<Index> piece_element;  ///< [Q] cut element
+  std::vector<Index> piece_element;      ///< [Q] cut element
+  std::vector<std::int64_t> face_begin;  ///< [Q + 1] into face_inside
+  std::vector<HalfSpaceId> face_inside;  ///< of each face of each piece, the side that holds it
   std::vector<std::vector<HalfSpaceId>>
       piece_cuts;  ///< [Q] PieceRecord::cuts; empty if no joint is prolonged
 

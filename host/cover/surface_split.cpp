@@ -29,10 +29,12 @@ void SurfaceSplitter::split(const Polygon& polygon, Index cell, Index face, cons
   const Lattice& lattice = covering_.arrays.lattice;
   if (lattice.kind == LatticeKind::block)
     return visit_part(complex_.cell_block[cell], 0, cell, polygon, visit);
-  walker_.walk(polygon, complex_.cells[cell].faces[face].inside,
-               [&](const std::array<Index, 3>& ijk, int part, const Polygon& piece) {
-                 visit_part(lattice.cell_index(ijk[0], ijk[1], ijk[2]), part, cell, piece, visit);
-               });
+  const bool by_arithmetic = covering_.pieces->planes.by_arithmetic(cell);
+  walker_.get(by_arithmetic)
+      .walk(polygon, complex_.cells[cell].faces[face].inside,
+            [&](const std::array<Index, 3>& ijk, int part, const Polygon& piece) {
+              visit_part(lattice.cell_index(ijk[0], ijk[1], ijk[2]), part, cell, piece, visit);
+            });
 }
 
 void SurfaceSplitter::visit_part(Index lattice_cell, int part, Index rock, const Polygon& polygon,
@@ -43,7 +45,8 @@ void SurfaceSplitter::visit_part(Index lattice_cell, int part, Index rock, const
     if (index.piece_cuts.empty() || index.piece_cuts[q].empty()) {
       visit(piece_holder(covering_, q), polygon);
     } else {
-      const Polygon own = clipper_.intersection(polygon, index.piece_cuts[q]);
+      const Polygon own =
+          clipper_.get(index.planes.by_arithmetic(rock)).intersection(polygon, index.piece_cuts[q]);
       if (!own.empty()) visit(piece_holder(covering_, q), own);
     }
   }

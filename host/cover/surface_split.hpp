@@ -18,8 +18,12 @@ class SurfaceSplitter {
   SurfaceSplitter(const Complex& complex, const Covering& covering)
       : complex_(complex),
         covering_(covering),
-        walker_(covering.pieces->lattice, covering.pieces->planes),
-        clipper_(covering.pieces->planes) {}
+        walker_(covering.pieces->planes,
+                [&](const PlaneTable& planes) {
+                  return LatticeWalker(covering.pieces->lattice, planes);
+                }),
+        clipper_(covering.pieces->planes,
+                 [](const PlaneTable& planes) { return PolygonClipper(planes); }) {}
 
   using Visit = std::function<void(const Holder&, const Polygon&)>;
 
@@ -34,8 +38,8 @@ class SurfaceSplitter {
 
   const Complex& complex_;
   const Covering& covering_;
-  LatticeWalker walker_;
-  PolygonClipper clipper_;
+  ToolPair<LatticeWalker> walker_;
+  ToolPair<PolygonClipper> clipper_;
 };
 
 }  // namespace rockfold

@@ -64,6 +64,7 @@ bool CellSplitter::is_convex_split(const CellView& cell) const {
 // The wider the band about the plane that is taken to one side, the fewer the vertices that still disagree.
 CellSide CellSplitter::repair(const CellView& cell, Index plane) {
   ++intent.near_decisions;
+  ++intent.close_calls;
   intent.near_planes.push_back(plane);
   for (Real band = planes_.tolerance(); band < 1e5 * planes_.tolerance(); band *= 10)
     for (const int to : {1, -1}) {

@@ -124,6 +124,7 @@ struct PlaneTable::Store {
 void IntentCount::add(const IntentCount& other) {
   vertices_identified += other.vertices_identified;
   near_decisions += other.near_decisions;
+  close_calls += other.close_calls;
   near_planes.insert(near_planes.end(), other.near_planes.begin(), other.near_planes.end());
 }
 
@@ -340,10 +341,12 @@ int PlaneTable::side(const Vertex& vertex, Index plane, IntentCount& intent) con
   const Real guard = guarded_sine(vertex, plane) / guard_sine;
   const Real allowed = guard * tolerance_;
   const Real least = magnitude * share, doubt = error * share;
-  if (guard == 1 && magnitude > error && least * near_factor > allowed &&
-      least <= near_factor * allowed) {
-    ++intent.near_decisions;
-    intent.near_planes.push_back(plane);
+  if (magnitude > error && least * near_factor > allowed && least <= near_factor * tolerance_) {
+    ++intent.close_calls;
+    if (guard == 1) {
+      ++intent.near_decisions;
+      intent.near_planes.push_back(plane);
+    }
   }
   if (least > allowed + doubt) return sign;
   if (least > allowed - doubt) {

@@ -44,6 +44,7 @@ enum class Known { nearly, exactly };
 struct IntentCount {
   Index vertices_identified = 0;
   Index near_decisions = 0;
+  Index close_calls = 0;  ///< near decisions, between planes that are nearly parallel too
   std::vector<Index> near_planes;  ///< planes of near decisions, with repeats
 
   void add(const IntentCount& other);
@@ -79,6 +80,9 @@ class PlaneTable {
   int exact_side(const Vec3& x, Index plane) const;
   /// From now on the plane stands for points that lie on it only nearly.
   void loosen(Index plane) { known_[plane] = Known::nearly; }
+
+  /// From now on arithmetic alone decides among the planes that are in the table.
+  void know_exactly() { known_.assign(known_.size(), Known::exactly); }
 
   /// Whether another plane is within a factor 100 of coinciding with this one. O(log n).
   bool is_near_another(Index plane) const;
