@@ -96,6 +96,13 @@ void LatticeWalker::split_parts(std::size_t depth, const CellView& cell, const C
   visitor.piece(at, ~child, cell);
 }
 
+// A polygon all of whose corners are taken to lie on the plane goes where a cell does.
+void LatticeWalker::part(const Polygon& polygon, HalfSpaceId upper, Polygon& inside,
+                         Polygon& outside) {
+  clipper_.split(polygon, upper, inside, &outside);
+  if (inside.empty() && outside.empty()) (is_above(upper) ? inside : outside) = polygon;
+}
+
 void LatticeWalker::descend(const Polygon& polygon, HalfSpaceId side, const LatticeBox& box,
                             const PolygonVisitor& visitor) {
   if (box.single()) {
@@ -109,7 +116,7 @@ void LatticeWalker::descend(const Polygon& polygon, HalfSpaceId side, const Latt
   if (plane_of(upper) == polygon.plane)
     return descend(polygon, side, upper == side ? high : low, visitor);
   Polygon inside, outside;
-  clipper_.split(polygon, upper, inside, &outside);
+  part(polygon, upper, inside, outside);
   if (!outside.empty()) descend(outside, side, low, visitor);
   if (!inside.empty()) descend(inside, side, high, visitor);
 }
@@ -123,7 +130,7 @@ void LatticeWalker::split_parts(const Polygon& polygon, HalfSpaceId side, const 
     return split_parts(polygon, side, at, tree, upper == side ? branch.above : branch.below,
                        visitor);
   Polygon inside, outside;
-  clipper_.split(polygon, upper, inside, &outside);
+  part(polygon, upper, inside, outside);
   if (!outside.empty()) split_parts(outside, side, at, tree, branch.below, visitor);
   if (!inside.empty()) split_parts(inside, side, at, tree, branch.above, visitor);
 }

@@ -46,6 +46,7 @@ class LatticeWalker {
   void descend(std::size_t depth, const CellView& cell, LatticeBox box, const CellVisitor& visitor);
   void split_parts(std::size_t depth, const CellView& cell, const CellIjk& at, const PartTree& tree,
                    int child, const CellVisitor& visitor);
+  void part(const Polygon& polygon, HalfSpaceId upper, Polygon& inside, Polygon& outside);
   void descend(const Polygon& polygon, HalfSpaceId side, const LatticeBox& box,
                const PolygonVisitor& visitor);
   void split_parts(const Polygon& polygon, HalfSpaceId side, const CellIjk& at,

@@ -127,6 +127,21 @@ Index Locator::find_other(const Vec3& x, const Holder& holder) const {
   return best.element;
 }
 
+Holder Locator::nearest(const Vec3& x, Index rock, bool second_split) const {
+  const int first_split = covers_.first_split_parts();
+  Holder best;
+  for (Holder h : near(x)) {
+    if (h.rock != rock) continue;
+    if (second_split && h.other != none) {  // of a regular lattice cell
+      h.element = h.other;
+      h.part = h.element % covers_.parts_per_cell();
+    }
+    if ((h.part >= first_split) != second_split) continue;
+    if (!best.found() || h.violation < best.violation) best = h;
+  }
+  return best;
+}
+
 void Locator::add(const Vec3& x, const Holder& h, MaterialPoints& points) const {
   add_material_point(covers_, x, h.element, points, h.other);
 }

@@ -31,6 +31,9 @@ class Locator {
   /// The element of the second of two overlaid splits that holds x where `holder` does; none if there is one split.
   Index find_other(const Vec3& x, const Holder& holder) const;
 
+  /// The part of a cell of the complex that x is nearest to, in one of two overlaid splits.
+  Holder nearest(const Vec3& x, Index rock, bool second_split) const;
+
   /// Adds the point to `points` with its element's weights.
   void add(const Vec3& x, const Holder& holder, MaterialPoints& points) const;
 

@@ -1,5 +1,7 @@
 #include "host/cover/surface_split.hpp"
 
+#include "src/base/vector.hpp"
+
 namespace rockfold {
 
 Holder piece_holder(const Covering& covering, Index piece) {
@@ -41,7 +43,8 @@ void SurfaceSplitter::visit_part(Index lattice_cell, int part, Index rock, const
                                  const Visit& visit) {
   const CoverArrays& covers = covering_.arrays;
   const PieceIndex& index = *covering_.pieces;
-  for (const Index q : index.find_pieces(covers, lattice_cell, part, rock)) {
+  const std::vector<Index> pieces = index.find_pieces(covers, lattice_cell, part, rock);
+  for (const Index q : pieces) {
     if (index.piece_cuts.empty() || index.piece_cuts[q].empty()) {
       visit(piece_holder(covering_, q), polygon);
     } else {
@@ -53,6 +56,16 @@ void SurfaceSplitter::visit_part(Index lattice_cell, int part, Index rock, const
   const Index r = PieceIndex::find_regular(covers, lattice_cell);
   if (r != none && index.regular_rock[r] == rock)
     visit(regular_holder(covering_, r, part), polygon);
+  else if (pieces.empty())
+    visit_left_out(part, rock, polygon, visit);
+}
+
+// On a piece that was left out for want of volume: the next one holds its surface.
+void SurfaceSplitter::visit_left_out(int part, Index rock, const Polygon& polygon,
+                                     const Visit& visit) {
+  const Vec3 x = polygon_moments(polygon).centroid + covering_.pieces->planes.table.centre();
+  const Holder h = locator_.nearest(x, rock, part >= covering_.arrays.first_split_parts());
+  if (h.found()) visit(h, polygon);
 }
 
 }  // namespace rockfold

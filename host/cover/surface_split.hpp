@@ -18,6 +18,7 @@ class SurfaceSplitter {
   SurfaceSplitter(const Complex& complex, const Covering& covering)
       : complex_(complex),
         covering_(covering),
+        locator_(covering),
         walker_(covering.pieces->planes,
                 [&](const PlaneTable& planes) {
                   return LatticeWalker(covering.pieces->lattice, planes);
@@ -36,8 +37,11 @@ class SurfaceSplitter {
   void visit_part(Index lattice_cell, int part, Index rock, const Polygon& polygon,
                   const Visit& visit);
 
+  void visit_left_out(int part, Index rock, const Polygon& polygon, const Visit& visit);
+
   const Complex& complex_;
   const Covering& covering_;
+  const Locator locator_;
   ToolPair<LatticeWalker> walker_;
   ToolPair<PolygonClipper> clipper_;
 };
