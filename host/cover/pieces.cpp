@@ -134,7 +134,8 @@ class CellCutter {
       result.cut = false;
     }
     result.close = walker.cell_intent().close_calls > 0;
-    result.whole = std::abs(result.volume - volume) <= 1e-12 * volume + slack(rock);
+    const Real off = std::abs(result.volume - volume);
+    result.whole = off <= 1e-12 * volume || off <= slack(rock);
     return result;
   }
 
