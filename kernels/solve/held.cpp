@@ -304,7 +304,7 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
                                        roundings * rounding_of_motion(system, x, base, options)));
     return std::max(forces, floor / pcg.tolerance);
   };
-  if (by_forces) pcg.reference = reference_for(pcg.reference);
+  if (by_forces && options.stop_at_rounding) pcg.reference = reference_for(pcg.reference);
   auto solve_once = [&](Real reduction) {
     pcg.reduction = reduction;
     Preconditioning m;
@@ -334,7 +334,7 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
         {options.pcg.reference, std::sqrt(dot(system.work, b, b)), spring_forces(system, goal, x)});
     carried =
         carried || std::sqrt(dot(system.work, system.load, system.load)) > far_carried * forces;
-    pcg.rounding = options.pcg.rounding + options.rounding(x);
+    pcg.rounding = options.pcg.rounding + (carried ? options.rounding(x) : 0);
     pcg.reference = reference_for(forces);
     pcg.measure_load = false;
     if (pcg.reference > 0) report.residual = left / pcg.reference;

@@ -144,6 +144,7 @@ SolveReport advance(Motion::Data& m, Real dt) {
   Kokkos::deep_copy(m.correction, 0.0);
   solve::HeldOptions how = solve_options(m, reference);
   how.rounding = [&](const Field& x) { return m.rock->rounding(x); };
+  how.stop_at_rounding = !steered;
   const SolveReport report =
       solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how);
   correct(m, dt);
