@@ -152,6 +152,70 @@ PcgReport solve_either_way(HeldSystem& system, const Apply& a, const Field& x,
   return done;
 }
 
+/// Adds to x what it lacks: A δ = b + Nᵀ(k goal − λ) − A x, where the springs' part is k (goal − N x), not the difference of two large
+/// forces. An increment that makes it worse is left: rounding alone in what A hardly resists.
+PcgReport solve_increment(HeldSystem& system, const Apply& rock, const Apply& a, const Field& b,
+                          const Field& goal, const Field& x, const PcgOptions& pcg,
+                          Preconditioning& m) {
+  const Field increment = device::make_field("solve::increment", system.op.unknowns);
+  const Field left = device::make_field("solve::left_to_go", system.springs.points.count);
+  const Field load = system.load, of_rock = system.work.q;
+  const auto points = system.springs.points;
+  rock(x, of_rock);
+  device::for_each(
+      "rockfold::solve::left_to_carry", system.op.unknowns, KOKKOS_LAMBDA(const Index p) {
+        for (int d = 0; d < 3; ++d) load(p, d) = b(p, d) - of_rock(p, d);
+      });
+  device::for_each(
+      "rockfold::solve::left_to_go", points.count, KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d) left(n, d) = goal(n, d) - interpolate_one(points, n, d, x);
+      });
+  add_spring_load(system.springs, system.spring_factor, left, load);
+  const Real before = std::sqrt(dot(system.work, load, load));
+  PcgReport done = solve_either_way(system, a, increment, pcg, m);
+  const Real after = done.residual * done.reference;
+  if (!(after < before)) {
+    done.residual = before / done.reference;
+    return done;
+  }
+  device::for_each(
+      "rockfold::solve::add_increment", system.op.unknowns, KOKKOS_LAMBDA(const Index p) {
+        for (int d = 0; d < 3; ++d) x(p, d) += increment(p, d);
+      });
+  return done;
+}
+
+/// What rounding leaves of the forces if all unknowns are as large as rock moves. Those of covers with several functions may be
+/// larger: then more than their share is in what moves no rock, of which nothing need be left unbalanced.
+Real rounding_of_motion(HeldSystem& system, const Field& x, const Field& base,
+                        const HeldOptions& options) {
+  const Real of_x = std::sqrt(dot(system.work, x, x)),
+             of_base = std::sqrt(dot(system.work, base, base));
+  const Field& larger = of_x > of_base ? x : base;
+  const Real size = std::max(of_x, of_base);
+  if (!(size > 0)) return 0;
+  return options.rounding(larger) / size * largest_motion(system, x, base) *
+         std::sqrt(static_cast<Real>(system.op.unknowns));
+}
+
+/// ‖Nᵀ f‖, f the forces of the springs at x.
+Real spring_forces(const HeldSystem& system, const Field& goal, const Field& x) {
+  const Springs& springs = system.springs;
+  spring_reactions(springs, system.spring_factor, x, goal, springs.force);
+  Kokkos::deep_copy(system.work.q, 0.0);
+  scatter(springs, 1, springs.force, system.work.q);
+  return std::sqrt(dot(system.work, system.work.q, system.work.q));
+}
+
+/// Solves of one system, each measured against the forces that the one before has found.
+constexpr int most_measures = 8;
+/// Springs' load / forces found from which an increment is solved for: the whole would drown it in the rounding of that load.
+constexpr Real far_carried = 1e3;
+/// Of its errors, what a solve leaves: closer to them it only moves x along what A hardly resists.
+constexpr Real roundings = 16;
+/// Share of the forces from which what rounding may leave unbalanced is looked at more closely.
+constexpr Real most_rounding = 1e-4;
+
 bool any_augmented(const Springs& springs) {
   return springs.any() && largest_entry(springs.augmented) > 0;
 }
@@ -218,21 +282,40 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
                        const Field& base, const HeldOptions& options) {
   const Springs& springs = system.springs;
   const Real factor = system.spring_factor;
-  const Apply a = [&](const Field& u, const Field& v) {
+  const Apply rock = [&](const Field& u, const Field& v) {
     if (system.other.apply)
       system.other.apply(u, v);
     else
       apply(system.op, system.combination, u, v);
+  };
+  const Apply a = [&](const Field& u, const Field& v) {
+    rock(u, v);
     apply_springs(springs, factor, u, v);
   };
   PcgOptions pcg = options.pcg;
   SolveReport report;
-  auto solve = [&](Real reduction) {
-    Kokkos::deep_copy(system.load, b);
-    add_spring_load(springs, factor, goal, system.load);
+  const bool by_forces = options.rounding && springs.any() && pcg.tolerance > 0;
+  bool carried = false;
+  // What residuals are measured against, such that the tolerance's share of it is not below rounding.
+  auto reference_for = [&](Real forces) {
+    Real floor = roundings * pcg.rounding;
+    if (floor > most_rounding * forces)
+      floor = std::min(floor, std::max(most_rounding * forces,
+                                       roundings * rounding_of_motion(system, x, base, options)));
+    return std::max(forces, floor / pcg.tolerance);
+  };
+  if (by_forces && options.stop_at_rounding) pcg.reference = reference_for(pcg.reference);
+  auto solve_once = [&](Real reduction) {
     pcg.reduction = reduction;
     Preconditioning m;
-    const PcgReport done = solve_either_way(system, a, x, pcg, m);
+    PcgReport done;
+    if (carried) {
+      done = solve_increment(system, rock, a, b, goal, x, pcg, m);
+    } else {
+      Kokkos::deep_copy(system.load, b);
+      add_spring_load(springs, factor, goal, system.load);
+      done = solve_either_way(system, a, x, pcg, m);
+    }
     if (!m.any_grid() && worth_a_grid(system))
       system.slow = system.slow || done.iterations > many_iterations;
     report.preconditioner = m.any_grid() ? Preconditioner::multigrid
@@ -243,6 +326,25 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
     report.iterations += done.iterations;
     report.residual = done.residual;
     report.converged = small_enough(done, pcg);
+  };
+  // Measures what is left against the forces found; false: it would have to be less.
+  auto measure = [&] {
+    const Real left = report.residual * pcg.reference;
+    const Real forces = std::max(
+        {options.pcg.reference, std::sqrt(dot(system.work, b, b)), spring_forces(system, goal, x)});
+    carried =
+        carried || std::sqrt(dot(system.work, system.load, system.load)) > far_carried * forces;
+    pcg.rounding = options.pcg.rounding + (carried ? options.rounding(x) : 0);
+    pcg.reference = reference_for(forces);
+    pcg.measure_load = false;
+    if (pcg.reference > 0) report.residual = left / pcg.reference;
+    return report.residual <= pcg.tolerance;
+  };
+  auto solve = [&](Real reduction) {
+    solve_once(reduction);
+    if (!by_forces) return;
+    for (int i = 0; report.converged && !measure() && reduction == 0 && i < most_measures; ++i)
+      solve_once(0);
   };
   const bool augmented = any_augmented(springs);
   solve(augmented ? inner_reduction : 0);

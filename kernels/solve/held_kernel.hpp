@@ -64,6 +64,12 @@ struct HeldOptions {
   int patience = 5;  ///< outer iterations in which the gap must have halved, or it is left as it is
   bool plain_at_last =
       false;  ///< then go on without acceleration, each solve to the tolerance, before it is left
+  /// N: what rounding leaves of the forces of A x, springs aside. Where it is given, residuals count against the forces at the solution
+  /// found; else also against what the springs would pull with if nothing gave way, which may be many times that.
+  std::function<Real(const Field& x)> rounding;
+  /// With `rounding`: whether already the first solve stops there. Where only the stiffness resists, to go on moves x along what that does
+  /// not resist.
+  bool stop_at_rounding = false;
 };
 
 /// x: start and result. `base`: what x is an increment to, for the size of displacements (empty: none). The multipliers

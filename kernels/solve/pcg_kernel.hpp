@@ -14,7 +14,8 @@ namespace rockfold::solve {
 struct PcgOptions {
   Real tolerance = 1e-8;  ///< ‖r‖ / reference
   Index max_iterations = 5000;
-  Real reference = 0;  ///< N, what residuals are measured against where it exceeds ‖b‖
+  Real reference = 0;  ///< N, what residuals are measured against where it exceeds ‖b‖ …
+  bool measure_load = true;  ///< … or, if false and it is not zero, whatever ‖b‖ is
   Real rounding =
       0;  ///< N, of b: no reduction goes below it, nor below a thousandth of the tolerance
   Real reduction = 0;  ///< > 0: stop where the starting residual has shrunk to this share instead
@@ -22,9 +23,8 @@ struct PcgOptions {
 
 struct PcgReport {
   Index iterations = 0;
-  Real residual =
-      0;  ///< true ‖b − A x‖ / max(‖b‖, reference) at the end; NaN if the solve broke down
-  Real reference = 0;      ///< max(‖b‖, reference)
+  Real residual = 0;  ///< true ‖b − A x‖ / `reference` at the end; NaN if the solve broke down
+  Real reference = 0;      ///< max(‖b‖, reference), or that asked for
   bool converged = false;  ///< the tolerance, or the reduction asked for, was reached
 };
 

@@ -144,6 +144,8 @@ SolveReport solve_equilibrium(Motion::Data& m) {
   how.patience = 40;
   how.plain_at_last = true;
   how.max_outer = std::max<Index>(how.max_outer, 400);
+  how.rounding = [&](const Field& x) { return m.rock->rounding(x); };
+  how.stop_at_rounding = true;
   const SolveReport report =
       solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how);
   Kokkos::deep_copy(m.increment, m.correction);

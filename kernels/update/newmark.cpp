@@ -142,8 +142,11 @@ SolveReport advance(Motion::Data& m, Real dt) {
   aim(m);
   if (steered) aim_steered(m);
   Kokkos::deep_copy(m.correction, 0.0);
-  const SolveReport report = solve::solve_held(m.held, m.right, m.goal, m.correction,
-                                               m.now.displacement, solve_options(m, reference));
+  solve::HeldOptions how = solve_options(m, reference);
+  how.rounding = [&](const Field& x) { return m.rock->rounding(x); };
+  how.stop_at_rounding = !steered;
+  const SolveReport report =
+      solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how);
   correct(m, dt);
   update_reactions(m);
   count_work(m);
