@@ -44,7 +44,7 @@ enum class Known { nearly, exactly };
 struct IntentCount {
   Index vertices_identified = 0;
   Index near_decisions = 0;
-  Index close_calls = 0;  ///< near decisions, between planes that are nearly parallel too
+  Index close_calls = 0;           ///< near decisions, between planes that are nearly parallel too
   std::vector<Index> near_planes;  ///< planes of near decisions, with repeats
 
   void add(const IntentCount& other);

@@ -1,5 +1,4 @@
 #include "kernels/solve/rock_motion_kernel.hpp"
-
 #include "kernels/solve/springs_kernel.hpp"
 
 namespace rockfold::solve {

@@ -112,7 +112,7 @@ class SmallStrain : public Deformation {
   Field initial_;  // f0
   Field work_;
   std::unique_ptr<const CoverArrays> sampled_;  // of covers with a local series
-  Real stiffest_;  ///< N/m
+  Real stiffest_;                               ///< N/m
 };
 
 }  // namespace

@@ -105,7 +105,7 @@ struct FixedPoints {
   /// [N] how far the rock that a row holds moves with one metre of it, at most; empty: 1. Much less than 1 where all the rock that a
   /// cover holds is a sliver far from its node.
   std::vector<Real> reach;
-  std::vector<TimeTable> tables;        ///< m over s
+  std::vector<TimeTable> tables;  ///< m over s
 };
 
 }  // namespace rockfold
