@@ -242,6 +242,25 @@ Index first_inverted(const Deformation& body, Real least) {
   return found > 0 ? body.elements - static_cast<Index>(found) : none;
 }
 
+Real largest_terms(const Deformation& body, const Field& d) {
+  return device::largest(
+      "rockfold::finite::largest_terms", body.elements, KOKKOS_LAMBDA(const Index e) {
+        const Index* cover = &body.cover(static_cast<std::size_t>(e) * body.nodes);
+        const Real* g = body.gradients(e, 0);
+        Real sum[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0}, most = 0;
+        for (int a = 0; a < body.nodes; ++a)
+          for (int k = 0; k < body.functions; ++k, ++g)
+            for (int i = 0; i < 3; ++i) {
+              const Real u = device::math::fabs(d(k * body.covers + cover[a], i) -
+                                                (k == 0 && body.nodes > 1 ? d(cover[0], i) : 0));
+              for (int j = 0; j < 3; ++j)
+                sum[3 * i + j] += u * device::math::fabs(g[j * body.stride]);
+            }
+        for (const Real term : sum) most = device::math::fmax(most, term);
+        return most;
+      });
+}
+
 Real rounding_force(const Deformation& body, const Array<Real>& partial, const Array<Real>& sums) {
   constexpr Real rounding = 2.3e-16;
   device::sum_then<1>(

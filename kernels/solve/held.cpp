@@ -152,6 +152,20 @@ PcgReport solve_either_way(HeldSystem& system, const Apply& a, const Field& x,
   return done;
 }
 
+Preconditioner kind_of(const HeldSystem& system, const Preconditioning& m) {
+  if (m.any_grid()) return Preconditioner::multigrid;
+  return system.preconditioner == Preconditioner::block_jacobi ? Preconditioner::block_jacobi
+                                                               : Preconditioner::node_block_jacobi;
+}
+
+/// y = (αK + βM) x, or what stands in its place.
+void apply_rock(const HeldSystem& system, const Field& x, const Field& y) {
+  if (system.other.apply)
+    system.other.apply(x, y);
+  else
+    apply(system.op, system.combination, x, y);
+}
+
 /// Adds to x what it lacks: A δ = b + Nᵀ(k goal − λ) − A x, where the springs' part is k (goal − N x), not the difference of two large
 /// forces. An increment that makes it worse is left: rounding alone in what A hardly resists.
 PcgReport solve_increment(HeldSystem& system, const Apply& rock, const Apply& a, const Field& b,
@@ -278,16 +292,29 @@ Real largest_motion(HeldSystem& system, const Field& x, const Field& base) {
   return largest_mean(system.op, system.masses, x, base, system.work.p, system.work.q);
 }
 
+SolveReport find_same_motion(HeldSystem& system, const Field& x, const Field& y,
+                             const PcgOptions& pcg) {
+  const Apply a = [&](const Field& u, const Field& v) {
+    apply_rock(system, u, v);
+    apply_springs(system.springs, system.spring_factor, u, v);
+  };
+  a(x, system.load);
+  Kokkos::deep_copy(y, 0.0);
+  Preconditioning m;
+  const PcgReport done = solve_either_way(system, a, y, pcg, m);
+  SolveReport report;
+  report.iterations = done.iterations;
+  report.residual = done.residual;
+  report.converged = done.converged;
+  report.preconditioner = kind_of(system, m);
+  return report;
+}
+
 SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, const Field& x,
                        const Field& base, const HeldOptions& options) {
   const Springs& springs = system.springs;
   const Real factor = system.spring_factor;
-  const Apply rock = [&](const Field& u, const Field& v) {
-    if (system.other.apply)
-      system.other.apply(u, v);
-    else
-      apply(system.op, system.combination, u, v);
-  };
+  const Apply rock = [&](const Field& u, const Field& v) { apply_rock(system, u, v); };
   const Apply a = [&](const Field& u, const Field& v) {
     rock(u, v);
     apply_springs(springs, factor, u, v);
@@ -318,10 +345,7 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
     }
     if (!m.any_grid() && worth_a_grid(system))
       system.slow = system.slow || done.iterations > many_iterations;
-    report.preconditioner = m.any_grid() ? Preconditioner::multigrid
-                            : system.preconditioner == Preconditioner::block_jacobi
-                                ? Preconditioner::block_jacobi
-                                : Preconditioner::node_block_jacobi;
+    report.preconditioner = kind_of(system, m);
     pcg.reference = done.reference;  // one measure for all solves
     report.iterations += done.iterations;
     report.residual = done.residual;

@@ -77,4 +77,9 @@ struct HeldOptions {
 SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, const Field& x,
                        const Field& base, const HeldOptions& options);
 
+/// y: of all fields that move the rock as x does the one without idle motion (idle_motion.cpp), which conjugate gradients find for
+/// A y = A x from nothing.
+SolveReport find_same_motion(HeldSystem& system, const Field& x, const Field& y,
+                             const PcgOptions& pcg);
+
 }  // namespace rockfold::solve

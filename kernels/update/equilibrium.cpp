@@ -9,6 +9,8 @@ namespace {
 
 /// Springs by that much stiffer than multipliers need become multipliers.
 constexpr Real far_stiffer = 4;
+/// Stiffness of augmented points over what the mass that they hold asks for, at most: more would drown that mass in it.
+constexpr Real most_stiffer = 100;
 /// Iterations of a solve with the mass alone, of covers with several functions, before the stiffness is taken in.
 constexpr Index patience_with_mass = 1000;
 /// Of it, so that all that moves in a few steps starts as it would without.
@@ -46,7 +48,8 @@ SpringsBefore hold_by_multipliers(Motion::Data& m, Real spring_factor) {
         for (int d = 0; d < 3; ++d) {
           const Real k = before.stiffness(n, d);
           if (before.augmented(n, d) > 0) {
-            stiffness(n, d) = k;
+            const Real by_mass = most_stiffer * stiffness(n, d);
+            stiffness(n, d) = by_mass > 0 && by_mass < k ? by_mass : k;
             continue;
           }
           const bool stiff = stiffness(n, d) > 0 && k > far_stiffer * stiffness(n, d);
@@ -94,6 +97,8 @@ SolveReport find_acceleration(Motion::Data& m, const Field& augmented, Index mos
   device::copy_to_device(guess, m.now.acceleration);
   solve::HeldOptions how = solve_options(m, reference);
   how.pcg.max_iterations = std::min(how.pcg.max_iterations, most_iterations);
+  // The mass resists whatever rounding leaves of the forces of strain, where these are not all there is.
+  if (how.pcg.rounding < how.pcg.tolerance * reference) how.pcg.rounding = 0;
   return solve::solve_held(m.held, m.right, m.goal, m.now.acceleration, Field(), how);
 }
 

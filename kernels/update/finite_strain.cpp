@@ -52,6 +52,7 @@ class FiniteStrain : public LargeDeformation {
     return finite::first_inverted(body_, least);
   }
   Real rounding(const Field& /*d*/) const override { return rounding_; }
+  Real largest_terms(const Field& d) const override { return finite::largest_terms(body_, d); }
 
   void apply(const solve::Combination& c, const Field& x, const Field& y) const override {
     solve::apply(op_, c, x, y);

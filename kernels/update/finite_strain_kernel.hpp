@@ -16,6 +16,8 @@ class LargeDeformation : public Deformation {
   virtual void turn(const Field& x) const = 0;
   /// An element that d turns inside out, or none; those whose forces at a strain of 1 are below `least`, N, do not count.
   virtual Index inverted(const Field& d, Real least) const = 0;
+  /// Sizes of the terms of ∂u/∂X, which cancel where idle motion (idle_motion.cpp) has grown: rounding grows with them.
+  virtual Real largest_terms(const Field& d) const = 0;
 };
 
 std::unique_ptr<LargeDeformation> make_finite_strain(const MotionSetup& setup,

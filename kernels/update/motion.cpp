@@ -210,6 +210,7 @@ void Motion::save() {
 
 void Motion::restore() {
   update::copy_state(data_->saved, data_->now);
+  update::set_time(*data_, data_->now.time);  // loads and supports too stand where they stood
 }
 
 Real Motion::time() const {

@@ -57,6 +57,7 @@ struct Motion::Data {
   device::Field support_way;  ///< of the fixed points in the step
   device::Array<Real> partial, sums;
 
+  Index idle_left_out = -1;  ///< steps done when it was (idle_motion.cpp); −1: never
   Vec3 gravity{};
   Rayleigh damping;
   Real beta = 0.25, gamma = 0.5, dynamic_ratio = 1;
@@ -103,8 +104,10 @@ SolveReport solve_equilibrium(Motion::Data& m);
 Real largest_frequency(Motion::Data& m, Real dt);
 /// One step of Newmark's method.
 SolveReport advance(Motion::Data& m, Real dt);
-/// d', v', a' in free flight.
-void predict(const Motion::Data& m, Real dt);
+/// Takes out of velocity and acceleration what moves no rock, where that is due; the matrix is that of the next step.
+void leave_out_idle_motion(Motion::Data& m);
+/// d', v', a' in free flight, or where the step is too long for it with d' = d.
+void predict(Motion::Data& m, Real dt);
 /// The same under large kinematics.
 SolveReport solve_equilibrium_large(Motion::Data& m);
 SolveReport advance_large(Motion::Data& m, Real dt);

@@ -1,0 +1,46 @@
+// Covers with several functions can move without moving rock: with linear weights Σ N_a (c + ω × x_a)·(x − x_a) = 0. Nothing resists
+// such idle motion. Conjugate gradients that start from nothing with a preconditioner B find none of it: B⁻¹ x is orthogonal to it. But the first
+// acceleration is found with another B than the corrections of the steps, and what is idle in it goes on as in free flight: it grows with t², until
+// forces and energies, differences of ever larger numbers, drown in rounding.
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/update/motion_kernel.hpp"
+
+namespace rockfold::update {
+namespace {
+
+/// Steps after which what has come of other preconditioners and of rounding is taken out again; under large kinematics the preconditioner
+/// turns with the rock.
+constexpr Index idle_steps = 25, idle_large_steps = 10;
+/// What is moved by leaving it out must be far below what the steps leave open; rounding sets a limit, and closer steps do without.
+constexpr Real share_of_tolerance = 1e-3, most_share = 0.1, least_tolerance = 1e-11;
+constexpr Index most_iterations = 500;
+
+/// Replaces x where that can be done.
+void leave_out(Motion::Data& m, const Field& x) {
+  solve::PcgOptions pcg;
+  pcg.tolerance = std::max(share_of_tolerance * m.solver.tolerance, least_tolerance);
+  if (pcg.tolerance > most_share * m.solver.tolerance) return;
+  pcg.max_iterations = std::min(m.solver.max_iterations, most_iterations);
+  // Against inertia alone: where x strains rock with far larger forces no step flies along x (see predict), and it may be left as it is.
+  m.rock->apply({0, m.held.combination.mass}, x, m.work);
+  pcg.reference = std::sqrt(solve::dot(m.held.work, m.work, m.work));
+  pcg.measure_load = false;
+  if (!(pcg.reference > 0)) return;
+  const SolveReport done = solve::find_same_motion(m.held, x, m.correction, pcg);
+  if (done.converged) Kokkos::deep_copy(x, m.correction);
+}
+
+}  // namespace
+
+void leave_out_idle_motion(Motion::Data& m) {
+  if (m.held.op.functions == 1 || m.dynamic_ratio == 0) return;
+  const Index steps = m.large ? idle_large_steps : idle_steps;
+  if (m.idle_left_out >= 0 && m.now.steps - m.idle_left_out < steps) return;
+  leave_out(m, m.now.acceleration);
+  if (m.now.steps > 0) leave_out(m, m.now.velocity);
+  m.idle_left_out = m.now.steps;
+}
+
+}  // namespace rockfold::update

@@ -1,0 +1,116 @@
+// Steps far longer than the periods of the rock, many steps, steps taken again, and the start of motions that supports dictate.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/run/run_model.hpp"
+
+namespace rockfold {
+namespace {
+
+std::string block(Real young, const std::string& cover, const std::string& fixed,
+                  const std::string& analysis) {
+  return fmt::format(R"(
+[[material]]
+density = 2500
+young_modulus = {}
+poisson_ratio = 0.25
+[[solid]]
+name = "rock"
+shape = "box"
+min = [0, 0, 0]
+max = [1, 1, 1.5]
+[cover]
+{}
+[[fixed]]
+where = {{face = "rock.zmin"}}
+{}
+[[monitor]]
+point = [0.5, 0.5, 0]
+[analysis]
+type = "dynamic"
+{}
+)",
+                     young, cover, fixed, analysis);
+}
+
+Real largest(const std::vector<Vec3>& field) {
+  Real most = 0;
+  for (const Vec3& v : field)
+    for (const Real x : v) most = std::max(most, std::abs(x));
+  return most;
+}
+
+class LongSteps : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
+
+/// Free flight over hundreds of periods would go metres where rock moves micrometres.
+TEST_P(LongSteps, KeepTheEnergyOfRockThatIsLetGo) {
+  const auto& [method, kinematics] = GetParam();
+  for (const char* cover : {"lattice = \"tet6\"\nspacing = 0.5\norder = 0",
+                            "lattice = \"tet6\"\nspacing = 0.5\norder = 1",
+                            "lattice = \"hex8\"\nspacing = 0.5\norder = 1"})
+    for (const Real young : {1e9, 5e13}) {
+      const ModelAnswer answer = run_model(
+          block(young, cover, fmt::format("method = \"{}\"", method),
+                fmt::format("kinematics = \"{}\"\ntime_step = 1.0\nsteps = 3", kinematics)));
+
+      // Let go at once, it swings to twice its static deflection: the strain energy there is the weight's work.
+      Real most = 0;
+      for (const Energy& energy : answer.result.energies) most = std::max(most, energy.strain);
+      EXPECT_GT(most, 0) << cover << young;
+      for (const Energy& energy : answer.result.energies)
+        EXPECT_NEAR(energy.numerical / most, 0, 1e-6) << cover << ' ' << young;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LongSteps,
+                         testing::Combine(testing::Values("augmented_lagrangian", "penalty"),
+                                          testing::Values("small", "large")),
+                         [](const auto& of) {
+                           return fmt::format("{}_{}", std::get<0>(of.param),
+                                              std::get<1>(of.param));
+                         });
+
+/// See kernels/update/idle_motion.cpp.
+TEST(LongMotions, LeaveFunctionsThatMoveNoRockAtRest) {
+  for (const char* method : {"augmented_lagrangian", "penalty"}) {
+    const ModelAnswer answer =
+        run_model(block(3e10, "lattice = \"tet6\"\nspacing = 0.5\norder = 1",
+                        fmt::format("method = \"{}\"", method),
+                        "kinematics = \"small\"\ntime_step = 0.001\nsteps = 60"));
+    const Real rock = answer.result.largest_displacement.length;
+    EXPECT_LT(largest(answer.last.motion.displacement), 100 * rock) << method;
+    const Energy& energy = answer.result.energy;
+    EXPECT_NEAR(energy.numerical / (energy.strain + energy.kinetic), 0, 1e-6) << method;
+  }
+}
+
+TEST(Supports, ThatMoveCarryRockLikewiseWhereStepsAreTakenAgain) {
+  for (const char* kinematics : {"small", "large"})
+    for (const char* method : {"augmented_lagrangian", "penalty"}) {
+      const auto carry = [&](const char* limit) {
+        return run_model(
+                   "gravity = [0, 0, 0]\n" +
+                   block(1e9, "lattice = \"tet6\"\nspacing = 0.8\norder = 1",
+                         fmt::format("method = \"{}\"\nvalue_table = [[0, 0, 0, 0], [1, 0, 0, "
+                                     "0.03]]",
+                                     method),
+                         fmt::format("kinematics = \"{}\"\ntime_step = 0.02\nsteps = 4\n{}",
+                                     kinematics, limit)))
+            .result;
+      };
+      const RunResult once = carry(""), again = carry("max_displacement_ratio = 4e-4");
+      EXPECT_GT(again.largest_substeps, once.largest_substeps);
+      for (const RunResult* run : {&once, &again}) {
+        const Vec3 foot = run->monitors[0].displacement.back();
+        EXPECT_NEAR(foot[2] / (0.03 * 0.08), 1, 2e-3) << kinematics << ' ' << method;
+      }
+    }
+}
+
+}  // namespace
+}  // namespace rockfold
