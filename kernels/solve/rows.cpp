@@ -89,11 +89,12 @@ StencilCovers find_stencil_covers(const CoverArrays& covers) {
   return found;
 }
 
-std::vector<Index> neighbours(const CoverArrays& covers, const StencilCovers& stencil, Index p) {
-  std::vector<Index> result;
+/// `result`: one room for all covers, who are many.
+void find_neighbours(const CoverArrays& covers, const StencilCovers& stencil, Index p,
+                     std::vector<Index>& result) {
+  result.clear();
   for (const auto& [from, to] : stencil.classes[stencil.of[p]].pair)
     result.push_back(covers.regular_cover[stencil.nodes * stencil.cell_at(p, from) + to]);
-  return result;
 }
 
 StencilRuns make_runs(const CoverArrays& covers, const StencilCovers& stencil) {
@@ -104,10 +105,11 @@ StencilRuns make_runs(const CoverArrays& covers, const StencilCovers& stencil) {
     std::vector<Index> next;  ///< neighbours of the cover that would go on
   };
   std::vector<Open> open(stencil.classes.size());
+  std::vector<Index> now;
   for (Index p = 0; p < covers.cover_count(); ++p) {
     if (stencil.material[p] == none) continue;
     Open& last = open[stencil.of[p]];
-    std::vector<Index> now = neighbours(covers, stencil, p);
+    find_neighbours(covers, stencil, p, now);
     const bool goes_on = last.run != none &&
                          runs.first[last.run] + runs.stride * runs.length[last.run] == p &&
                          runs.material[last.run] == stencil.material[p] &&
@@ -124,7 +126,7 @@ StencilRuns make_runs(const CoverArrays& covers, const StencilCovers& stencil) {
       runs.neighbour.insert(runs.neighbour.end(), now.begin(), now.end());
     }
     for (Index& q : now) q += runs.stride;
-    last.next = std::move(now);
+    last.next.swap(now);
   }
   return runs;
 }
