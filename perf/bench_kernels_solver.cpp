@@ -139,6 +139,27 @@ void solve(benchmark::State& state) {
                                                   : best->second.wall / seconds.wall;
 }
 
+/// The same cube uncut, of covers with several functions, under its weight.
+void solve_order(benchmark::State& state) {
+  Problem problem(static_cast<Index>(state.range(0)), 0);
+  problem.covers.order = static_cast<int>(state.range(1));
+  const auto preconditioner = static_cast<Preconditioner>(state.range(2));
+  SolveOptions options;
+  options.max_iterations = 50000;
+  std::vector<Vec3> load(problem.covers.unknown_count()), x(load.size());
+  std::fill(load.begin(), load.begin() + problem.covers.cover_count(), Vec3{0, 0, -10});
+  CoverSystem system(problem.covers, {}, {material}, problem.fixed, preconditioner);
+  load = system.apply({0, 1, 0}, load);
+  SolveReport report;
+  for (auto _ : state) {
+    std::fill(x.begin(), x.end(), Vec3{});
+    report = system.solve({1, 0, 1}, load, x, options);
+  }
+  if (!report.converged) state.SkipWithError("did not converge");
+  state.counters["unknowns"] = 3.0 * problem.covers.unknown_count();
+  state.counters["iterations"] = report.iterations;
+}
+
 #ifdef ROCKFOLD_PETSC
 const char* const petsc_names[] = {"gamg", "bjacobi", "pbjacobi"};
 
@@ -190,6 +211,7 @@ BENCHMARK(petsc)
 #endif
 
 constexpr auto by_blocks = static_cast<int>(Preconditioner::block_jacobi);
+constexpr auto by_covers = static_cast<int>(Preconditioner::node_block_jacobi);
 constexpr auto by_grids = static_cast<int>(Preconditioner::multigrid);
 
 BENCHMARK(solve)
@@ -203,6 +225,12 @@ BENCHMARK(solve)
 BENCHMARK(solve)
     ->ArgNames({"cells", "kind", "preconditioner"})
     ->ArgsProduct({{9, 18, 35, 69}, {0, 2, 3}, {by_blocks, by_grids}})
+    ->Iterations(1)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(solve_order)
+    ->ArgNames({"cells", "order", "preconditioner"})
+    ->ArgsProduct({{4, 6, 8, 12, 16}, {1, 2}, {by_covers, by_grids}})
     ->Iterations(1)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);

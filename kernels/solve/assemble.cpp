@@ -202,12 +202,16 @@ DeviceBlocks upload(const BlockRows& rows, int functions) {
   block.row = to_device("solve::row", rows.row);
   block.slice_begin = to_device("solve::slice_begin", rows.slice_begin);
   block.column = to_device("solve::column", rows.column);
+  block.value_begin = to_device("solve::value_begin", rows.value_begin);
+  block.owner = to_device("solve::owner", rows.owner);
+  block.owning = to_device("solve::owning", rows.owning);
   block.source_begin = to_device("solve::source_begin", rows.source_begin);
   block.source = to_device("solve::source", rows.source);
   // These two are zero to start with.
-  const std::size_t each = static_cast<std::size_t>(entry_size) * functions * functions;
-  block.value = Array<Real>("rockfold::solve::value", each * rows.column.size());
-  block.diagonal = Array<Real>("rockfold::solve::diagonal", each * rows.row.size());
+  const std::size_t each =
+      static_cast<std::size_t>(entry_size) * functions * functions * rows.lanes;
+  block.value = Array<Real>("rockfold::solve::value", each * rows.value_columns);
+  block.diagonal = Array<Real>("rockfold::solve::diagonal", each * rows.owning.size());
   block.by_difference = device::allocate<Real>("solve::by_difference", rows.row.size());
   return block;
 }
@@ -254,6 +258,8 @@ Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
     assemble(op.block, table, constants);
   choose_differences(op.block, table.parts.weight_degree <= 1);
   Kokkos::fence();
+  op.block.source_begin = {};
+  op.block.source = {};
   return op;
 }
 

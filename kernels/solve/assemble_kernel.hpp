@@ -50,14 +50,17 @@ struct RowSink {
   }
 };
 
-/// Calls add_regular(sink, cell, node) and add_cut(sink, element, node) for all that is integrated into each row.
+/// Calls add_regular(sink, cell, node) and add_cut(sink, element, node) for all that is integrated into each row that has values of
+/// its own.
 template <class AddRegular, class AddCut>
 void fill_rows(const DeviceBlocks& block, int cell_nodes, int part_nodes,
                const AddRegular& add_regular, const AddCut& add_cut) {
   const int n = block.functions;
+  const Index owned = static_cast<Index>(block.owning.extent(0)) * slice_lanes;
   device::for_each(
-      "rockfold::solve::assemble", block.slots() * n, KOKKOS_LAMBDA(const Index i) {
-        const RowSink sink(block, i / n, i % n);
+      "rockfold::solve::assemble", owned * n, KOKKOS_LAMBDA(const Index i) {
+        const Index slot = block.owning(i / n / slice_lanes) * slice_lanes + i / n % slice_lanes;
+        const RowSink sink(block, slot, i % n);
         for (Index s = block.source_begin(sink.slot); s < block.source_begin(sink.slot + 1); ++s) {
           const Source source = block.source(s);
           if (source >= 0)

@@ -2,6 +2,7 @@
 // and 2 this takes in what the functions of one cover share, which their 3×3 blocks alone leave to the iteration.
 #pragma once
 
+#include "kernels/solve/simd.hpp"
 #include "kernels/solve/springs_kernel.hpp"
 #include "src/arrays/shape_functions.hpp"
 
@@ -72,14 +73,17 @@ KOKKOS_INLINE_FUNCTION void invert_symmetric(int n, Real* a) {
 KOKKOS_INLINE_FUNCTION void precondition_cover(const CoverBlocks& blocks, Index p, const Real* r,
                                                Real* z) {
   const int width = blocks.width();
-  const Real* row = &blocks.inverse(static_cast<std::size_t>(p) * width * width);
-  Real scaled[most_block_width];
+  const Real* row = &blocks.inverse(static_cast<std::size_t>(p) * width * width);  // symmetric
+  Real scaled[most_block_width] = {};
   for (int i = 0; i < width; ++i) scaled[i] = r[i] * blocks.scale(i / 3 * blocks.covers + p, i % 3);
-  for (int i = 0; i < width; ++i, row += width) {
-    Real sum = 0;
-    for (int j = 0; j < width; ++j) sum += row[j] * scaled[j];
-    z[i] = sum * blocks.scale(i / 3 * blocks.covers + p, i % 3);
-  }
+  for (int i = 0; i < width; ++i) z[i] = 0;
+#ifdef ROCKFOLD_ON_GPU
+  for (int j = 0; j < width; ++j, row += width)
+    for (int i = 0; i < width; ++i) z[i] += row[i] * scaled[j];
+#else
+  block_add(width, row, scaled, z);
+#endif
+  for (int i = 0; i < width; ++i) z[i] *= blocks.scale(i / 3 * blocks.covers + p, i % 3);
 }
 
 }  // namespace rockfold::solve

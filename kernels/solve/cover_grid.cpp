@@ -29,7 +29,8 @@ void advance(const CoverLevel& level, bool first, Real old, Real share) {
   const CoverBlocks blocks = level.blocks;
   const Field x = level.x, r = level.r, d = level.d, q = level.q;
   device::for_each(
-      "rockfold::solve::smooth_covers", blocks.covers, KOKKOS_LAMBDA(const Index p) {
+      "rockfold::solve::smooth_covers", blocks.covers,
+      KOKKOS_LAMBDA(const Index p) {
         const int width = blocks.width();
         Real left[most_block_width], z[most_block_width];
         for (int e = 0; e < width; ++e) {
@@ -44,7 +45,8 @@ void advance(const CoverLevel& level, bool first, Real old, Real share) {
           d(u, e % 3) = step;
           x(u, e % 3) = first ? step : x(u, e % 3) + step;
         }
-      });
+      },
+      level.blocks.width());
 }
 
 /// r −= q.

@@ -19,7 +19,7 @@
 
 namespace rockfold::solve {
 
-/// Rows of covers with all functions: y_p = Σ_q A_pq x_q.
+/// Rows of covers with all functions: y_p = Σ_q A_pq x_q. In double: what slivers hardly resist would drown in single precision.
 struct CoverMatrix {
   Index covers = 0;
   int functions = 0;

@@ -148,18 +148,24 @@ void multiply_rows(const Rows& fine, const CoverTransfer& p, const CoverMatrix& 
 void apply(const CoverMatrix& a, const Field& x, const Field& y) {
   const CoverMatrix m = a;
   device::for_each(
-      "rockfold::solve::apply_covers", m.covers, KOKKOS_LAMBDA(const Index p) {
+      "rockfold::solve::apply_covers", m.covers,
+      KOKKOS_LAMBDA(const Index p) {
         const int width = m.width();
-        Real sum[most_block_width];
+        Real sum[most_block_width], u[most_block_width];
         for (int r = 0; r < width; ++r) sum[r] = 0;
         const Real* v = &m.value(static_cast<std::size_t>(m.begin(p)) * width * width);
-        for (Index k = m.begin(p); k < m.begin(p + 1); ++k)
-          for (int e = 0; e < width; ++e, v += width) {
-            const Real u = x(e / 3 * m.covers + m.column(k), e % 3);
-            for (int r = 0; r < width; ++r) sum[r] += v[r] * u;
-          }
+        for (Index k = m.begin(p); k < m.begin(p + 1); ++k, v += width * width) {
+          for (int e = 0; e < width; ++e) u[e] = x(e / 3 * m.covers + m.column(k), e % 3);
+#ifdef ROCKFOLD_ON_GPU
+          for (int e = 0; e < width; ++e)
+            for (int r = 0; r < width; ++r) sum[r] += v[e * width + r] * u[e];
+#else
+          block_add(width, v, u, sum);
+#endif
+        }
         for (int r = 0; r < width; ++r) y(r / 3 * m.covers + p, r % 3) = sum[r];
-      });
+      },
+      m.width());
 }
 
 void multiply(const Operator& op, const Combination& c, const CoverTransfer& p,

@@ -49,14 +49,17 @@ SingleBlocks combined_blocks(const DeviceBlocks& from, const Combination& c, Rea
   SingleBlocks block{from.row,
                      from.slice_begin,
                      from.column,
-                     from.slice_begin,
-                     device::allocate<float>("solve::single_value", from.column.extent(0) * 9),
+                     from.value_begin,
+                     device::allocate<float>(
+                         "solve::single_value",
+                         from.value.extent(0) / (entry_size * from.functions * from.functions) * 9),
                      device::allocate<float>("solve::single_own", from.row.extent(0) * 3)};
   device::for_each(
       "rockfold::solve::combine", from.slots(), KOKKOS_LAMBDA(const Index slot) {
         const Index slice = slot / slice_lanes, lane = slot % slice_lanes;
         const Index begin = from.slice_begin(slice), end = from.slice_begin(slice + 1);
         const Real mass = from.diagonals(slice, 0, 0)[9 * slice_lanes + lane];
+        const bool owns = from.owning(from.owner(slice)) == slice;
         Real sum = 0;
         for (Index k = begin; k < end; ++k) {
           const Real* v = from.values(slice, 0, 0) +
@@ -65,7 +68,7 @@ SingleBlocks combined_blocks(const DeviceBlocks& from, const Combination& c, Rea
               block.values(slice) + static_cast<std::size_t>(k - begin) * 9 * slice_lanes + lane;
           const Real m = v[9 * slice_lanes];
           sum += m;
-          for (int j = 0; j < 9; ++j)
+          for (int j = 0; owns && j < 9; ++j)
             to[j * slice_lanes] = static_cast<float>(
                 (c.stiffness * v[j * slice_lanes] + (j % 4 == 0 ? c.mass * m : 0)) / scale);
         }

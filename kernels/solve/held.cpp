@@ -67,6 +67,37 @@ bool wants_grid(const HeldSystem& system) {
   return system.combination.mass == 0 && system.op.covers >= least;
 }
 
+/// Adds the springs' part to a load for as long as it lives; then the load is what it was, digit for digit. The few rows that springs
+/// act on are kept meanwhile, not the whole load.
+class LoadWithSprings {
+ public:
+  LoadWithSprings(const HeldSystem& system, const Field& goal, const Field& load)
+      : row_(system.springs.row), before_(system.load_before), load_(load) {
+    copy(load_, before_, true);
+    add_spring_load(system.springs, system.spring_factor, goal, load_);
+  }
+  ~LoadWithSprings() { copy(load_, before_, false); }
+  LoadWithSprings(const LoadWithSprings&) = delete;
+  LoadWithSprings& operator=(const LoadWithSprings&) = delete;
+
+  void copy(const Field& load, const Field& kept, bool keep) const {
+    const auto row = row_;
+    device::for_each(
+        "rockfold::solve::keep_load", static_cast<Index>(row.extent(0)),
+        KOKKOS_LAMBDA(const Index t) {
+          for (int d = 0; d < 3; ++d)
+            if (keep)
+              kept(t, d) = load(row(t), d);
+            else
+              load(row(t), d) = kept(t, d);
+        });
+  }
+
+ private:
+  Array<Index> row_;
+  Field before_, load_;
+};
+
 /// The diagonal blocks, without what is held.
 void find_diagonal(HeldSystem& system) {
   if (system.inverse.extent(0) == 0)
@@ -90,11 +121,11 @@ Preconditioning choose(HeldSystem& system, const Apply& a) {
                  system.combination, system.spring_factor);
     m.cover_grid = &system.cover_grid;
   } else {
-    if (!system.grid_current)
-      set_values(system.grid, system.op, system.springs, system.combination, system.spring_factor,
-                 m.inverse, system.largest_diagonal);
-    m.grid = &system.grid;
+    if (!system.grid_current) set_inverse(system.grid, m.inverse, system.largest_diagonal);
     m.inverse = system.inverse = {};  // the grid has it in single precision
+    if (!system.grid_current)
+      set_values(system.grid, system.op, system.springs, system.combination, system.spring_factor);
+    m.grid = &system.grid;
   }
   system.grid_current = true;
   return m;
@@ -126,7 +157,7 @@ bool small_enough(const PcgReport& done, const PcgOptions& pcg) {
 
 /// With the preconditioner that suits the system. Where that breaks down (not positive in its precision, covers too nearly dependent
 /// for it), or takes long, the other goes on from there; where that is no better, the first that did not break down.
-PcgReport solve_either_way(HeldSystem& system, const Apply& a, const Field& x,
+PcgReport solve_either_way(HeldSystem& system, const Apply& a, const Field& load, const Field& x,
                            const PcgOptions& pcg, Preconditioning& m) {
   m = choose(system, a);
   PcgReport done;
@@ -138,7 +169,7 @@ PcgReport solve_either_way(HeldSystem& system, const Apply& a, const Field& x,
     how.max_iterations = pcg.max_iterations - spent;
     if (may_change && (grid || !system.grid.levels.empty() || !system.cover_grid.levels.empty()))
       how.max_iterations = std::min(how.max_iterations, patience(grid, tries));
-    done = solve_pcg(system.work, a, m, system.load, x, how);
+    done = solve_pcg(system.work, a, m, load, x, how);
     spent += done.iterations;
     const bool broke = done.iterations < how.max_iterations;
     if (small_enough(done, pcg) || !may_change || spent >= pcg.max_iterations || interrupt_signal ||
@@ -173,7 +204,8 @@ PcgReport solve_increment(HeldSystem& system, const Apply& rock, const Apply& a,
                           Preconditioning& m) {
   const Field increment = device::make_field("solve::increment", system.op.unknowns);
   const Field left = device::make_field("solve::left_to_go", system.springs.points.count);
-  const Field load = system.load, of_rock = system.work.q;
+  const Field load = device::make_field("solve::left_to_carry", system.op.unknowns);
+  const Field of_rock = system.work.q;
   const auto points = system.springs.points;
   rock(x, of_rock);
   device::for_each(
@@ -186,7 +218,7 @@ PcgReport solve_increment(HeldSystem& system, const Apply& rock, const Apply& a,
       });
   add_spring_load(system.springs, system.spring_factor, left, load);
   const Real before = std::sqrt(dot(system.work, load, load));
-  PcgReport done = solve_either_way(system, a, increment, pcg, m);
+  PcgReport done = solve_either_way(system, a, load, increment, pcg, m);
   const Real after = done.residual * done.reference;
   if (!(after < before)) {
     done.residual = before / done.reference;
@@ -243,14 +275,15 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
   MergedPoints merged = merge_points(fixed);
   const bool any = preconditioner == Preconditioner::multigrid,
              automatic = preconditioner == Preconditioner::automatic;
+  system.work = make_pcg_work(op.unknowns);
   if (op.functions > 1 && (any || automatic))
     system.cover_grid = make_cover_grid(covers, merged.fixed.points);
   else if (any || (automatic && op.covers >= least_for_multigrid))
-    system.grid = make_multigrid(covers, op, merged.fixed.points);
+    system.grid = make_multigrid(covers, op, merged.fixed.points, system.work.q);
   system.springs = build_springs(merged.fixed, op.unknowns);
   system.shares = std::move(merged.shares);
-  system.work = make_pcg_work(op.unknowns);
-  system.load = device::make_field("solve::load", op.unknowns);
+  system.load_before =
+      device::make_field("solve::load_before", static_cast<Index>(system.springs.row.extent(0)));
   if (op.functions > 1) system.cover_blocks = make_cover_blocks(op.covers, op.functions);
   system.op = std::move(op);
   return system;
@@ -323,6 +356,7 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
   SolveReport report;
   const bool by_forces = options.rounding && springs.any() && pcg.tolerance > 0;
   bool carried = false;
+  Real load = 0;  // norm, with the springs' part
   // What residuals are measured against, such that the tolerance's share of it is not below rounding.
   auto reference_for = [&](Real forces) {
     Real floor = roundings * pcg.rounding;
@@ -339,9 +373,9 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
     if (carried) {
       done = solve_increment(system, rock, a, b, goal, x, pcg, m);
     } else {
-      Kokkos::deep_copy(system.load, b);
-      add_spring_load(springs, factor, goal, system.load);
-      done = solve_either_way(system, a, x, pcg, m);
+      const LoadWithSprings with_springs(system, goal, b);
+      if (by_forces) load = std::sqrt(dot(system.work, b, b));
+      done = solve_either_way(system, a, b, x, pcg, m);
     }
     if (!m.any_grid() && worth_a_grid(system))
       system.slow = system.slow || done.iterations > many_iterations;
@@ -356,8 +390,7 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
     const Real left = report.residual * pcg.reference;
     const Real forces = std::max(
         {options.pcg.reference, std::sqrt(dot(system.work, b, b)), spring_forces(system, goal, x)});
-    carried =
-        carried || std::sqrt(dot(system.work, system.load, system.load)) > far_carried * forces;
+    carried = carried || load > far_carried * forces;
     pcg.rounding = options.pcg.rounding + (carried ? options.rounding(x) : 0);
     pcg.reference = reference_for(forces);
     pcg.measure_load = false;

@@ -40,7 +40,7 @@ struct HeldSystem {
   bool grid_current = false;  ///< its values are those of the present combination
   bool grid_failed = false;   ///< it broke down with them
   bool slow = false;          ///< the diagonal blocks alone have taken many iterations
-  Field load;                 ///< b with the springs' part
+  Field load_before;          ///< work space: rows of b that springs act on
   /// What the multipliers' iteration has learned; it stays true from step to step. As deep as pays: each outer iteration costs
   /// some ten applications, a pair costs two vectors of the fixed points.
   Anderson acceleration{40};
@@ -72,7 +72,7 @@ struct HeldOptions {
   bool stop_at_rounding = false;
 };
 
-/// x: start and result. `base`: what x is an increment to, for the size of displacements (empty: none). The multipliers
+/// x: start and result. b holds the springs' part meanwhile, and is what it was afterwards. `base`: what x is an increment to, for the size of displacements (empty: none). The multipliers
 /// start from what they are and stay for the next solve.
 SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, const Field& x,
                        const Field& base, const HeldOptions& options);

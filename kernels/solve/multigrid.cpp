@@ -220,9 +220,20 @@ class Estimate {
 void allocate_fields(GridLevel& level, Index rows) {
   level.x = SingleField("rockfold::solve::level_x", rows);
   level.r = SingleField("rockfold::solve::level_r", rows);
+  level.inverse = SingleInverse("rockfold::solve::level_inverse", rows);
+}
+
+void allocate_steps(GridLevel& level, Index rows) {
   level.d = SingleField("rockfold::solve::level_d", rows);
   level.step = SingleField("rockfold::solve::level_step", rows);
-  level.inverse = SingleInverse("rockfold::solve::level_inverse", rows);
+}
+
+/// In memory of `lent`, which stays its owner's: two numbers in single precision for one in double.
+void borrow_steps(GridLevel& level, const Field& lent) {
+  const std::size_t rows = lent.extent(0);
+  auto* memory = reinterpret_cast<float*>(lent.data());
+  level.d = SingleField(memory, rows);
+  level.step = SingleField(memory + 3 * rows, rows);
 }
 
 /// The points with their weights of functions 0 alone: unknowns below `covers`.
@@ -243,17 +254,20 @@ MaterialPoints of_constants(const MaterialPoints& points, Index covers) {
 }  // namespace
 
 Multigrid make_multigrid(const CoverArrays& covers, const Operator& op,
-                         const MaterialPoints& points) {
+                         const MaterialPoints& points, const Field& lent) {
   Multigrid grid;
   const std::vector<CoarseCovers> coarse = coarsen_covers(covers, small_part);
   if (coarse.empty()) return grid;
   grid.levels.resize(coarse.size() + 1);
+  grid.lent = lent;
   allocate_fields(grid.levels[0], covers.cover_count());
+  borrow_steps(grid.levels[0], lent);
   grid.points = make_point_rows(of_constants(points, covers.cover_count()), covers.cover_count());
   std::vector<Index> classes = finest_classes(op, grid.points);
   for (std::size_t l = 0; l < coarse.size(); ++l) {
     GridLevel& level = grid.levels[l + 1];
     allocate_fields(level, coarse[l].count());
+    allocate_steps(level, coarse[l].count());
     classes = coarse_classes(coarse[l], classes);
     level.structure = make_coarse_rows(coarse[l], classes);
     level.from = make_interpolation(coarse[l]);
@@ -263,14 +277,12 @@ Multigrid make_multigrid(const CoverArrays& covers, const Operator& op,
   return grid;
 }
 
-void set_values(Multigrid& grid, const Operator& op, const Springs& springs, const Combination& c,
-                Real spring_factor, const Blocks& inverse, Real scale) {
+void set_inverse(Multigrid& grid, const Blocks& inverse, Real scale) {
   grid.scale = scale;
-  GridLevel& finest = grid.levels[0];
-  finest.a = finest_matrix(op, springs, grid.points, c, spring_factor, scale);
-  const auto to = finest.inverse;
+  const auto to = grid.levels[0].inverse;
   device::for_each(
-      "rockfold::solve::single_inverse", finest.a.rows, KOKKOS_LAMBDA(const Index p) {
+      "rockfold::solve::single_inverse", static_cast<Index>(to.extent(0)),
+      KOKKOS_LAMBDA(const Index p) {
         // An element too small for single precision stays at rest.
         const Real most = 1e36;
         bool fits = true;
@@ -278,6 +290,11 @@ void set_values(Multigrid& grid, const Operator& op, const Springs& springs, con
         for (int m = 0; m < 6; ++m)
           to(p, m) = fits ? static_cast<float>(inverse(p, m) * scale) : 0.0F;
       });
+}
+
+void set_values(Multigrid& grid, const Operator& op, const Springs& springs, const Combination& c,
+                Real spring_factor) {
+  grid.levels[0].a = finest_matrix(op, springs, grid.points, c, spring_factor, grid.scale);
   for (std::size_t l = 1; l < grid.levels.size(); ++l) {
     GridLevel& level = grid.levels[l];
     level.a = coarse_matrix(grid.levels[l - 1].a, level.from, level.structure);

@@ -22,19 +22,23 @@ struct GridLevel {
 };
 
 struct Multigrid {
+  Field lent;                     ///< of another, see make_multigrid
   std::vector<GridLevel> levels;  ///< finest first; two at least
   PointRows points;               ///< of the springs, with the weights of functions 0 alone
   DenseParts coarsest;  ///< empty where the last level's parts are too large: smoothed only
   Real scale = 1;       ///< what all values are divided by
 };
 
-/// Levels without values, from topology; none for a lattice that has no coarser one. `points`: those of the springs.
+/// Levels without values, from topology; none for a lattice that has no coarser one. `points`: those of the springs. `lent`: [P] a
+/// vector of the caller's in whose memory d and step of the finest level lie, in single precision: whatever it held is lost in
+/// set_values and precondition, and what is written to it in between does not matter.
 Multigrid make_multigrid(const CoverArrays& covers, const Operator& op,
-                         const MaterialPoints& points);
+                         const MaterialPoints& points, const Field& lent);
 
-/// Values for αK + βM + γ NᵀkN. `diagonal`: its inverted diagonal blocks; `scale`: its largest diagonal entry.
+/// For αK + βM + γ NᵀkN: its inverted diagonal blocks, and its largest diagonal entry. Then come the values.
+void set_inverse(Multigrid& grid, const Blocks& inverse, Real scale);
 void set_values(Multigrid& grid, const Operator& op, const Springs& springs, const Combination& c,
-                Real spring_factor, const Blocks& inverse, Real scale);
+                Real spring_factor);
 
 /// levels[0].x = scale / ‖r‖ · B r, with ‖r‖² = squared_norm(0) on the device.
 void precondition(const Multigrid& grid, const Field& r, const Array<Real>& squared_norm);

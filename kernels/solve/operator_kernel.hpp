@@ -49,10 +49,13 @@ struct DeviceStencil {
 };
 
 /// Block rows. With L the columns of a slice, its values stand as [k][l][column < L][10][lane]: block of 9, mass; those of the
-/// covers with themselves as [k][l][10][lane]. The first value of slice s is at n² · 10 · lanes · (slice_begin[s], s).
+/// covers with themselves as [k][l][10][lane]. The first value of slice s is at n² · 10 · lanes · (value_begin[s], owner[s]).
+/// Slices of rows that are alike share values.
 struct DeviceBlocks {
   int functions = 1;
-  Array<Index> row, slice_begin, column, source_begin;
+  Array<Index> row, slice_begin, column;
+  Array<Index> value_begin, owner, owning;  ///< see BlockRows
+  Array<Index> source_begin;                ///< empty once assembled, as `source`
   Array<Source> source;
   Array<Real> value, diagonal;
   /// [slots] 1: the row works on differences of constants to its own, so that a translation leaves nothing. 0: on the constants as they
@@ -61,14 +64,15 @@ struct DeviceBlocks {
 
   Index slots() const { return static_cast<Index>(row.extent(0)); }
   KOKKOS_INLINE_FUNCTION Real* values(Index slice, int k, int l) const {
-    const Index begin = slice_begin(slice), length = slice_begin(slice + 1) - begin;
+    const Index begin = value_begin(slice), length = slice_begin(slice + 1) - slice_begin(slice);
     const std::size_t pairs = static_cast<std::size_t>(functions) * functions;
     return &value(entry_size * slice_lanes *
                   (pairs * begin + static_cast<std::size_t>(k * functions + l) * length));
   }
   KOKKOS_INLINE_FUNCTION Real* diagonals(Index slice, int k, int l) const {
-    return &diagonal(entry_size * slice_lanes *
-                     (static_cast<std::size_t>(slice) * functions * functions + k * functions + l));
+    return &diagonal(
+        entry_size * slice_lanes *
+        (static_cast<std::size_t>(owner(slice)) * functions * functions + k * functions + l));
   }
 };
 

@@ -16,7 +16,8 @@ using Apply = std::function<void(const Field& x, const Field& y)>;
 
 /// The vectors that a solve needs; allocated once.
 struct PcgWork {
-  Field r, p, q;
+  Field r, p;
+  Field q;              ///< A p; needed no more while a residual is preconditioned
   Field z;              ///< empty until a solve without multigrid needs it
   Array<Real> partial;  ///< sums of chunks
   Array<Real> scalar;   ///< see pcg.cpp

@@ -1,6 +1,7 @@
 #include "kernels/solve/rows.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -88,11 +89,12 @@ StencilCovers find_stencil_covers(const CoverArrays& covers) {
   return found;
 }
 
-std::vector<Index> neighbours(const CoverArrays& covers, const StencilCovers& stencil, Index p) {
-  std::vector<Index> result;
+/// `result`: one room for all covers, who are many.
+void find_neighbours(const CoverArrays& covers, const StencilCovers& stencil, Index p,
+                     std::vector<Index>& result) {
+  result.clear();
   for (const auto& [from, to] : stencil.classes[stencil.of[p]].pair)
     result.push_back(covers.regular_cover[stencil.nodes * stencil.cell_at(p, from) + to]);
-  return result;
 }
 
 StencilRuns make_runs(const CoverArrays& covers, const StencilCovers& stencil) {
@@ -103,10 +105,11 @@ StencilRuns make_runs(const CoverArrays& covers, const StencilCovers& stencil) {
     std::vector<Index> next;  ///< neighbours of the cover that would go on
   };
   std::vector<Open> open(stencil.classes.size());
+  std::vector<Index> now;
   for (Index p = 0; p < covers.cover_count(); ++p) {
     if (stencil.material[p] == none) continue;
     Open& last = open[stencil.of[p]];
-    std::vector<Index> now = neighbours(covers, stencil, p);
+    find_neighbours(covers, stencil, p, now);
     const bool goes_on = last.run != none &&
                          runs.first[last.run] + runs.stride * runs.length[last.run] == p &&
                          runs.material[last.run] == stencil.material[p] &&
@@ -123,7 +126,7 @@ StencilRuns make_runs(const CoverArrays& covers, const StencilCovers& stencil) {
       runs.neighbour.insert(runs.neighbour.end(), now.begin(), now.end());
     }
     for (Index& q : now) q += runs.stride;
-    last.next = std::move(now);
+    last.next.swap(now);
   }
   return runs;
 }
@@ -133,6 +136,7 @@ struct PlainRows {
   std::vector<Index> cover, source_begin, column_begin;
   std::vector<Source> source;
   std::vector<Index> column;
+  std::vector<Index> alike;  ///< rows of one number have the same values in the same order; or none
 
   Index length(Index b) const { return column_begin[b + 1] - column_begin[b]; }
 };
@@ -202,15 +206,66 @@ void gather_columns(const CoverArrays& covers, PlainRows& rows) {
   }
 }
 
-/// Rows of like length side by side, sorted within windows small enough to keep neighbours near.
+/// Rows between regular cells alone are alike where the same cells of the same materials meet in the same places, and their couplings
+/// stand in the same columns: at the boundary of what is whole, and between materials.
+void find_alike(const CoverArrays& covers, PlainRows& rows) {
+  const auto couple = couplings(covers);
+  const int nodes = covers.nodes_per_cell();
+  std::map<std::vector<Index>, Index> known;
+  std::vector<Index> place(covers.cover_node.size()), key;
+  rows.alike.assign(rows.cover.size(), none);
+  for (std::size_t b = 0; b < rows.cover.size(); ++b) {
+    const Index end = rows.source_begin[b + 1];
+    if (rows.source_begin[b] == end || rows.source[end - 1] < 0) continue;
+    for (Index k = rows.column_begin[b]; k < rows.column_begin[b + 1]; ++k)
+      place[rows.column[k]] = k - rows.column_begin[b];
+    place[rows.cover[b]] = none;
+    key.clear();
+    for (Index s = rows.source_begin[b]; s < end; ++s) {
+      const Index r = static_cast<Index>(rows.source[s] / nodes);
+      const int node = static_cast<int>(rows.source[s] % nodes);
+      const int form = LatticeFunctions::form(covers.lattice, covers.regular_cell[r]);
+      key.insert(key.end(), {node, form, covers.regular_material[r]});
+      for (int c = 0; c < nodes; ++c)
+        if (couple[form][node][c]) key.push_back(place[covers.regular_cover[r * nodes + c]]);
+    }
+    rows.alike[b] = known.try_emplace(key, static_cast<Index>(known.size())).first->second;
+  }
+}
+
+/// Rows of like length, and of those the ones that are alike, side by side, sorted within windows small enough to keep neighbours near.
 std::vector<Index> slice_order(const PlainRows& rows) {
   constexpr std::size_t window = 512;
   std::vector<Index> order(rows.cover.size());
   for (std::size_t b = 0; b < order.size(); ++b) order[b] = static_cast<Index>(b);
   for (std::size_t w = 0; w < order.size(); w += window)
     std::stable_sort(order.begin() + w, order.begin() + std::min(w + window, order.size()),
-                     [&](Index a, Index b) { return rows.length(a) > rows.length(b); });
+                     [&](Index a, Index b) {
+                       return rows.length(a) != rows.length(b) ? rows.length(a) > rows.length(b)
+                                                               : rows.alike[a] < rows.alike[b];
+                     });
   return order;
+}
+
+/// Which values the next slice has: of so many columns, its rows order[begin …].
+void share_values(const PlainRows& rows, const std::vector<Index>& order, std::size_t begin,
+                  Index columns, std::vector<Index>& owner_of, BlockRows& sliced) {
+  const Index slice = static_cast<Index>(sliced.value_begin.size());
+  Index alike = begin + sliced.lanes <= order.size() ? rows.alike[order[begin]] : none;
+  for (int l = 1; l < sliced.lanes && alike != none; ++l)
+    if (rows.alike[order[begin + l]] != alike) alike = none;
+  if (alike != none && owner_of.size() <= static_cast<std::size_t>(alike))
+    owner_of.resize(alike + 1, none);
+  if (alike != none && owner_of[alike] != none) {
+    sliced.value_begin.push_back(sliced.value_begin[owner_of[alike]]);
+    sliced.owner.push_back(sliced.owner[owner_of[alike]]);
+    return;
+  }
+  if (alike != none) owner_of[alike] = slice;
+  sliced.value_begin.push_back(sliced.value_columns);
+  sliced.value_columns += columns;
+  sliced.owner.push_back(static_cast<Index>(sliced.owning.size()));
+  sliced.owning.push_back(slice);
 }
 
 BlockRows slice_rows(const PlainRows& rows, int lanes) {
@@ -219,8 +274,10 @@ BlockRows slice_rows(const PlainRows& rows, int lanes) {
   sliced.slice_begin.push_back(0);
   sliced.source_begin.push_back(0);
   const std::vector<Index> order = slice_order(rows);
+  std::vector<Index> owner_of;  // the slice that has the values of rows that are alike
   for (std::size_t begin = 0; begin < order.size(); begin += lanes) {
     const Index longest = rows.length(order[begin]);
+    share_values(rows, order, begin, longest, owner_of, sliced);
     const std::size_t first_column = sliced.column.size();
     sliced.column.resize(first_column + static_cast<std::size_t>(longest) * lanes, 0);
     for (int l = 0; l < lanes; ++l) {
@@ -324,6 +381,10 @@ Rows sort_rows(const CoverArrays& covers, int lanes, bool stencils) {
     }
   gather_sources(covers, row_of_cover, plain);
   gather_columns(covers, plain);
+  if (stencils)
+    find_alike(covers, plain);
+  else
+    plain.alike.assign(plain.cover.size(), none);
 
   Rows rows;
   rows.stencil = make_runs(covers, stencil);

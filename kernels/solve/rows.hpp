@@ -67,6 +67,10 @@ struct BlockRows {
       slice_begin;  ///< [S+1] first column of each slice, in units of `lanes` entries
   std::vector<Index>
       column;  ///< [slice_begin[S]][lanes] neighbouring cover; the row's own where a row is shorter
+  /// [S] where the values of a slice begin, as slice_begin; the number of their owner. Slices of rows that are alike share them.
+  std::vector<Index> value_begin, owner;
+  std::vector<Index> owning;        ///< slices that have values of their own, ascending
+  Index value_columns = 0;          ///< of those
   std::vector<Index> source_begin;  ///< [S·lanes+1]
   std::vector<Source> source;       ///< regular cells first, ascending; then elements, ascending
 
@@ -80,7 +84,7 @@ struct Rows {
   std::int64_t neighbours = 0;  ///< of block covers, without padding, themselves not counted
 };
 
-/// Linear in the number of covers, cells and elements. Without `stencils` all rows are block rows.
+/// Linear in the number of covers, cells and elements. Without `stencils` all rows are block rows, none alike.
 Rows sort_rows(const CoverArrays& covers, int lanes, bool stencils = true);
 
 }  // namespace rockfold::solve

@@ -76,6 +76,28 @@ void stencil_gather(Index length, Index stride, Index differences, Index terms, 
   }
 }
 
+namespace {
+
+template <int width>
+[[gnu::always_inline]] inline void add_block(const Real* value, const Real* u, Real* sum) {
+  Real s[width];  // in registers
+  for (int r = 0; r < width; ++r) s[r] = sum[r];
+  for (int e = 0; e < width; ++e, value += width)
+    for (int r = 0; r < width; ++r) s[r] += value[r] * u[e];
+  for (int r = 0; r < width; ++r) sum[r] = s[r];
+}
+
+}  // namespace
+
+/// With the widths of covers of order 1 and 2 known to the compiler.
+ROCKFOLD_SIMD_VERSIONS
+void block_add(int width, const Real* value, const Real* u, Real* sum) {
+  if (width == 12) return add_block<12>(value, u, sum);
+  if (width == 30) return add_block<30>(value, u, sum);
+  for (int e = 0; e < width; ++e, value += width)
+    for (int r = 0; r < width; ++r) sum[r] += value[r] * u[e];
+}
+
 ROCKFOLD_SIMD_VERSIONS
 void slice_add(Index columns, const Index* column, const Real* value, Real stiffness, Real mass,
                const Components& x, const Real (*own)[simd_lanes], Real (*sum)[simd_lanes]) {

@@ -31,4 +31,7 @@ inline constexpr int simd_lanes = 8;
 void slice_add(Index columns, const Index* column, const Real* value, Real stiffness, Real mass,
                const Components& x, const Real (*own)[simd_lanes], Real (*sum)[simd_lanes]);
 
+/// sum[r] += Σ_e value[e][r] u[e], r, e < width.
+void block_add(int width, const Real* value, const Real* u, Real* sum);
+
 }  // namespace rockfold::solve
