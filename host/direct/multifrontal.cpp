@@ -101,7 +101,7 @@ Matrix Multifrontal::eliminate(Matrix& front, Index f, Real least_pivot) {
   const Index columns = own(f), below = rows(f) - columns;
   Factor& factor = factor_[f];
   std::vector<Index> order;
-  const Index rank = pivoted_cholesky(front.topLeftCorner(columns, columns), least_pivot, order);
+  const Index rank = pivoted_cholesky(front.data(), columns, rows(f), least_pivot, order);
   order.resize(rank);
   factor.own = front.topLeftCorner(rank, rank);
   factor.below.resize(below, rank);

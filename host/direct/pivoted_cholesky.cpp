@@ -4,14 +4,18 @@
 #include <cmath>
 #include <numeric>
 
+#include <Eigen/Core>
+
 namespace rockfold::host {
 namespace {
+
+using Block = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
 /// Columns that are found before the rest of the matrix follows.
 constexpr Index panel = 32;
 
 /// Exchanges rows and columns i < j of the lower half.
-void exchange(Eigen::Ref<Eigen::MatrixXd>& a, Index i, Index j) {
+void exchange(Block& a, Index i, Index j) {
   const Index n = static_cast<Index>(a.rows());
   a.row(i).head(i).swap(a.row(j).head(i));
   for (Index k = i + 1; k < j; ++k) std::swap(a(k, i), a(j, k));
@@ -21,8 +25,9 @@ void exchange(Eigen::Ref<Eigen::MatrixXd>& a, Index i, Index j) {
 
 }  // namespace
 
-Index pivoted_cholesky(Eigen::Ref<Eigen::MatrixXd> a, Real least_pivot, std::vector<Index>& order) {
-  const Index n = static_cast<Index>(a.rows());
+Index pivoted_cholesky(Real* values, Index n, Index stride, Real least_pivot,
+                       std::vector<Index>& order) {
+  Block a(values, n, n, Eigen::OuterStride<>(stride));
   order.resize(n);
   std::iota(order.begin(), order.end(), 0);
   Eigen::VectorXd diagonal = a.diagonal();  // with the panel's columns taken off

@@ -126,8 +126,7 @@ Field diagonal_of(const BlockMatrix& a) {
   for (Index i = 0; i < covers; ++i)
     for (std::size_t e = 0; e < width; ++e)
       diagonal[e / 3 * covers + i][e % 3] = a.value[(find_block(a, i, i) * width + e) * width + e];
-  const Field field =
-      device::make_field("solve::matrix_diagonal", static_cast<Index>(diagonal.size()));
+  Field field = device::make_field("solve::matrix_diagonal", static_cast<Index>(diagonal.size()));
   device::copy_to_device(diagonal, field);
   return field;
 }
