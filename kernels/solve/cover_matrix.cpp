@@ -1,6 +1,7 @@
 // Galerkin's products of covers with several functions, by rows: a coarse row gathers from the rows of its children, so that each value is
 // summed by one thread in one order.
 #include "kernels/solve/cover_grid_kernel.hpp"
+#include "kernels/solve/operator_rows_kernel.hpp"
 
 namespace rockfold::solve {
 namespace {
@@ -26,57 +27,6 @@ KOKKOS_INLINE_FUNCTION void restrict_in_place(bool quadratic, const Real* step, 
     f[(7 + d) * stride] += 0.5 * (step[e] * f[(1 + d) * stride] + step[d] * f[(1 + e) * stride]);
   }
 }
-
-/// The rows of the operator, block by block.
-struct OperatorRows {
-  DeviceStencil stencil;
-  DeviceBlocks block;
-  Array<Index> place;
-  Combination c;
-  int functions;
-
-  /// How many blocks a row has room for.
-  KOKKOS_INLINE_FUNCTION Index count(Index i) const {
-    const Index at = place(i);
-    if (at < 0) return stencil.run_offsets(-1 - at);
-    const Index slice = at / slice_lanes;
-    return 1 + block.slice_begin(slice + 1) - block.slice_begin(slice);
-  }
-  /// Block m as [column][row]; returns the cover of its column, none for padding.
-  KOKKOS_INLINE_FUNCTION Index load(Index i, Index m, Real* a) const {
-    const Index at = place(i);
-    if (at < 0) {
-      const Index run = -1 - at, offsets = stencil.run_offsets(run);
-      for (int k = 0; k < functions; ++k)
-        for (int l = 0; l < functions; ++l)
-          store(k, l, stencil.of_run(run) + stencil.entry(offsets, k, m, l), 1, a);
-      return m == 0
-                 ? i
-                 : stencil.neighbour(stencil.neighbour_begin(run) + m - 1) + i - stencil.first(run);
-    }
-    const Index slice = at / slice_lanes, lane = at % slice_lanes;
-    const Index j =
-        m == 0 ? i : block.column((block.slice_begin(slice) + m - 1) * slice_lanes + lane);
-    if (m > 0 && j == i) return none;
-    for (int k = 0; k < functions; ++k)
-      for (int l = 0; l < functions; ++l)
-        store(k, l,
-              m == 0 ? block.diagonals(slice, k, l) + lane
-                     : block.values(slice, k, l) +
-                           static_cast<std::size_t>(m - 1) * entry_size * slice_lanes + lane,
-              slice_lanes, a);
-    return j;
-  }
-
- private:
-  KOKKOS_INLINE_FUNCTION void store(int k, int l, const Real* v, int lanes, Real* a) const {
-    const int width = 3 * functions;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        a[(3 * l + j) * width + 3 * k + i] =
-            c.stiffness * v[(3 * i + j) * lanes] + (i == j ? c.mass * v[9 * lanes] : 0);
-  }
-};
 
 /// The rows of a coarse level.
 struct MatrixRows {
@@ -170,7 +120,7 @@ void apply(const CoverMatrix& a, const Field& x, const Field& y) {
 
 void multiply(const Operator& op, const Combination& c, const CoverTransfer& p,
               const CoverMatrix& to) {
-  multiply_rows(OperatorRows{op.stencil, op.block, cover_places(op), c, op.functions}, p, to);
+  multiply_rows(rows_of(op, c), p, to);
 }
 
 void multiply(const CoverMatrix& fine, const CoverTransfer& p, const CoverMatrix& to) {

@@ -9,6 +9,7 @@
 #include "kernels/solve/cover_vector.hpp"
 #include "kernels/solve/solve_report.hpp"
 #include "src/arrays/cover_arrays.hpp"
+#include "src/arrays/direct_solver.hpp"
 #include "src/arrays/element_arrays.hpp"
 
 namespace rockfold {
@@ -52,7 +53,8 @@ class CoverSystem {
  public:
   CoverSystem(const CoverArrays& covers, const PieceMoments& moments,
               const std::vector<ElasticMaterial>& materials, const FixedPoints& fixed = {},
-              Preconditioner preconditioner = Preconditioner::automatic);
+              Preconditioner preconditioner = Preconditioner::automatic,
+              const MakeDirectSolver& direct = {});
   ~CoverSystem();
   CoverSystem(CoverSystem&&) noexcept;
   CoverSystem& operator=(CoverSystem&&) noexcept;

@@ -6,7 +6,7 @@
 
 #include "kernels/solve/held_kernel.hpp"
 #include "kernels/solve/rock_motion_kernel.hpp"
-#include "src/base/interrupt.hpp"
+#include "kernels/solve/ways_kernel.hpp"
 
 namespace rockfold::solve {
 namespace {
@@ -46,26 +46,8 @@ void update_multipliers(HeldSystem& system) {
   scale_by_stiffness(springs, factor, 0.5, springs.multiplier);
 }
 
-/// With fewer covers multigrid does not pay even in a static analysis: of one function, of several.
-constexpr Index least_for_multigrid = 2000, least_for_cover_grid = 100;
 /// Iterations of a dynamic step from which multigrid would be faster.
 constexpr Index many_iterations = 80;
-
-/// A mass matrix of covers with one function needs no multigrid. With several, what is nearly dependent in them is as smooth
-/// and as weak in the mass as in the stiffness.
-bool worth_a_grid(const HeldSystem& system) {
-  return system.combination.stiffness != 0 || system.op.functions > 1;
-}
-
-/// Whether the next solve is to use multigrid. Short time steps need none.
-bool wants_grid(const HeldSystem& system) {
-  if ((system.grid.levels.empty() && system.cover_grid.levels.empty()) || system.grid_failed ||
-      !(system.largest_diagonal > 0) || !worth_a_grid(system))
-    return false;
-  if (system.preconditioner == Preconditioner::multigrid || system.slow) return true;
-  const Index least = system.op.functions == 1 ? least_for_multigrid : least_for_cover_grid;
-  return system.combination.mass == 0 && system.op.covers >= least;
-}
 
 /// Adds the springs' part to a load for as long as it lives; then the load is what it was, digit for digit. The few rows that springs
 /// act on are kept meanwhile, not the whole load.
@@ -108,82 +90,8 @@ void find_diagonal(HeldSystem& system) {
     diagonal_blocks(system.op, system.combination, system.inverse);
 }
 
-Preconditioning choose(HeldSystem& system, const Apply& a) {
-  Preconditioning m;
-  m.covers = system.op.functions > 1 ? &system.cover_blocks : nullptr;
-  m.spring_factor = system.spring_factor;
-  const bool grid = wants_grid(system);
-  if (system.op.functions == 1 && !(grid && system.grid_current)) m.inverse = inverse_of(system);
-  if (!grid) return m;
-  if (system.op.functions > 1) {
-    if (!system.grid_current)
-      set_values(system.cover_grid, a, system.work, system.op, system.cover_blocks, system.springs,
-                 system.combination, system.spring_factor);
-    m.cover_grid = &system.cover_grid;
-  } else {
-    if (!system.grid_current) set_inverse(system.grid, m.inverse, system.largest_diagonal);
-    m.inverse = system.inverse = {};  // the grid has it in single precision
-    if (!system.grid_current)
-      set_values(system.grid, system.op, system.springs, system.combination, system.spring_factor);
-    m.grid = &system.grid;
-  }
-  system.grid_current = true;
-  return m;
-}
-
-/// From multigrid to blocks, from blocks to multigrid. False: there is no other way.
-bool change_way(HeldSystem& system, Preconditioning& m, const Apply& a) {
-  const bool from_grid = m.any_grid();
-  system.grid_failed = from_grid;
-  if (!from_grid) {
-    system.slow = true;
-    if (!wants_grid(system)) return false;
-  }
-  m = choose(system, a);
-  return true;
-}
-
-/// Iterations after which the other way is tried: first with blocks, first with multigrid, then with blocks (a cycle costs what ten
-/// of them do), then with multigrid.
-Index patience(bool grid, int tries) {
-  if (tries == 0) return grid ? 300 : 200;
-  return grid ? 1000 : 1500;
-}
-
-/// Where forces cancel there may be less left than a share of it could be told from rounding.
-bool small_enough(const PcgReport& done, const PcgOptions& pcg) {
-  return done.converged || done.residual <= pcg.tolerance;
-}
-
-/// With the preconditioner that suits the system. Where that breaks down (not positive in its precision, covers too nearly dependent
-/// for it), or takes long, the other goes on from there; where that is no better, the first that did not break down.
-PcgReport solve_either_way(HeldSystem& system, const Apply& a, const Field& load, const Field& x,
-                           const PcgOptions& pcg, Preconditioning& m) {
-  m = choose(system, a);
-  PcgReport done;
-  Index spent = 0;
-  bool another = true, first_broke = false;
-  for (int tries = 0;; ++tries) {
-    const bool grid = m.any_grid(), may_change = another && !(tries == 1 && first_broke);
-    PcgOptions how = pcg;
-    how.max_iterations = pcg.max_iterations - spent;
-    if (may_change && (grid || !system.grid.levels.empty() || !system.cover_grid.levels.empty()))
-      how.max_iterations = std::min(how.max_iterations, patience(grid, tries));
-    done = solve_pcg(system.work, a, m, load, x, how);
-    spent += done.iterations;
-    const bool broke = done.iterations < how.max_iterations;
-    if (small_enough(done, pcg) || !may_change || spent >= pcg.max_iterations || interrupt_signal ||
-        !change_way(system, m, a))
-      break;
-    if (std::isnan(done.residual)) Kokkos::deep_copy(x, 0.0);
-    if (tries == 0) first_broke = broke;
-    if (tries == 1) another = false;
-  }
-  done.iterations = spent;
-  return done;
-}
-
 Preconditioner kind_of(const HeldSystem& system, const Preconditioning& m) {
+  if (m.factors) return Preconditioner::direct;
   if (m.any_grid()) return Preconditioner::multigrid;
   return system.preconditioner == Preconditioner::block_jacobi ? Preconditioner::block_jacobi
                                                                : Preconditioner::node_block_jacobi;
@@ -218,7 +126,7 @@ PcgReport solve_increment(HeldSystem& system, const Apply& rock, const Apply& a,
       });
   add_spring_load(system.springs, system.spring_factor, left, load);
   const Real before = std::sqrt(dot(system.work, load, load));
-  PcgReport done = solve_either_way(system, a, load, increment, pcg, m);
+  PcgReport done = solve_any_way(system, a, load, increment, pcg, m);
   const Real after = done.residual * done.reference;
   if (!(after < before)) {
     done.residual = before / done.reference;
@@ -242,6 +150,25 @@ Real rounding_of_motion(HeldSystem& system, const Field& x, const Field& base,
   if (!(size > 0)) return 0;
   return options.rounding(larger) / size * largest_motion(system, x, base) *
          std::sqrt(static_cast<Real>(system.op.unknowns));
+}
+
+/// What rounding leaves of the springs' forces at x: stiff ones hold points that hardly move by functions that cancel there.
+Real rounding_of_springs(const HeldSystem& system, const Field& x) {
+  constexpr Real unit = 0.5 * std::numeric_limits<Real>::epsilon();
+  const Springs s = system.springs;
+  const Real factor = unit * system.spring_factor;
+  device::for_each(
+      "rockfold::solve::spring_rounding", s.points.count, KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d) {
+          Real sum = 0;
+          for (Index i = s.points.begin(n); i < s.points.begin(n + 1); ++i)
+            sum += device::math::fabs(s.points.weight(i) * x(s.points.unknown(i), d));
+          s.force(n, d) = factor * s.stiffness(n, d) * sum;
+        }
+      });
+  Kokkos::deep_copy(system.work.q, 0.0);
+  scatter(s, 1, s.force, system.work.q);
+  return std::sqrt(dot(system.work, system.work.q, system.work.q));
 }
 
 /// ‖Nᵀ f‖, f the forces of the springs at x.
@@ -269,12 +196,13 @@ bool any_augmented(const Springs& springs) {
 }  // namespace
 
 HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedPoints& fixed,
-                            Preconditioner preconditioner) {
+                            Preconditioner preconditioner, const MakeDirectSolver& direct) {
   HeldSystem system;
   system.preconditioner = preconditioner;
   MergedPoints merged = merge_points(fixed);
   const bool any = preconditioner == Preconditioner::multigrid,
-             automatic = preconditioner == Preconditioner::automatic;
+             automatic = preconditioner == Preconditioner::automatic ||
+                         preconditioner == Preconditioner::direct;
   system.work = make_pcg_work(op.unknowns);
   if (op.functions > 1 && (any || automatic))
     system.cover_grid = make_cover_grid(covers, merged.fixed.points);
@@ -284,6 +212,8 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
   system.shares = std::move(merged.shares);
   system.load_before =
       device::make_field("solve::load_before", static_cast<Index>(system.springs.row.extent(0)));
+  if (any || automatic) system.factors.make = direct;
+  system.factors.functions = op.functions;
   if (op.functions > 1) system.cover_blocks = make_cover_blocks(op.covers, op.functions);
   system.op = std::move(op);
   return system;
@@ -308,6 +238,7 @@ void set_combination(HeldSystem& system, const Combination& c, Real spring_facto
     system.inverse = {};  // the blocks hold it
   }
   system.grid_current = system.grid_failed = false;
+  system.factors.current = system.factors.failed = false;
   system.acceleration.forget();
 }
 
@@ -331,14 +262,15 @@ SolveReport find_same_motion(HeldSystem& system, const Field& x, const Field& y,
     apply_rock(system, u, v);
     apply_springs(system.springs, system.spring_factor, u, v);
   };
-  a(x, system.load);
+  const Field load = device::make_field("solve::load_of_motion", system.op.unknowns);
+  a(x, load);
   Kokkos::deep_copy(y, 0.0);
   Preconditioning m;
-  const PcgReport done = solve_either_way(system, a, y, pcg, m);
+  const PcgReport done = solve_any_way(system, a, load, y, pcg, m);
   SolveReport report;
   report.iterations = done.iterations;
   report.residual = done.residual;
-  report.converged = done.converged;
+  report.converged = done.residual <= pcg.tolerance;
   report.preconditioner = kind_of(system, m);
   return report;
 }
@@ -355,7 +287,7 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
   PcgOptions pcg = options.pcg;
   SolveReport report;
   const bool by_forces = options.rounding && springs.any() && pcg.tolerance > 0;
-  bool carried = false;
+  bool carried = false, by_factors = false;
   Real load = 0;  // norm, with the springs' part
   // What residuals are measured against, such that the tolerance's share of it is not below rounding.
   auto reference_for = [&](Real forces) {
@@ -375,15 +307,20 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
     } else {
       const LoadWithSprings with_springs(system, goal, b);
       if (by_forces) load = std::sqrt(dot(system.work, b, b));
-      done = solve_either_way(system, a, b, x, pcg, m);
+      done = solve_any_way(system, a, b, x, pcg, m);
     }
-    if (!m.any_grid() && worth_a_grid(system))
+    by_factors = m.factors != nullptr;
+    if (!m.whole() && worth_a_grid(system))
       system.slow = system.slow || done.iterations > many_iterations;
     report.preconditioner = kind_of(system, m);
     pcg.reference = done.reference;  // one measure for all solves
     report.iterations += done.iterations;
     report.residual = done.residual;
     report.converged = small_enough(done, pcg);
+    if (reduction == 0 && done.converged && done.residual > pcg.tolerance) {  // rounding is left
+      pcg.reference *= done.residual / pcg.tolerance;
+      report.residual = pcg.tolerance;
+    }
   };
   // Measures what is left against the forces found; false: it would have to be less.
   auto measure = [&] {
@@ -391,7 +328,8 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
     const Real forces = std::max(
         {options.pcg.reference, std::sqrt(dot(system.work, b, b)), spring_forces(system, goal, x)});
     carried = carried || load > far_carried * forces;
-    pcg.rounding = options.pcg.rounding + (carried ? options.rounding(x) : 0);
+    pcg.rounding = options.pcg.rounding;
+    if (carried || by_factors) pcg.rounding += options.rounding(x) + rounding_of_springs(system, x);
     pcg.reference = reference_for(forces);
     pcg.measure_load = false;
     if (pcg.reference > 0) report.residual = left / pcg.reference;

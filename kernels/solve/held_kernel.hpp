@@ -37,6 +37,7 @@ struct HeldSystem {
   Preconditioner preconditioner = Preconditioner::automatic;
   Multigrid grid;             ///< of one function; without levels where it is not wanted
   CoverGrid cover_grid;       ///< of several, likewise
+  Factors factors;            ///< the third way
   bool grid_current = false;  ///< its values are those of the present combination
   bool grid_failed = false;   ///< it broke down with them
   bool slow = false;          ///< the diagonal blocks alone have taken many iterations
@@ -46,7 +47,8 @@ struct HeldSystem {
   Anderson acceleration{40};
 };
 HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedPoints& fixed,
-                            Preconditioner preconditioner = Preconditioner::automatic);
+                            Preconditioner preconditioner = Preconditioner::automatic,
+                            const MakeDirectSolver& direct = {});
 
 /// Chooses α, β, γ; with `stiffen`, also the stiffness of augmented points that suits them.
 void set_combination(HeldSystem& system, const Combination& c, Real spring_factor, bool stiffen);

@@ -217,9 +217,12 @@ void turn_grid(const PcgWork& work, const Multigrid& grid, bool first) {
       });
 }
 
-/// turn_grid with the grid of covers with several functions.
-void turn_cover_grid(const PcgWork& work, const Apply& a, const Preconditioning& m, bool first) {
-  precondition(*m.cover_grid, a, m.spring_factor, work.r, work.z);
+/// turn_grid with factors, or with the grid of covers with several functions.
+void turn_whole(const PcgWork& work, const Apply& a, const Preconditioning& m, bool first) {
+  if (m.factors)
+    precondition(*m.factors, work.r, work.z);
+  else
+    precondition(*m.cover_grid, a, m.spring_factor, work.r, work.z);
   const PcgWork w = work;
   device::sum_then<1>(
       "rockfold::solve::pcg_cover_energy", rows(w), w.partial,
@@ -237,8 +240,8 @@ void turn_cover_grid(const PcgWork& work, const Apply& a, const Preconditioning&
 void turn(const PcgWork& work, const Apply& a, const Preconditioning& m, bool first) {
   if (m.grid)
     turn_grid(work, *m.grid, first);
-  else if (m.cover_grid)
-    turn_cover_grid(work, a, m, first);
+  else if (m.whole())
+    turn_whole(work, a, m, first);
   else if (!first)
     turn_blocks(work);
 }
@@ -247,7 +250,7 @@ void turn(const PcgWork& work, const Apply& a, const Preconditioning& m, bool fi
 Real start(const PcgWork& work, const Apply& a, const Preconditioning& m, const Field& b,
            const Field& x) {
   a(x, work.q);
-  if (m.any_grid())
+  if (m.whole())
     start_grid(work, b);
   else if (m.covers)
     start_covers(work, *m.covers, b);
@@ -265,7 +268,7 @@ Real iterate(const PcgWork& work, const Apply& a, const Preconditioning& m, cons
   while (iterations < max_iterations && !interrupt_signal) {
     a(work.p, work.q);
     find_step(work);
-    if (m.any_grid())
+    if (m.whole())
       take_step_grid(work, x);
     else if (m.covers)
       take_step_covers(work, *m.covers, x);

@@ -7,6 +7,7 @@
 
 #include "kernels/device/sums_kernel.hpp"
 #include "kernels/solve/cover_grid_kernel.hpp"
+#include "kernels/solve/direct_kernel.hpp"
 #include "kernels/solve/multigrid_kernel.hpp"
 
 namespace rockfold::solve {
@@ -28,16 +29,19 @@ struct PcgReport {
   bool converged = false;  ///< the tolerance, or the reduction asked for, was reached
 };
 
-/// What approximates A⁻¹: multigrid where there is one, otherwise the inverted blocks of whole covers, otherwise the inverted 3×3
-/// blocks of the diagonal.
+/// What approximates A⁻¹: factors where there are some, otherwise multigrid where there is one, otherwise the inverted blocks of whole
+/// covers, otherwise the inverted 3×3 blocks of the diagonal.
 struct Preconditioning {
   Blocks inverse;
   const Multigrid* grid = nullptr;
   const CoverGrid* cover_grid = nullptr;
   const CoverBlocks* covers = nullptr;
+  const Factors* factors = nullptr;
   Real spring_factor = 1;  ///< of the cover grid
 
   bool any_grid() const { return grid != nullptr || cover_grid != nullptr; }
+  /// Whether z = B r takes more than a row at a time.
+  bool whole() const { return any_grid() || factors != nullptr; }
 };
 
 /// Solves A x = b from the x given.

@@ -46,7 +46,7 @@ void make_system(Motion::Data& m, const MotionSetup& setup) {
   m.held = solve::make_held_system(
       setup.covers,
       solve::build_operator(setup.covers, setup.moments, setup.materials, !setup.large),
-      setup.fixed, setup.preconditioner);
+      setup.fixed, setup.preconditioner, setup.direct);
   if (setup.large) {
     auto rock = make_finite_strain(setup, m.held);
     m.large = rock.get();

@@ -51,6 +51,7 @@ struct MotionSetup {
   Real dynamic_ratio = 1;
   SolveOptions solver{};
   Preconditioner preconditioner = Preconditioner::automatic;
+  MakeDirectSolver direct{};  ///< empty: conjugate gradients do without factors
 };
 
 class Motion {

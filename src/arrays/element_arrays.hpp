@@ -35,7 +35,8 @@ enum class Preconditioner : std::uint8_t {
   automatic,
   block_jacobi,       ///< the 3×3 blocks of each cover function
   node_block_jacobi,  ///< one block for each lattice node
-  multigrid           ///< over lattices of doubled spacing that are cut as the rock is
+  multigrid,          ///< over lattices of doubled spacing that are cut as the rock is
+  direct              ///< the factors of the matrix
 };
 
 /// The motion of the physical covers, in the order of unknowns (order 0: of each cover's node).

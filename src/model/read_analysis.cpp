@@ -161,12 +161,12 @@ void read_solver(Draft& draft) {
     in.read("tolerance", draft.model.solver.tolerance, tolerance, Need::optional);
     in.read("max_iterations", draft.model.solver.max_iterations, IntegerRange{.low = 1},
             Need::optional);
-    const auto preconditioner =
-        in.choose("preconditioner",
-                  {{"auto", "block_jacobi", "node_block_jacobi", "multigrid"}, {}}, Need::optional);
+    const auto preconditioner = in.choose(
+        "preconditioner",
+        {{"auto", "block_jacobi", "node_block_jacobi", "multigrid", "direct"}, {}}, Need::optional);
     constexpr Preconditioner names[] = {Preconditioner::automatic, Preconditioner::block_jacobi,
                                         Preconditioner::node_block_jacobi,
-                                        Preconditioner::multigrid};
+                                        Preconditioner::multigrid, Preconditioner::direct};
     if (preconditioner) draft.model.solver.preconditioner = names[*preconditioner];
   });
 }

@@ -66,6 +66,8 @@ constexpr const char* preconditioner_name(Preconditioner preconditioner) {
       return "node_block_jacobi";
     case Preconditioner::multigrid:
       return "multigrid";
+    case Preconditioner::direct:
+      return "direct";
   }
   return "";
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 
+#include "host/direct/multifrontal.hpp"
 #include "kernels/integrate/moments.hpp"
 #include "kernels/solve/held_parts.hpp"
 #include "kernels/update/motion.hpp"
@@ -49,6 +50,7 @@ MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
   setup.solver.tolerance = input.model.solver.tolerance;
   setup.solver.max_iterations = input.model.solver.max_iterations;
   setup.preconditioner = input.model.solver.preconditioner;
+  setup.direct = [] { return host::make_direct_solver(); };
   return setup;
 }
 

@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "kernels/solve/ways_kernel.hpp"
+#include "src/base/interrupt.hpp"
+
+namespace rockfold::solve {
+namespace {
+
+bool any_levels(const HeldSystem& system) {
+  return !system.grid.levels.empty() || !system.cover_grid.levels.empty();
+}
+
+/// Whether the next solve is to use multigrid. Short time steps need none.
+bool wants_grid(const HeldSystem& system) {
+  if (!any_levels(system) || system.grid_failed || !(system.largest_diagonal > 0) ||
+      !worth_a_grid(system))
+    return false;
+  if (system.preconditioner == Preconditioner::multigrid || system.slow) return true;
+  const Index least = system.op.functions == 1 ? least_for_multigrid : least_for_cover_grid;
+  return system.combination.mass == 0 && system.op.covers >= least;
+}
+
+Preconditioning choose(HeldSystem& system, const Apply& a) {
+  Preconditioning m;
+  m.covers = system.op.functions > 1 ? &system.cover_blocks : nullptr;
+  m.spring_factor = system.spring_factor;
+  const bool grid = wants_grid(system);
+  if (system.op.functions == 1 && !(grid && system.grid_current)) m.inverse = inverse_of(system);
+  if (!grid) return m;
+  if (system.op.functions > 1) {
+    if (!system.grid_current)
+      set_values(system.cover_grid, a, system.work, system.op, system.cover_blocks, system.springs,
+                 system.combination, system.spring_factor);
+    m.cover_grid = &system.cover_grid;
+  } else {
+    if (!system.grid_current) set_inverse(system.grid, m.inverse, system.largest_diagonal);
+    m.inverse = system.inverse = {};  // the grid has it in single precision
+    if (!system.grid_current)
+      set_values(system.grid, system.op, system.springs, system.combination, system.spring_factor);
+    m.grid = &system.grid;
+  }
+  system.grid_current = true;
+  return m;
+}
+
+/// From multigrid to blocks, from blocks to multigrid. False: there is no other way.
+bool change_way(HeldSystem& system, Preconditioning& m, const Apply& a) {
+  const bool from_grid = m.any_grid();
+  system.grid_failed = from_grid;
+  if (!from_grid) {
+    system.slow = true;
+    if (!wants_grid(system)) return false;
+  }
+  m = choose(system, a);
+  return true;
+}
+
+/// Iterations after which the other way is tried: first with blocks, first with multigrid, then with blocks (a cycle costs what ten
+/// of them do), then with multigrid.
+Index patience(bool grid, int tries) {
+  if (tries == 0) return grid ? 300 : 200;
+  return grid ? 1000 : 1500;
+}
+
+/// Iterations with factors: of an earlier matrix, of the present one.
+constexpr Index patience_with_old = 20, patience_with_new = 200;
+/// Pivots that count as none, in the order in which they are tried. What is left of functions that depend on each other is rounding, and
+/// an answer to it does harm; of slivers, of thin plates, and of rock that is soft beside its springs it is all that resists.
+constexpr Real least_pivots[] = {1e-12, 1e-14, 1e-10, 1e-8};
+constexpr int pivot_choices = static_cast<int>(std::size(least_pivots));
+/// Of the reference: what rounding may leave at most.
+constexpr Real most_left = 1e-4;
+/// Larger systems, which will hardly have factors, do not keep where they started.
+constexpr Index most_kept = 200000;
+
+/// Factors go back to the start of a solve: what other ways have put into functions that depend on each other would stay.
+void keep_start(HeldSystem& system, const Field& x) {
+  Factors& factors = system.factors;
+  if (!factors.possible() || system.op.unknowns > most_kept) return;
+  if (factors.start.extent(0) == 0)
+    factors.start = device::make_field("solve::start", system.op.unknowns);
+  Kokkos::deep_copy(factors.start, x);
+}
+void go_back(const HeldSystem& system, const Field& x) {
+  if (system.factors.start.extent(0) > 0)
+    Kokkos::deep_copy(x, system.factors.start);
+  else
+    Kokkos::deep_copy(x, 0.0);
+}
+
+/// Whether the factors at hand may do for the present matrix.
+bool alike(const HeldSystem& system) {
+  const Factors& factors = system.factors;
+  return factors.any && factors.combination.stiffness == system.combination.stiffness &&
+         factors.combination.mass == system.combination.mass &&
+         factors.spring_factor == system.spring_factor;
+}
+
+/// Conjugate gradients with the factors as they are. What rounding leaves of the product of A with functions that all but depend on
+/// each other cannot be made less: where it alone is left, the solve has converged.
+PcgReport solve_once_with_factors(HeldSystem& system, const Apply& a, const Field& load,
+                                  const Field& x, const PcgOptions& pcg, Index spent,
+                                  Preconditioning& m) {
+  const Factors& factors = system.factors;
+  m = {};
+  m.factors = &factors;
+  PcgOptions how = pcg;
+  how.max_iterations =
+      std::min(pcg.max_iterations - spent, factors.current ? patience_with_new : patience_with_old);
+  PcgReport done = solve_pcg(system.work, a, m, load, x, how);
+  done.iterations += spent;
+  if (factors.current && done.residual < most_left &&
+      done.residual * done.reference <= rounding_of_product(factors, system.work, x))
+    done.converged = true;
+  return done;
+}
+
+/// With the factors at hand where they may do, else with new ones. False: they did not help.
+bool solve_with_factors(HeldSystem& system, const Apply& a, const Field& load, const Field& x,
+                        const PcgOptions& pcg, Preconditioning& m, PcgReport& done) {
+  Factors& factors = system.factors;
+  bool ready = factors.current || alike(system);
+  for (int tried = 0; tried < pivot_choices;) {
+    if (!ready) {
+      if (!factorise(factors, system.op, system.combination, system.springs, system.spring_factor,
+                     least_pivots[factors.pivot]))
+        return false;
+      go_back(system, x);
+    }
+    const bool fresh = factors.current;
+    done = solve_once_with_factors(system, a, load, x, pcg, done.iterations, m);
+    if (small_enough(done, pcg)) {
+      factors.helped = true;
+      return true;
+    }
+    if (interrupt_signal || done.iterations >= pcg.max_iterations) return true;
+    ready = false;
+    if (!fresh) continue;
+    factors.pivot = (factors.pivot + 1) % pivot_choices;
+    ++tried;
+  }
+  factors.failed = true;
+  return false;
+}
+
+}  // namespace
+
+bool worth_a_grid(const HeldSystem& system) {
+  return system.combination.stiffness != 0 || system.op.functions > 1;
+}
+
+bool small_enough(const PcgReport& done, const PcgOptions& pcg) {
+  return done.converged || done.residual <= pcg.tolerance;
+}
+
+PcgReport solve_any_way(HeldSystem& system, const Apply& a, const Field& load, const Field& x,
+                        const PcgOptions& pcg, Preconditioning& m) {
+  PcgReport done;
+  const Factors& factors = system.factors;
+  keep_start(system, x);
+  const bool begin_with_factors =
+      factors.possible() && (factors.helped || system.preconditioner == Preconditioner::direct);
+  if (begin_with_factors && solve_with_factors(system, a, load, x, pcg, m, done)) return done;
+  m = choose(system, a);
+  Index spent = done.iterations;
+  bool another = true, first_broke = false;
+  for (int tries = 0;; ++tries) {
+    const bool grid = m.any_grid(), may_change = another && !(tries == 1 && first_broke),
+               factors_next = tries == 0 && factors.possible();
+    PcgOptions how = pcg;
+    how.max_iterations = pcg.max_iterations - spent;
+    if (factors_next || (may_change && (grid || any_levels(system))))
+      how.max_iterations = std::min(how.max_iterations, patience(grid, tries));
+    done = solve_pcg(system.work, a, m, load, x, how);
+    spent += done.iterations;
+    const bool broke = done.iterations < how.max_iterations;
+    if (small_enough(done, pcg) || spent >= pcg.max_iterations || interrupt_signal) break;
+    if (factors_next) {
+      const Preconditioning first = m;
+      done.iterations = spent;
+      if (solve_with_factors(system, a, load, x, pcg, m, done)) return done;
+      spent = done.iterations;
+      m = first;
+    }
+    if (!may_change || !change_way(system, m, a)) break;
+    if (std::isnan(done.residual)) Kokkos::deep_copy(x, 0.0);
+    if (tries == 0) first_broke = broke;
+    if (tries == 1) another = false;
+  }
+  done.iterations = spent;
+  return done;
+}
+
+}  // namespace rockfold::solve

@@ -1,0 +1,23 @@
+// The ways to solve a system that springs hold: conjugate gradients with node blocks, with multigrid, with factors. Each of them fails
+// somewhere: then the next goes on.
+#pragma once
+
+#include "kernels/solve/held_kernel.hpp"
+
+namespace rockfold::solve {
+
+/// With fewer covers multigrid does not pay even in a static analysis: of one function, of several.
+inline constexpr Index least_for_multigrid = 2000, least_for_cover_grid = 100;
+
+/// A mass matrix of covers with one function needs no multigrid. With several, what is nearly dependent in them is as smooth
+/// and as weak in the mass as in the stiffness.
+bool worth_a_grid(const HeldSystem& system);
+
+/// Where forces cancel there may be less left than a share of it could be told from rounding.
+bool small_enough(const PcgReport& done, const PcgOptions& pcg);
+
+/// A x = load from the x given, `a` applying A. `m`: what it was solved with in the end.
+PcgReport solve_any_way(HeldSystem& system, const Apply& a, const Field& load, const Field& x,
+                        const PcgOptions& pcg, Preconditioning& m);
+
+}  // namespace rockfold::solve

@@ -1,0 +1,54 @@
+// Analyses that conjugate gradients end only with the factors of the matrix.
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "src/base/vector.hpp"
+#include "tests/run/run_model.hpp"
+
+namespace rockfold {
+namespace {
+
+/// A column of quadratic covers on its base, its top pulled aside, turned by so little about y that slivers remain beside the lattice.
+std::string leaning_column(Real angle, const std::string& preconditioner) {
+  char prism[300];
+  std::snprintf(prism, sizeof prism,
+                "base = [[0, 0, 0], [1, 0, %.17g], [1, 1, %.17g], [0, 1, 0]]\n"
+                "extrude = [%.17g, 0, 2]\n",
+                -angle, -angle, 2 * angle);
+  return std::string(
+             "gravity = [0, 0, 0]\n[[material]]\nname = \"m\"\ndensity = 2500\n"
+             "young_modulus = 1e9\npoisson_ratio = 0.25\n[[solid]]\nname = \"r\"\n"
+             "shape = \"prism\"\n") +
+         prism +
+         "[cover]\nlattice = \"hex8\"\nspacing = 1\norder = 2\norigin = [0, 0, 0]\n"
+         "[[fixed]]\nwhere = {face = \"r.cap0\"}\nmethod = \"augmented_lagrangian\"\n"
+         "[[traction]]\nwhere = {face = \"r.cap1\"}\nvalue = [1e4, 5e3, -3e4]\n"
+         "[analysis]\ntype = \"static\"\n[[monitor]]\npoint = [0.5, 0.5, 1.9]\n"
+         "[solver]\npreconditioner = \"" +
+         preconditioner + "\"\n";
+}
+
+Vec3 top_of(const ModelAnswer& answer) {
+  return answer.result.monitors[0].displacement.back();
+}
+
+TEST(Factors, EndAnAnalysisOfQuadraticCoversBesideSlivers) {
+  const ModelAnswer plain = run_model(leaning_column(0, "auto"));
+  const ModelAnswer turned = run_model(leaning_column(1e-10, "auto"));
+  EXPECT_EQ(turned.result.preconditioner, Preconditioner::direct);
+  EXPECT_LE(norm(top_of(turned) - top_of(plain)), 0.01 * norm(top_of(plain)));
+  EXPECT_NEAR(turned.result.energy.strain, plain.result.energy.strain,
+              0.01 * plain.result.energy.strain);
+}
+
+TEST(Factors, MayBeAskedForByName) {
+  const ModelAnswer plain = run_model(leaning_column(0, "auto")),
+                    direct = run_model(leaning_column(0, "direct"));
+  EXPECT_EQ(direct.result.preconditioner, Preconditioner::direct);
+  EXPECT_LE(direct.result.iterations.pcg, plain.result.iterations.pcg);
+  EXPECT_LE(norm(top_of(direct) - top_of(plain)), 1e-6 * norm(top_of(plain)));
+}
+
+}  // namespace
+}  // namespace rockfold
