@@ -1,5 +1,7 @@
 #include "src/needs.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -19,6 +21,10 @@ namespace {
 /// A rotation θ that is taken for linear strains feigns a strain of 1 − cos θ: 2e-4 at this one, as
 /// much as the elastic strain of rock near failure.
 constexpr Real largest_small_rotation = 0.02;  // rad
+/// Energy / largest energy of the motion that average acceleration, which keeps it, may lose.
+constexpr Real largest_lost_share = 0.01;
+/// m: rock that moves less is at rest but for rounding.
+constexpr Real least_motion = 1e-10;
 
 /// Of the largest displacement: above it the answer differs visibly from that of points held exactly.
 constexpr Real largest_support_gap = 1e-3;
@@ -194,6 +200,25 @@ void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& 
         "block {} turns by {:.3g} rad, but strains are those of small rotations: above {} rad "
         "its size and stress are not to be trusted",
         at + 1, largest, largest_small_rotation));
+}
+
+void warn_of_lost_energy(const Model& model, const RunResult& run, Terminal& terminal) {
+  const Analysis& analysis = *model.analysis;
+  if (analysis.type != AnalysisType::dynamic || analysis.newmark_beta != 0.25 ||
+      analysis.newmark_gamma != 0.5 || run.largest_displacement.length < least_motion)
+    return;
+  Real largest = 0, lost = 0;
+  for (const Energy& e : run.energies) {
+    largest =
+        std::max({largest, e.kinetic, std::abs(e.strain + e.numerical), std::abs(e.potential)});
+    lost = std::max(lost, std::abs(e.numerical));
+  }
+  if (lost <= largest_lost_share * largest) return;
+  terminal.warn(fmt::format(
+      "the energy does not close: {:.3g} J have come or gone where the rock moves {:.3g} J about. "
+      "The motion is not to be trusted: choose a solver.tolerance of 1e-8 to 1e-10, a shorter "
+      "analysis.time_step, or covers of a lower order",
+      lost, largest));
 }
 
 void warn_of_support_gap(const RunResult& run, const FixedPoints& fixed, Terminal& terminal) {

@@ -38,6 +38,8 @@ void require_candidates(const Options& options, const Model& model, const BlockA
 void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal);
 /// Strains are linear in the displacement yet, which is right for small rotations only.
 void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal);
+/// Average acceleration keeps the energy: where it does not, the solver has not found the motion.
+void warn_of_lost_energy(const Model& model, const RunResult& run, Terminal& terminal);
 /// Keys of motion in a static analysis.
 void warn_of_keys_without_use(const Model& model, Terminal& terminal);
 /// Newmark parameters that blow up where the time step is long for the stiffest element.

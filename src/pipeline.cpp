@@ -157,6 +157,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
     writer.write_energies(run->energy_time, run->energies);
     add_run_seconds(clock, *run);
     warn_of_large_rotation(model, *run, terminal);
+    warn_of_lost_energy(model, *run, terminal);
     if (!run->interrupted) warn_of_support_gap(*run, rock->fixed, terminal);
     warn_of_interruption(*run, model, terminal);
   }

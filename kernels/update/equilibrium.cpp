@@ -16,6 +16,9 @@ constexpr Index patience_with_mass = 1000;
 /// Of it, so that all that moves in a few steps starts as it would without.
 constexpr Real small_share = 1e-3;
 
+/// A tolerance that can be met where a closer one cannot: better than to take the stiffness in.
+constexpr Real attainable = 1e-10;
+
 /// What springs were before stiff ones became multipliers.
 struct SpringsBefore {
   Field augmented, stiffness;
@@ -89,13 +92,15 @@ SolveReport catch_up_with_supports(Motion::Data& m, const Field& augmented) {
 }
 
 /// The acceleration at the start. `augmented`: the points held by multipliers from then on.
-SolveReport find_acceleration(Motion::Data& m, const Field& augmented, Index most_iterations) {
+SolveReport find_acceleration(Motion::Data& m, const Field& augmented, Real tolerance,
+                              Index most_iterations) {
   Kokkos::deep_copy(m.now.acceleration, 0.0);
   const Real reference = find_residual(m, m.damped());
   aim_acceleration(m, augmented);
   const std::vector<Vec3> guess = uniform_field(m.unknowns, m.covers, m.gravity);
   device::copy_to_device(guess, m.now.acceleration);
   solve::HeldOptions how = solve_options(m, reference);
+  how.pcg.tolerance = tolerance;
   how.pcg.max_iterations = std::min(how.pcg.max_iterations, most_iterations);
   // The mass resists whatever rounding leaves of the forces of strain, where these are not all there is.
   if (how.pcg.rounding < how.pcg.tolerance * reference) how.pcg.rounding = 0;
@@ -109,13 +114,20 @@ SolveReport set_in_motion(Motion::Data& m, const Field& augmented, Real hold) {
   if (!caught.converged) return caught;
   const bool several = m.held.op.functions > 1;
   const Index most = m.solver.max_iterations;
-  SolveReport report = find_acceleration(m, augmented, several ? patience_with_mass : most);
+  SolveReport report =
+      find_acceleration(m, augmented, m.solver.tolerance, several ? patience_with_mass : most);
   report.iterations += caught.iterations;
+  if (!report.converged && m.solver.tolerance < attainable && !interrupt_signal) {
+    const Index before = report.iterations;
+    Kokkos::deep_copy(m.now.multiplier, 0.0);
+    report = find_acceleration(m, augmented, attainable, several ? patience_with_mass : most);
+    report.iterations += before;
+  }
   if (!report.converged && several && !interrupt_signal) {
     const Index before = report.iterations;
     set_matrix(m, {small_share * hold, 1}, 0, hold, false);
     Kokkos::deep_copy(m.now.multiplier, 0.0);
-    report = find_acceleration(m, augmented, most);
+    report = find_acceleration(m, augmented, m.solver.tolerance, most);
     report.iterations += before;
   }
   if (m.held.springs.any())

@@ -86,6 +86,11 @@ bool flies_astray(Motion::Data& m, Real dt, Real of_mass) {
   return of_strain > of_mass * norm(forces);
 }
 
+/// Whether rock that nothing holds goes on as predicted: only rounding is left of the forces.
+bool flies_freely(const Motion::Data& m, Real rounding) {
+  return !m.held.springs.any() && std::sqrt(solve::dot(m.held.work, m.right, m.right)) <= rounding;
+}
+
 }  // namespace
 
 void predict(Motion::Data& m, Real dt) {
@@ -180,8 +185,9 @@ SolveReport advance(Motion::Data& m, Real dt) {
   solve::HeldOptions how = solve_options(m, reference);
   how.rounding = [&](const Field& x) { return m.rock->rounding(x); };
   how.stop_at_rounding = !steered;
-  const SolveReport report =
-      solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how);
+  SolveReport report;
+  if (!flies_freely(m, how.pcg.rounding))
+    report = solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how);
   correct(m, dt);
   update_reactions(m);
   count_work(m);
