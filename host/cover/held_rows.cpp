@@ -20,6 +20,7 @@ constexpr Real least_share = 0.4;  // of a patch's area: smaller ones join their
 constexpr Real least_residual[] = {0, 2e-2, 2e-3, 5e-4};
 constexpr Real least_of_series =
     5e-4;                        // likewise of a function of a local series, over its own size
+constexpr Real narrow = 0.1;     // spacings: strips of less may need functions of their own
 constexpr Real rounding = 1e-9;  // spacings: no nearer are places told apart
 
 using Points = std::vector<SurfacePoint>;
@@ -93,22 +94,22 @@ struct Function {
 };
 
 /// Polynomials, then `more` functions, made orthonormal in the mean over points of a plane (Gram & Schmidt, twice); the first is 1. What the
-/// points cannot tell apart (across their plane, along a line) is left out. Points in a strip that is narrow beside the spacing tell
-/// little of how covers deform across it, but hold the rock against turning about it: there functions linear across the strip count, however
-/// small.
+/// points cannot tell apart (across their plane, along a line) is left out. In a strip that is narrow beside the spacing functions across it are
+/// small, but those that are linear hold the rock against turning about the strip: up to the power `across` they count by what they are beside the
+/// strip's width.
 class OrthonormalFunctions {
  public:
   OrthonormalFunctions(const Points& points, Real spacing)
       : points_(points), spacing_(spacing), extent_(extent(points)) {}
 
-  std::vector<Function> find(const Vec3& normal, int degree, const Values& more = {}) && {
+  std::vector<Function> find(const Vec3& normal, int degree, int across, const Values& more) && {
     for (const auto& exponent : exponents(degree)) {
       std::vector<Real> value(points_.size());
       for (std::size_t n = 0; n < points_.size(); ++n)
         value[n] = monomial((1 / spacing_) * (points_[n].x - extent_.centre), exponent);
       add(std::move(value), least_residual[exponent[0] + exponent[1] + exponent[2]]);
     }
-    if (degree > 0) add_turning(normal, degree);
+    if (degree > 0) add_across(normal, degree, across);
     for (const auto& value : more) add(value, least_of_series * std::sqrt(mean(value, value)));
     return std::move(found_);
   }
@@ -120,8 +121,8 @@ class OrthonormalFunctions {
     return sum / extent_.area;
   }
 
-  /// `width`: in spacings, of a narrow strip by which values are divided; 0: none.
-  void add(std::vector<Real> value, Real least, Real width = 0) {
+  /// `unit`: by which values of functions across a narrow strip are divided; 0: no such function.
+  void add(std::vector<Real> value, Real least, Real unit = 0) {
     for (int pass = 0; pass < 2; ++pass)
       for (const auto& known : found_) {
         const Real share = mean(known.value, value);
@@ -130,27 +131,29 @@ class OrthonormalFunctions {
     const Real size = std::sqrt(mean(value, value));
     if (!(size > least)) return;
     for (Real& v : value) v /= size;
-    found_.push_back({std::move(value), width > 0 ? 1 / (size * width) : 1});
+    found_.push_back({std::move(value), unit > 0 ? 1 / (size * unit) : 1});
   }
 
-  void add_turning(const Vec3& normal, int degree) {
+  /// Powers of the way across a narrow strip up to `across`, times powers of that along it.
+  void add_across(const Vec3& normal, int degree, int across) {
     const auto axes = principal_axes(points_, extent_.centre, normal);
-    const Real wide = least_residual[1] * spacing_;
     const Real vague = rounding * spacing_ + 100 * std::numeric_limits<Real>::epsilon() *
                                                  norm(extent_.centre);  // of the points' places
     for (int d = 0; d < 2; ++d) {
       const Real width = norm(axes[d]), length = norm(axes[1 - d]);
-      if (width > wide || !(width > vague)) continue;
-      const int most = length > wide ? degree : 1;
-      for (int power = 1; power <= most; ++power) {
-        std::vector<Real> value(points_.size());
-        for (std::size_t n = 0; n < points_.size(); ++n) {
-          const Vec3 x = points_[n].x - extent_.centre;
-          const Real along = power > 1 ? dot(axes[1 - d], x) / (length * spacing_) : 1;
-          value[n] = std::pow(along, power - 1) * dot(axes[d], x) / (width * width);
+      if (width > narrow * spacing_ || !(width > vague)) continue;
+      for (int q = 1; q <= across; ++q)
+        for (int p = 0; p + q <= degree; ++p) {
+          const Real size = std::pow(width / spacing_, q);
+          if ((q > 1 && size < rounding) || (p > 0 && length < width)) continue;
+          std::vector<Real> value(points_.size());
+          for (std::size_t n = 0; n < points_.size(); ++n) {
+            const Vec3 x = points_[n].x - extent_.centre;
+            const Real along = p > 0 ? dot(axes[1 - d], x) / (length * spacing_) : 0;
+            value[n] = std::pow(along, p) * std::pow(dot(axes[d], x) / (width * width), q);
+          }
+          add(std::move(value), least_residual[p + q], size);
         }
-        add(std::move(value), least_residual[power], width / spacing_);
-      }
     }
   }
 
@@ -211,7 +214,7 @@ void add_moments(const CoverArrays& covers, const Points& points, const Vec3& no
     area += p.area;
   }
   const auto functions =
-      OrthonormalFunctions(points, spacing).find(normal, degree, series_amid(covers, points));
+      OrthonormalFunctions(points, spacing).find(normal, degree, 1, series_amid(covers, points));
   for (const Function& function : functions) {
     std::map<Index, Real> weight;
     for (std::size_t n = 0; n < points.size(); ++n)
@@ -282,8 +285,9 @@ void hold_covers(const CoverArrays& covers, const Points& points, const FacePoly
     const Vec3 node = covers.lattice.node_position(covers.cover_node[cover]);
     Real area = 0;
     for (const auto& p : share) area += p.area;
-    const auto held = OrthonormalFunctions(share, spacing)
-                          .find(polygon.normal, covers.order, series_values(covers, cover, share));
+    const auto held =
+        OrthonormalFunctions(share, spacing)
+            .find(polygon.normal, covers.order, covers.order, series_values(covers, cover, share));
     for (const Function& one : held) {
       HeldRow row{share[0].element,
                   share[0].x,
