@@ -142,17 +142,18 @@ class OrthonormalFunctions {
     for (int d = 0; d < 2; ++d) {
       const Real width = norm(axes[d]), length = norm(axes[1 - d]);
       if (width > narrow * spacing_ || !(width > vague)) continue;
+      const bool both = length <= narrow * spacing_;
       for (int q = 1; q <= across; ++q)
-        for (int p = 0; p + q <= degree; ++p) {
-          const Real size = std::pow(width / spacing_, q);
-          if ((q > 1 && size < rounding) || (p > 0 && length < width)) continue;
+        for (int p = 0; p + q <= (both ? across : degree); ++p) {
+          const Real unit = std::pow(width / spacing_, q) * std::pow(length / spacing_, p);
+          if ((p + q > 1 && unit < rounding) || (p > 0 && length < width)) continue;
           std::vector<Real> value(points_.size());
           for (std::size_t n = 0; n < points_.size(); ++n) {
             const Vec3 x = points_[n].x - extent_.centre;
-            const Real along = p > 0 ? dot(axes[1 - d], x) / (length * spacing_) : 0;
-            value[n] = std::pow(along, p) * std::pow(dot(axes[d], x) / (width * width), q);
+            value[n] = std::pow(dot(axes[d], x) / (width * width), q);
+            if (p > 0) value[n] *= std::pow(dot(axes[1 - d], x) / (length * length), p);
           }
-          add(std::move(value), least_residual[p + q], size);
+          add(std::move(value), least_residual[p + q], unit);
         }
     }
   }

@@ -98,7 +98,7 @@ TEST_P(ThinPlates, AreClampedAlongAllOfTheirNarrowFace) {
 }
 
 TEST_P(ThinPlates, AsNarrowAsThickAreClampedToo) {
-  for (const Real side : {0.05, 0.005})
+  for (const Real side : {0.05, 0.01})
     for (const Real x : {0.0, 0.13}) {
       SCOPED_TRACE(fmt::format("{} {}", side, x));
       const auto sink =
