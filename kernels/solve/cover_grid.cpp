@@ -59,7 +59,16 @@ void subtract(const CoverLevel& level) {
       });
 }
 
-/// One V-cycle on the levels from `l` down.
+/// y = y · share + x · factor.
+void combine(const Field& y, Real share, Real factor, const Field& x) {
+  device::for_each(
+      "rockfold::solve::combine_fields", static_cast<Index>(y.extent(0)),
+      KOKKOS_LAMBDA(const Index p) {
+        for (int d = 0; d < 3; ++d) y(p, d) = (share == 0 ? 0 : share * y(p, d)) + factor * x(p, d);
+      });
+}
+
+/// One W-cycle on the levels from `l` down.
 class Cycle {
  public:
   Cycle(const CoverGrid& grid, const Apply& a, Real spring_factor)
@@ -89,12 +98,27 @@ class Cycle {
     multiply(l);
     subtract(level);
     restrict_functions(coarse.from, functions, level.r, coarse.r);
-    run(l + 1);
+    run_twice(l + 1);
     add_correction(coarse.from, functions, coarse.x, level.d, level.x);
     smooth(l, false, smoothing_degree(functions), smoothed_share(functions));
   }
 
  private:
+  /// x from r, and what that leaves of r once more: errors that a single cycle leaves would add up over the levels.
+  void run_twice(std::size_t l) const {
+    if (l + 1 == grid_.levels.size()) return run(l);
+    const CoverLevel& level = grid_.levels[l];
+    Kokkos::deep_copy(level.load, level.r);
+    run(l);
+    Kokkos::deep_copy(level.first, level.x);
+    Kokkos::deep_copy(level.d, level.x);
+    multiply(l);
+    Kokkos::deep_copy(level.r, level.load);
+    subtract(level);
+    run(l);
+    combine(level.x, 1, 1, level.first);
+  }
+
   /// From x = 0, or from what d has just added to x.
   void smooth(std::size_t l, bool first, int degree, Real share) const {
     const CoverLevel& level = grid_.levels[l];
@@ -137,15 +161,6 @@ void precondition_blocks(const CoverLevel& level) {
         for (int e = 0; e < blocks.width(); ++e) of[e] = r(e / 3 * blocks.covers + p, e % 3);
         precondition_cover(blocks, p, of, z);
         for (int e = 0; e < blocks.width(); ++e) x(e / 3 * blocks.covers + p, e % 3) = z[e];
-      });
-}
-
-/// y = y · share + x · factor.
-void combine(const Field& y, Real share, Real factor, const Field& x) {
-  device::for_each(
-      "rockfold::solve::combine_fields", static_cast<Index>(y.extent(0)),
-      KOKKOS_LAMBDA(const Index p) {
-        for (int d = 0; d < 3; ++d) y(p, d) = (share == 0 ? 0 : share * y(p, d)) + factor * x(p, d);
       });
 }
 
@@ -265,6 +280,8 @@ void make_coarse_level(CoverLevel& level, const CoarseCovers& coarse, int functi
                        const MaterialPoints& points) {
   const Index covers = coarse.count();
   allocate_level(level, covers, functions);
+  level.load = device::make_field("solve::cover_level_load", covers * functions);
+  level.first = device::make_field("solve::cover_level_first", covers * functions);
   static_cast<PointRows&>(level.springs) = make_point_rows(points, covers * functions);
   level.blocks = make_cover_blocks(covers, functions);
   level.a = {covers,

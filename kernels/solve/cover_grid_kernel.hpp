@@ -1,4 +1,4 @@
-// Multigrid for covers with several functions as a preconditioner: z = B r, one V-cycle with Chebyshev smoothing of degree 2 over the
+// Multigrid for covers with several functions as a preconditioner: z = B r, one W-cycle with Chebyshev smoothing of degree 2 over the
 // blocks of whole covers before and after, symmetric and positive.
 //
 // Functions of covers are nearly dependent. With linear weights Σ_a N_a(x) (x − x_a) = 0: functions ξ whose coefficients g_a vary slowly
@@ -45,6 +45,7 @@ struct CoverLevel {
   Real largest = 0;  ///< eigenvalue of D⁻¹A, with a margin
   Field x, r, d, q;
   // coarse levels
+  Field load, first;  ///< kept over the second cycle
   CoverMatrix a;
   CoverTransfer from;
 };

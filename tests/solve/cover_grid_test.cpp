@@ -81,7 +81,7 @@ TEST(CoverGrid, TakesAsManyIterationsAtAnySpacing) {
     const auto grids = solve_with(s, Preconditioner::multigrid, b);
     const auto blocks = solve_with(s, Preconditioner::node_block_jacobi, b);
     RecordProperty("iterations_" + std::to_string(n), grids.report.iterations);
-    EXPECT_LE(grids.report.iterations, 40) << n;
+    EXPECT_LE(grids.report.iterations, 24) << n;
     EXPECT_GT(blocks.report.iterations, 1.3 * blocks_before);  // what is to be avoided
     blocks_before = blocks.report.iterations;
     expect_same_motion(s, grids.x, blocks.x, 1e-5);
