@@ -68,13 +68,12 @@ INSTANTIATE_TEST_SUITE_P(EveryLattice, ThinPlates, testing::Values("tet5", "tet6
 
 /// Its origin's x and z: the narrow face runs through nodes or between them, the plate through the middle of cells, along lattice
 /// planes, or 1e-6 m beyond one.
-constexpr std::array<std::array<Real, 2>, 5> origins{
-    {{0, -0.2}, {0, 0}, {0, 1e-6}, {0.13, -0.2}, {0.13, 1e-6}}};
+constexpr std::array<std::array<Real, 2>, 4> origins{{{0, -0.2}, {0, 0}, {0, 1e-6}, {0.13, 1e-6}}};
 
 TEST_P(ThinPlates, ClampedAtTheirNarrowFaceBendAsBeams) {
   for (const Real thickness : {0.1, 0.02, 0.002})
     for (const auto& [x, z] : origins)
-      for (const char* method : {"augmented_lagrangian", "lagrange", "penalty"})
+      for (const char* method : {"augmented_lagrangian", "penalty"})
         for (const int order : {1, 2}) {
           SCOPED_TRACE(fmt::format("{} m thick, {}, order {}, origin {} {}", thickness, method,
                                    order, x, z));
