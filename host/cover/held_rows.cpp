@@ -19,7 +19,9 @@ constexpr Real least_share = 0.4;  // of a patch's area: smaller ones join their
 // A polynomial that differs less than this from those of lower degree, in the mean over a patch, says nothing new there: [degree]
 constexpr Real least_residual[] = {0, 2e-2, 2e-3, 5e-4};
 constexpr Real least_of_series =
-    5e-4;  // likewise of a function of a local series, over its own size
+    5e-4;                        // likewise of a function of a local series, over its own size
+constexpr Real narrow = 0.1;     // spacings: strips of less may need functions of their own
+constexpr Real rounding = 1e-9;  // spacings: no nearer are places told apart
 
 using Points = std::vector<SurfacePoint>;
 
@@ -41,40 +43,126 @@ Real monomial(const Vec3& x, const std::array<int, 3>& exponent) {
 
 using Values = std::vector<std::vector<Real>>;  // [function][point]
 
-/// Polynomials, then `more` functions, made orthonormal in the mean over points (Gram & Schmidt, twice), by their values there; the
-/// first is 1. What the points cannot tell apart (across their plane, along a line) is left out.
-Values orthonormal_functions(const Points& points, Real spacing, int degree,
-                             const Values& more = {}) {
-  Real area = 0;
+struct Extent {
   Vec3 centre{};
-  for (const auto& p : points) area += p.area, centre += p.area * p.x;
-  centre = (1 / area) * centre;
-  const auto mean = [&](const std::vector<Real>& a, const std::vector<Real>& b) {
-    Real sum = 0;
-    for (std::size_t n = 0; n < points.size(); ++n) sum += points[n].area * a[n] * b[n];
-    return sum / area;
+  Real area = 0;
+};
+Extent extent(const Points& points) {
+  Extent e;
+  for (const auto& p : points) e.centre += p.area * p.x, e.area += p.area;
+  e.centre = (1 / e.area) * e.centre;
+  return e;
+}
+
+/// Some direction across a unit vector.
+Vec3 any_across(const Vec3& normal) {
+  Vec3 axis{};
+  int least = 0;
+  for (int d = 1; d < 3; ++d)
+    if (std::abs(normal[d]) < std::abs(normal[least])) least = d;
+  axis[least] = 1;
+  return cross(normal, axis);
+}
+
+/// Principal axes of the points in their plane, the longer first, each as long as the points' root mean square along it.
+std::array<Vec3, 2> principal_axes(const Points& points, const Vec3& centre, const Vec3& normal) {
+  const Vec3 e = normalized(any_across(normal)), f = cross(normal, e);
+  Real area = 0, ee = 0, ef = 0, ff = 0;
+  for (const auto& p : points) {
+    const Real x = dot(e, p.x - centre), y = dot(f, p.x - centre);
+    area += p.area, ee += p.area * x * x, ef += p.area * x * y, ff += p.area * y * y;
+  }
+  const Real angle = 0.5 * std::atan2(2 * ef, ee - ff), c = std::cos(angle), s = std::sin(angle);
+  const auto along = [&](Real a, Real b) {
+    Real square = 0;
+    const Vec3 axis = a * e + b * f;
+    for (const auto& p : points) square += p.area * std::pow(dot(axis, p.x - centre), 2);
+    return std::sqrt(square / area) * axis;
   };
-  Values found;
-  const auto add = [&](std::vector<Real> value, Real least) {
+  return {along(c, s), along(-s, c)};
+}
+
+/// A function by its values at points, 1 in the mean square over them.
+struct Function {
+  std::vector<Real> value;
+  /// What a row of it counts times: 1, or what makes it the displacement at one spacing of a turn about a line that the points lie along.
+  Real scale = 1;
+
+  /// A share of the area, for a row times `scale` to store the same energy.
+  Real area(Real all) const { return all / (scale * scale); }
+  Real reach() const { return std::min<Real>(1, 1 / scale); }
+};
+
+/// Polynomials, then `more` functions, made orthonormal in the mean over points of a plane (Gram & Schmidt, twice); the first is 1. What the
+/// points cannot tell apart (across their plane, along a line) is left out. In a strip that is narrow beside the spacing functions across it are
+/// small, but those that are linear hold the rock against turning about the strip: up to the power `across` they count by what they are beside the
+/// strip's width.
+class OrthonormalFunctions {
+ public:
+  OrthonormalFunctions(const Points& points, Real spacing)
+      : points_(points), spacing_(spacing), extent_(extent(points)) {}
+
+  std::vector<Function> find(const Vec3& normal, int degree, int across, const Values& more) && {
+    for (const auto& exponent : exponents(degree)) {
+      std::vector<Real> value(points_.size());
+      for (std::size_t n = 0; n < points_.size(); ++n)
+        value[n] = monomial((1 / spacing_) * (points_[n].x - extent_.centre), exponent);
+      add(std::move(value), least_residual[exponent[0] + exponent[1] + exponent[2]]);
+    }
+    if (degree > 0) add_across(normal, degree, across);
+    for (const auto& value : more) add(value, least_of_series * std::sqrt(mean(value, value)));
+    return std::move(found_);
+  }
+
+ private:
+  Real mean(const std::vector<Real>& a, const std::vector<Real>& b) const {
+    Real sum = 0;
+    for (std::size_t n = 0; n < points_.size(); ++n) sum += points_[n].area * a[n] * b[n];
+    return sum / extent_.area;
+  }
+
+  /// `unit`: by which values of functions across a narrow strip are divided; 0: no such function.
+  void add(std::vector<Real> value, Real least, Real unit = 0) {
     for (int pass = 0; pass < 2; ++pass)
-      for (const auto& known : found) {
-        const Real share = mean(known, value);
-        for (std::size_t n = 0; n < value.size(); ++n) value[n] -= share * known[n];
+      for (const auto& known : found_) {
+        const Real share = mean(known.value, value);
+        for (std::size_t n = 0; n < value.size(); ++n) value[n] -= share * known.value[n];
       }
     const Real size = std::sqrt(mean(value, value));
     if (!(size > least)) return;
     for (Real& v : value) v /= size;
-    found.push_back(std::move(value));
-  };
-  for (const auto& exponent : exponents(degree)) {
-    std::vector<Real> value(points.size());
-    for (std::size_t n = 0; n < points.size(); ++n)
-      value[n] = monomial((1 / spacing) * (points[n].x - centre), exponent);
-    add(std::move(value), least_residual[exponent[0] + exponent[1] + exponent[2]]);
+    found_.push_back({std::move(value), unit > 0 ? 1 / (size * unit) : 1});
   }
-  for (const auto& value : more) add(value, least_of_series * std::sqrt(mean(value, value)));
-  return found;
-}
+
+  /// Powers of the way across a narrow strip up to `across`, times powers of that along it.
+  void add_across(const Vec3& normal, int degree, int across) {
+    const auto axes = principal_axes(points_, extent_.centre, normal);
+    const Real vague = rounding * spacing_ + 100 * std::numeric_limits<Real>::epsilon() *
+                                                 norm(extent_.centre);  // of the points' places
+    for (int d = 0; d < 2; ++d) {
+      const Real width = norm(axes[d]), length = norm(axes[1 - d]);
+      if (width > narrow * spacing_ || !(width > vague)) continue;
+      const bool both = length <= narrow * spacing_;
+      for (int q = 1; q <= across; ++q)
+        for (int p = 0; p + q <= (both ? across : degree); ++p) {
+          const Real unit = std::pow(width / spacing_, q) * std::pow(length / spacing_, p);
+          if ((p + q > 1 && unit < rounding) || (p > 0 && length < width)) continue;
+          std::vector<Real> value(points_.size());
+          for (std::size_t n = 0; n < points_.size(); ++n) {
+            const Vec3 x = points_[n].x - extent_.centre;
+            value[n] = std::pow(dot(axes[d], x) / (width * width), q);
+            if (p > 0) value[n] *= std::pow(dot(axes[1 - d], x) / (length * length), p);
+          }
+          add(std::move(value), least_residual[p + q], unit);
+        }
+    }
+  }
+
+  const Points& points_;
+  const Real spacing_;
+  const Extent extent_;
+  std::vector<Function> found_;
+};
 
 /// The local series of a cover.
 Values series_values(const CoverArrays& covers, Index cover, const Points& points) {
@@ -103,17 +191,6 @@ std::vector<std::pair<Index, Real>> node_weights(const CoverArrays& covers, Inde
   return found;
 }
 
-struct Extent {
-  Vec3 centre{};
-  Real area = 0;
-};
-Extent extent(const Points& points) {
-  Extent e;
-  for (const auto& p : points) e.centre += p.area * p.x, e.area += p.area;
-  e.centre = (1 / e.area) * e.centre;
-  return e;
-}
-
 /// The series of the cover that weighs most amid the points.
 Values series_amid(const CoverArrays& covers, const Points& points) {
   if (!covers.series) return {};
@@ -129,22 +206,25 @@ Values series_amid(const CoverArrays& covers, const Points& points) {
 }
 
 /// The rows of all polynomials up to a degree over the points, and of the series of the cover amid them.
-void add_moments(const CoverArrays& covers, const Points& points, Real spacing, int degree,
-                 std::vector<HeldRow>& rows) {
+void add_moments(const CoverArrays& covers, const Points& points, const Vec3& normal, Real spacing,
+                 int degree, std::vector<HeldRow>& rows) {
   MaterialPoints at;
   Real area = 0;
   for (const auto& p : points) {
     add_material_point(covers, p.x, p.element, at);
     area += p.area;
   }
-  const Values functions =
-      orthonormal_functions(points, spacing, degree, series_amid(covers, points));
-  for (std::size_t k = 0; k < functions.size(); ++k) {
+  const auto functions =
+      OrthonormalFunctions(points, spacing).find(normal, degree, 1, series_amid(covers, points));
+  for (const Function& function : functions) {
     std::map<Index, Real> weight;
     for (std::size_t n = 0; n < points.size(); ++n)
       for (Index i = at.begin[n]; i < at.begin[n + 1]; ++i)
-        weight[at.unknown[i]] += points[n].area / area * functions[k][n] * at.weight[i];
-    HeldRow row{points[0].element, points[0].x, {}, {}, area, k > 0};
+        weight[at.unknown[i]] +=
+            function.scale * points[n].area / area * function.value[n] * at.weight[i];
+    HeldRow row{
+        points[0].element, points[0].x, {}, {}, function.area(area), &function != functions.data(),
+        function.reach()};
     for (const auto& [unknown, w] : weight) {
       row.unknown.push_back(unknown);
       row.weight.push_back(w);
@@ -171,8 +251,6 @@ Points surface_points(const std::vector<FacePolygon>& surface, int degree) {
   }
   return points;
 }
-
-constexpr Real rounding = 1e-9;
 
 /// Whether the node of a cover lies in the plane of a polygon.
 bool in_plane(const CoverArrays& covers, Index cover, const FacePolygon& polygon, Real spacing) {
@@ -208,10 +286,17 @@ void hold_covers(const CoverArrays& covers, const Points& points, const FacePoly
     const Vec3 node = covers.lattice.node_position(covers.cover_node[cover]);
     Real area = 0;
     for (const auto& p : share) area += p.area;
-    const Values functions =
-        orthonormal_functions(share, spacing, covers.order, series_values(covers, cover, share));
-    for (std::size_t j = 0; j < functions.size(); ++j) {
-      HeldRow row{share[0].element, share[0].x, {}, {}, area, j > 0, most_weight[cover]};
+    const auto held =
+        OrthonormalFunctions(share, spacing)
+            .find(polygon.normal, covers.order, covers.order, series_values(covers, cover, share));
+    for (const Function& one : held) {
+      HeldRow row{share[0].element,
+                  share[0].x,
+                  {},
+                  {},
+                  one.area(area),
+                  &one != held.data(),
+                  one.reach() * most_weight[cover]};
       row.weight.assign(covers.functions(), 0);
       for (int k = 0; k < covers.functions(); ++k)
         row.unknown.push_back(k * covers.cover_count() + cover);
@@ -223,7 +308,7 @@ void hold_covers(const CoverArrays& covers, const Points& points, const FacePoly
             covers, cover,
             covers.lattice.to_local(arm - dot(arm, polygon.normal) * polygon.normal));
         for (int k = 0; k < covers.functions(); ++k)
-          row.weight[k] += share[n].area / area * functions[j][n] * function[k];
+          row.weight[k] += one.scale * share[n].area / area * one.value[n] * function[k];
       }
       rows.push_back(std::move(row));
     }
@@ -288,69 +373,6 @@ std::vector<Points> join_small(std::vector<Points> all) {
   return joined;
 }
 
-/// Some direction across a unit vector.
-Vec3 any_across(const Vec3& normal) {
-  Vec3 axis{};
-  int least = 0;
-  for (int d = 1; d < 3; ++d)
-    if (std::abs(normal[d]) < std::abs(normal[least])) least = d;
-  axis[least] = 1;
-  return cross(normal, axis);
-}
-
-/// Principal axes of the points in their plane, the longer first, each as long as the points' root mean square along it.
-std::array<Vec3, 2> principal_axes(const Points& points, const Vec3& centre, const Vec3& normal) {
-  const Vec3 e = normalized(any_across(normal)), f = cross(normal, e);
-  Real area = 0, ee = 0, ef = 0, ff = 0;
-  for (const auto& p : points) {
-    const Real x = dot(e, p.x - centre), y = dot(f, p.x - centre);
-    area += p.area, ee += p.area * x * x, ef += p.area * x * y, ff += p.area * y * y;
-  }
-  const Real angle = 0.5 * std::atan2(2 * ef, ee - ff), c = std::cos(angle), s = std::sin(angle);
-  const auto along = [&](Real a, Real b) {
-    Real square = 0;
-    const Vec3 axis = a * e + b * f;
-    for (const auto& p : points) square += p.area * std::pow(dot(axis, p.x - centre), 2);
-    return std::sqrt(square / area) * axis;
-  };
-  return {along(c, s), along(-s, c)};
-}
-
-/// A surface so narrow beside the spacing that its linear functions say nothing of how the covers deform there still holds its
-/// rock against turning: one row for each direction in which it is narrow.
-void hold_turning(const CoverArrays& covers, const Points& points, const Vec3& normal, Real spacing,
-                  int first, std::vector<HeldRow>& rows) {
-  const Extent whole = extent(points);
-  const auto axes = principal_axes(points, whole.centre, normal);
-  for (int d = first; d < 2; ++d) {
-    const Real width = norm(axes[d]);
-    if (!(width > 1e-13 * spacing)) continue;
-    // In m of displacement at one spacing from the centre, as rows of wide surfaces are.
-    const Real scale = spacing / width;
-    std::map<Index, Real> weight;
-    MaterialPoints at;
-    for (const auto& p : points) add_material_point(covers, p.x, p.element, at);
-    for (std::size_t n = 0; n < points.size(); ++n) {
-      const Real linear = dot(axes[d], points[n].x - whole.centre) / (width * width);
-      for (Index i = at.begin[n]; i < at.begin[n + 1]; ++i)
-        weight[at.unknown[i]] += scale * points[n].area / whole.area * linear * at.weight[i];
-    }
-    HeldRow row{
-        points[0].element,           points[0].x, {}, {}, whole.area / (scale * scale), true,
-        std::min<Real>(1, 1 / scale)};
-    for (const auto& [unknown, w] : weight) {
-      row.unknown.push_back(unknown);
-      row.weight.push_back(w);
-    }
-    rows.push_back(std::move(row));
-  }
-}
-
-/// How many linear functions add_moments tells apart over the points.
-int linear_functions(const Points& points, Real spacing) {
-  return static_cast<int>(orthonormal_functions(points, spacing, 1).size()) - 1;
-}
-
 }  // namespace
 
 void hold_surface(const CoverArrays& covers, const std::vector<FacePolygon>& surface, Real spacing,
@@ -371,13 +393,7 @@ void hold_surface(const CoverArrays& covers, const std::vector<FacePolygon>& sur
   const std::vector<Points> all =
       block ? std::vector<Points>{points}
             : join_small(patches(covers, points, normal, patch_width * spacing));
-  int linear =
-      all.size() > 1 ? 1 : 0;  // patches beside each other hold against turning one over the other
-  for (const Points& patch : all) {
-    add_moments(covers, patch, spacing, degree, rows);
-    linear = std::max(linear, linear_functions(patch, spacing));
-  }
-  if (degree > 0) hold_turning(covers, points, normal, spacing, linear, rows);
+  for (const Points& patch : all) add_moments(covers, patch, normal, spacing, degree, rows);
 }
 
 }  // namespace rockfold

@@ -193,9 +193,13 @@ std::vector<LoosePart> find_loose_parts(const CoverArrays& covers, const FixedPo
 
   const Real size = norm(covers.lattice.edge[0] + covers.lattice.edge[1] + covers.lattice.edge[2]);
   const bool cannot_turn = covers.lattice.kind == LatticeKind::block && covers.order == 0;
+  std::map<Index, int> parts_of_block;
+  for (const auto& [part, ids] : blocks)
+    for (const Index b : ids) ++parts_of_block[b];
   std::vector<LoosePart> loose;
   for (const auto& [part, ids] : blocks) {
     LoosePart found{{ids.begin(), ids.end()}, {}};
+    for (const Index b : ids) found.cut_off = found.cut_off || parts_of_block[b] > 1;
     const Holding& holding = holdings[part];
     if (holding.any()) {
       Mat6 gram = holding.gram(size);
@@ -220,6 +224,7 @@ void require_held(const CoverArrays& covers, const FixedPoints& fixed) {
   for (std::size_t i = 0; i < std::min(most, loose.size()); ++i) {
     const auto& blocks = loose[i].blocks;
     message += i == 0 ? " " : "; ";
+    if (loose[i].cut_off) message += "what is cut off from the rest of ";
     message += blocks.size() == 1 ? "block " : "blocks ";
     for (std::size_t b = 0; b < std::min(most, blocks.size()); ++b)
       message += (b > 0 ? ", " : "") + std::to_string(blocks[b] + 1);
@@ -230,7 +235,10 @@ void require_held(const CoverArrays& covers, const FixedPoints& fixed) {
                  (m + 1 == loose[i].motions.size() ? ")" : "");
   }
   if (loose.size() > most) message += "; …";
-  throw Error(ErrorKind::analysis, message + ". Fix points of it, or use a dynamic analysis");
+  message += ". Fix points of it, or use a dynamic analysis";
+  if (std::any_of(loose.begin(), loose.end(), [](const LoosePart& part) { return part.cut_off; }))
+    message += "; cover.joint_tips = \"keep\" prolongs no joint through a block";
+  throw Error(ErrorKind::analysis, message);
 }
 
 }  // namespace rockfold

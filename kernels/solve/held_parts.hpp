@@ -13,6 +13,8 @@ struct LoosePart {
   std::vector<Index> blocks;  ///< ascending, from 0
   std::vector<std::string>
       motions;  ///< each free rigid motion, in words; empty = nothing at all holds it
+  bool cut_off =
+      false;  ///< whether other parts have rock of its blocks too: prolonged joints cut through these
 };
 
 /// The parts whose fixed components leave a rigid motion free, in the order of their blocks.

@@ -10,6 +10,7 @@
 #include "host/cut/cut.hpp"
 #include "host/flatten/flatten.hpp"
 #include "src/arrays/shape_functions.hpp"
+#include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 #include "src/model/read_model.hpp"
 #include "src/needs.hpp"
@@ -187,6 +188,27 @@ TEST(FixedFaces, LeaveNoMotionFreeThatTheyHold) {
     const std::string message = error.what();
     EXPECT_NE(message.find("free to move as a rigid body"), std::string::npos) << message;
     EXPECT_NE(message.find("rotation about (0.000, 0.000, "), std::string::npos) << message;
+  }
+}
+
+TEST(FixedFaces, DoNotHoldWhatAProlongedJointCutsOff) {
+  // A disc amid the bar crosses all four cells of a layer: prolonged to their boundaries it cuts the bar in two.
+  const auto jointed = [](const char* tips) {
+    return bar(0.25,
+               hold("zmin", "") + "[[joint_material]]\nfriction_angle = 30\n" +
+                   "[[joint]]\npoint = [0.5, 0.5, 1.03]\nnormal = [0.1, 0.2, 1]\nradius = 0.37\n" +
+                   "[cover]\nspacing = 0.5\nlattice = 'hex8'\njoint_tips = '" + tips + "'\n");
+  };
+  EXPECT_NO_THROW(run(jointed("keep")));
+  try {
+    run(jointed("extend"));
+    FAIL() << "a loose part passed";
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("cut off from the rest of block 1 (nothing holds it)"),
+              std::string::npos)
+        << message;
+    EXPECT_NE(message.find("joint_tips"), std::string::npos) << message;
   }
 }
 
