@@ -109,6 +109,7 @@ Matrix Multifrontal::eliminate(Matrix& front, Index f, Real least_pivot) {
   factor.column = std::move(order);
   if (below == 0) return {};
   Matrix left = front.bottomRightCorner(below, below);
+  if (rank == 0) return left;  // Eigen divides by the depth of a product
   factor.own.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(
       factor.below);
   left.selfadjointView<Eigen::Lower>().rankUpdate(factor.below, -1);

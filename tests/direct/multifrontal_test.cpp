@@ -1,6 +1,7 @@
 #include "host/direct/multifrontal.hpp"
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <Eigen/Dense>
@@ -136,6 +137,20 @@ TEST(DirectSolver, RefusesWhatWouldTakeTooMuch) {
   EXPECT_FALSE(make_direct_solver({1e9, 1e4})->analyse(grid.sparse));
   EXPECT_FALSE(make_direct_solver({1e4, 1e9})->analyse(grid.sparse));
   EXPECT_TRUE(make_direct_solver({1e9, 1e9})->analyse(grid.sparse));
+}
+
+TEST(DirectSolver, LeavesFrontsWithoutAnyPivotToThemselves) {
+  for (const Real nothing : {0.0, std::numeric_limits<Real>::quiet_NaN()}) {
+    Grid grid = random_grid(5, 3);
+    for (Index m = grid.sparse.begin[0]; m < grid.sparse.begin[62]; ++m)
+      for (int k = 0; k < 9; ++k) grid.sparse.value[static_cast<std::size_t>(m) * 9 + k] = nothing;
+    const auto solver = make_direct_solver();
+    ASSERT_TRUE(solver->analyse(grid.sparse));
+    ASSERT_TRUE(solver->factorise(grid.sparse, least_pivot));
+    std::vector<Real> x = scattered(grid.dense.rows());
+    solver->solve(x);
+    EXPECT_EQ(x[0], 0);
+  }
 }
 
 }  // namespace
