@@ -26,6 +26,7 @@ class Multifrontal : public DirectSolver {
   explicit Multifrontal(const DirectLimits& limits) : limits_(limits) {}
 
   bool analyse(const BlockMatrix& a) override;
+  double operations() const override { return tree_.operations; }
   bool factorise(const BlockMatrix& a, Real least_pivot) override;
   void solve(std::vector<Real>& r) const override;
 

@@ -139,10 +139,7 @@ std::size_t by_covers(const Factors& factors, std::size_t u) {
 
 }  // namespace
 
-bool factorise(Factors& factors, const Operator& op, const Combination& c, const Springs& springs,
-               Real spring_factor, Real no_pivot) {
-  factors.any = factors.current = false;
-  if (interrupt_signal) return false;
+bool analyse(Factors& factors, const Operator& op, const Springs& springs) {
   if (!factors.solver) {
     factors.solver = factors.make();
     factors.too_large = op.covers > most_covers;
@@ -151,7 +148,13 @@ bool factorise(Factors& factors, const Operator& op, const Combination& c, const
       factors.too_large = !factors.solver->analyse(factors.pattern);
     }
   }
-  if (factors.too_large) return false;
+  return !factors.too_large;
+}
+
+bool factorise(Factors& factors, const Operator& op, const Combination& c, const Springs& springs,
+               Real spring_factor, Real no_pivot) {
+  factors.any = factors.current = false;
+  if (interrupt_signal || !analyse(factors, op, springs)) return false;
   BlockMatrix a = factors.pattern;
   fill_values(a, op, c, springs, spring_factor);
   if (!factors.solver->factorise(a, no_pivot)) return false;

@@ -27,6 +27,9 @@ struct Factors {
   bool possible() const { return make && !too_large && !failed; }
 };
 
+/// Looks at the pattern of the matrix, once. False where it is too large.
+bool analyse(Factors& factors, const Operator& op, const Springs& springs);
+
 /// Factorises the matrix of the operator and the springs. Dashpots, which a system may have beside it, are left out: conjugate gradients
 /// make up for them. Pivots up to
 /// `no_pivot` count as none, see DirectSolver. False where it is too large, or a signal came.

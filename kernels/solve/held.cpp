@@ -7,6 +7,7 @@
 #include "kernels/solve/held_kernel.hpp"
 #include "kernels/solve/rock_motion_kernel.hpp"
 #include "kernels/solve/ways_kernel.hpp"
+#include "src/base/interrupt.hpp"
 
 namespace rockfold::solve {
 namespace {
@@ -180,6 +181,17 @@ Real spring_forces(const HeldSystem& system, const Field& goal, const Field& x) 
   return std::sqrt(dot(system.work, system.work.q, system.work.q));
 }
 
+void exchange(const Field& x, const Field& y) {
+  device::for_each(
+      "rockfold::solve::exchange", static_cast<Index>(x.extent(0)), KOKKOS_LAMBDA(const Index p) {
+        for (int d = 0; d < 3; ++d) {
+          const Real kept = x(p, d);
+          x(p, d) = y(p, d);
+          y(p, d) = kept;
+        }
+      });
+}
+
 /// Solves of one system, each measured against the forces that the one before has found.
 constexpr int most_measures = 8;
 /// Springs' load / forces found from which an increment is solved for: the whole would drown it in the rounding of that load.
@@ -238,6 +250,7 @@ void set_combination(HeldSystem& system, const Combination& c, Real spring_facto
     system.inverse = {};  // the blocks hold it
   }
   system.grid_current = system.grid_failed = false;
+  system.spent = 0;
   system.factors.current = system.factors.failed = false;
   system.acceleration.forget();
 }
@@ -275,8 +288,9 @@ SolveReport find_same_motion(HeldSystem& system, const Field& x, const Field& y,
   return report;
 }
 
-SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, const Field& x,
-                       const Field& base, const HeldOptions& options) {
+/// See solve_held.
+SolveReport solve_through(HeldSystem& system, const Field& b, const Field& goal, const Field& x,
+                          const Field& base, const HeldOptions& options) {
   const Springs& springs = system.springs;
   const Real factor = system.spring_factor;
   const Apply rock = [&](const Field& u, const Field& v) { apply_rock(system, u, v); };
@@ -383,6 +397,36 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
     if (!close) update_multipliers(system);
     solve(close || exact ? 0 : inner_reduction);
   }
+  return report;
+}
+
+SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, const Field& x,
+                       const Field& base, const HeldOptions& options) {
+  const Factors& factors = system.factors;
+  const bool may_begin_again = factors.possible() && !factors.helped &&
+                               system.preconditioner != Preconditioner::direct &&
+                               may_have_factors(system) && any_augmented(system.springs);
+  if (!may_begin_again) return solve_through(system, b, goal, x, base, options);
+  const Field multiplier = system.springs.multiplier,
+              other_x = device::make_field("solve::other_x", system.op.unknowns),
+              other_multiplier =
+                  device::make_field("solve::other_multiplier", system.springs.points.count);
+  Kokkos::deep_copy(other_x, x);
+  Kokkos::deep_copy(other_multiplier, multiplier);
+  const SolveReport first = solve_through(system, b, goal, x, base, options);
+  if (!factors.helped || interrupt_signal) return first;
+  // What other ways have put into x and the multipliers would stay: once more from the start, with the factors.
+  exchange(x, other_x);
+  exchange(multiplier, other_multiplier);
+  system.acceleration.forget();
+  SolveReport report = solve_through(system, b, goal, x, base, options);
+  const Index iterations = first.iterations + report.iterations;
+  if (!report.converged && first.converged) {
+    Kokkos::deep_copy(x, other_x);
+    Kokkos::deep_copy(multiplier, other_multiplier);
+    report = first;
+  }
+  report.iterations = iterations;
   return report;
 }
 

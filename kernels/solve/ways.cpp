@@ -59,10 +59,18 @@ bool change_way(HeldSystem& system, Preconditioning& m, const Apply& a) {
 
 /// Iterations after which the other way is tried: first with blocks, first with multigrid, then with blocks (a cycle costs what ten
 /// of them do), then with multigrid.
-Index patience(bool grid, int tries) {
+Index patience(bool grid, int tries, bool factors_next) {
+  if (factors_next) return grid ? 150 : 200;
   if (tries == 0) return grid ? 300 : 200;
   return grid ? 1000 : 1500;
 }
+
+/// What a cycle costs in iterations with blocks.
+constexpr Index cost_of_cycle = 12;
+/// Iterations before which nobody asks what factors would cost.
+constexpr Index least_spent = 200;
+/// An entry of the matrix in an iteration, over a multiplication of a factorisation: the one waits for memory, the other does not.
+constexpr double cost_of_entry = 10;
 
 /// Iterations with factors: of an earlier matrix, of the present one.
 constexpr Index patience_with_old = 20, patience_with_new = 200;
@@ -78,7 +86,7 @@ constexpr Index most_kept = 200000;
 /// Factors go back to the start of a solve: what other ways have put into functions that depend on each other would stay.
 void keep_start(HeldSystem& system, const Field& x) {
   Factors& factors = system.factors;
-  if (!factors.possible() || system.op.unknowns > most_kept) return;
+  if (!factors.possible() || !may_have_factors(system)) return;
   if (factors.start.extent(0) == 0)
     factors.start = device::make_field("solve::start", system.op.unknowns);
   Kokkos::deep_copy(factors.start, x);
@@ -88,6 +96,20 @@ void go_back(const HeldSystem& system, const Field& x) {
     Kokkos::deep_copy(x, system.factors.start);
   else
     Kokkos::deep_copy(x, 0.0);
+}
+
+/// Whether a static system has taken as long as factors would by now: of two ways whose end is not known the other is then tried, and
+/// twice the time of the better one is lost at most.
+bool factors_pay(HeldSystem& system) {
+  Factors& factors = system.factors;
+  if (system.preconditioner != Preconditioner::automatic || system.combination.mass != 0 ||
+      !factors.possible() || system.spent < least_spent || !may_have_factors(system) ||
+      !analyse(factors, system.op, system.springs))
+    return false;
+  const double width = factors.pattern.width,
+               entries = width * width * static_cast<double>(factors.pattern.column.size());
+  return static_cast<double>(system.spent) * cost_of_entry * entries >=
+         factors.solver->operations();
 }
 
 /// Whether the factors at hand may do for the present matrix.
@@ -151,6 +173,10 @@ bool worth_a_grid(const HeldSystem& system) {
   return system.combination.stiffness != 0 || system.op.functions > 1;
 }
 
+bool may_have_factors(const HeldSystem& system) {
+  return system.op.unknowns <= most_kept;
+}
+
 bool small_enough(const PcgReport& done, const PcgOptions& pcg) {
   return done.converged || done.residual <= pcg.tolerance;
 }
@@ -161,7 +187,8 @@ PcgReport solve_any_way(HeldSystem& system, const Apply& a, const Field& load, c
   const Factors& factors = system.factors;
   keep_start(system, x);
   const bool begin_with_factors =
-      factors.possible() && (factors.helped || system.preconditioner == Preconditioner::direct);
+      factors.possible() &&
+      (factors.helped || system.preconditioner == Preconditioner::direct || factors_pay(system));
   if (begin_with_factors && solve_with_factors(system, a, load, x, pcg, m, done)) return done;
   m = choose(system, a);
   Index spent = done.iterations;
@@ -172,9 +199,13 @@ PcgReport solve_any_way(HeldSystem& system, const Apply& a, const Field& load, c
     PcgOptions how = pcg;
     how.max_iterations = pcg.max_iterations - spent;
     if (factors_next || (may_change && (grid || any_levels(system))))
-      how.max_iterations = std::min(how.max_iterations, patience(grid, tries));
+      how.max_iterations =
+          std::min(how.max_iterations,
+                   patience(grid, tries,
+                            factors_next && system.preconditioner == Preconditioner::automatic));
     done = solve_pcg(system.work, a, m, load, x, how);
     spent += done.iterations;
+    system.spent += (grid ? cost_of_cycle : 1) * done.iterations;
     const bool broke = done.iterations < how.max_iterations;
     if (small_enough(done, pcg) || spent >= pcg.max_iterations || interrupt_signal) break;
     if (factors_next) {

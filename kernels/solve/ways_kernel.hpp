@@ -13,6 +13,9 @@ inline constexpr Index least_for_multigrid = 2000, least_for_cover_grid = 100;
 /// and as weak in the mass as in the stiffness.
 bool worth_a_grid(const HeldSystem& system);
 
+/// Whether the system is small enough to keep what a new start needs: larger ones will hardly have factors.
+bool may_have_factors(const HeldSystem& system);
+
 /// Where forces cancel there may be less left than a share of it could be told from rounding.
 bool small_enough(const PcgReport& done, const PcgOptions& pcg);
 

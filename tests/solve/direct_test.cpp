@@ -24,6 +24,7 @@ class DenseSolver : public DirectSolver {
     ++asked_.analysed;
     return fits_;
   }
+  double operations() const override { return 1e30; }
   bool factorise(const BlockMatrix& a, Real least_pivot) override {
     ++asked_.factorised;
     std::vector<Real> left = scaled(a);
