@@ -17,7 +17,7 @@ constexpr Index patience_with_mass = 1000;
 constexpr Real small_share = 1e-3;
 
 /// A tolerance that can be met where a closer one cannot: better than to take the stiffness in.
-constexpr Real attainable = 1e-10;
+constexpr Real attainable = 1e-8;
 
 /// What springs were before stiff ones became multipliers.
 struct SpringsBefore {
@@ -119,6 +119,7 @@ SolveReport set_in_motion(Motion::Data& m, const Field& augmented, Real hold) {
   report.iterations += caught.iterations;
   if (!report.converged && m.solver.tolerance < attainable && !interrupt_signal) {
     const Index before = report.iterations;
+    set_matrix(m, {0, 1}, 0, hold, false);  // whatever has failed with it may be tried again
     Kokkos::deep_copy(m.now.multiplier, 0.0);
     report = find_acceleration(m, augmented, attainable, several ? patience_with_mass : most);
     report.iterations += before;
