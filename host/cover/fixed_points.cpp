@@ -193,14 +193,13 @@ class Fixer {
     return meets;
   }
 
-  Real young_modulus(Index element) const {
-    return model_.materials[material_of(covers_, element)].young_modulus;
-  }
-
-  /// Pa/m; N/m for a point, whose area is then 1.
+  /// Pa/m; N/m for a point, whose area is then 1. Springs alone are measured by rock that cannot bulge, which resists most: λ + 2μ.
   Real stiffness(Index element) const {
-    const Real factor = fixed_->method == FixMethod::penalty ? penalty_factor : augmented_factor;
-    return fixed_->stiffness.value_or(factor * young_modulus(element) / spacing_);
+    if (fixed_->stiffness) return *fixed_->stiffness;
+    const Material& rock = model_.materials[material_of(covers_, element)];
+    const Real nu = rock.poisson_ratio, e = rock.young_modulus;
+    if (fixed_->method != FixMethod::penalty) return augmented_factor * e / spacing_;
+    return penalty_factor * e * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) / spacing_;
   }
 
   void add_row(const HeldRow& row, Real stiffness) {
