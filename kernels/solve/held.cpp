@@ -288,7 +288,7 @@ SolveReport find_same_motion(HeldSystem& system, const Field& x, const Field& y,
   return report;
 }
 
-/// See solve_held.
+/// solve_held, once through, by whatever ways it takes.
 SolveReport solve_through(HeldSystem& system, const Field& b, const Field& goal, const Field& x,
                           const Field& base, const HeldOptions& options) {
   const Springs& springs = system.springs;
@@ -407,10 +407,13 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
                                system.preconditioner != Preconditioner::direct &&
                                may_have_factors(system) && any_augmented(system.springs);
   if (!may_begin_again) return solve_through(system, b, goal, x, base, options);
-  const Field multiplier = system.springs.multiplier,
-              other_x = device::make_field("solve::other_x", system.op.unknowns),
-              other_multiplier =
-                  device::make_field("solve::other_multiplier", system.springs.points.count);
+  if (system.other_x.extent(0) == 0) {
+    system.other_x = device::make_field("solve::other_x", system.op.unknowns);
+    system.other_multiplier =
+        device::make_field("solve::other_multiplier", system.springs.points.count);
+  }
+  const Field multiplier = system.springs.multiplier, other_x = system.other_x,
+              other_multiplier = system.other_multiplier;
   Kokkos::deep_copy(other_x, x);
   Kokkos::deep_copy(other_multiplier, multiplier);
   const SolveReport first = solve_through(system, b, goal, x, base, options);

@@ -89,7 +89,7 @@ TEST(LongMotions, LeaveFunctionsThatMoveNoRockAtRest) {
   }
 }
 
-/// Its covers' weights do not sum to one to the last digit: far away rounding pulls at it.
+/// Nothing acts but rounding, which grows with the way: a share of no force at all cannot be asked for.
 TEST(FreeFlight, WithoutLoadsGoesOnAsItBegan) {
   for (const char* cover : {"lattice = \"hex8\"\nspacing = 0.45\norder = 1",
                             "lattice = \"hex8\"\nspacing = 0.45\norder = 0",
