@@ -12,6 +12,7 @@
 #include "src/examples.hpp"
 #include "src/model/read_model.hpp"
 #include "src/output_path.hpp"
+#include "src/report/names.hpp"
 #include "src/run/fixed_contradiction.hpp"
 
 namespace rockfold {
@@ -204,8 +205,9 @@ void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& 
 
 void warn_of_lost_energy(const Model& model, const RunResult& run, Terminal& terminal) {
   const Analysis& analysis = *model.analysis;
-  if (analysis.type != AnalysisType::dynamic || analysis.newmark_beta != 0.25 ||
-      analysis.newmark_gamma != 0.5 || run.largest_displacement.length < least_motion)
+  if (analysis.type != AnalysisType::dynamic || analysis.dynamic_ratio != 1 ||
+      analysis.newmark_beta != 0.25 || analysis.newmark_gamma != 0.5 ||
+      run.largest_displacement.length < least_motion)
     return;
   Real largest = 0, lost = 0;
   for (const Energy& e : run.energies) {
@@ -231,10 +233,22 @@ void warn_of_support_gap(const RunResult& run, const FixedPoints& fixed, Termina
   }
   if (run.support_gap <= largest_support_gap) return;
   terminal.warn(
-      fmt::format("fixed points are off their places by {:.2g} of the largest displacement: the "
-                  "fixed faces do not run through lattice nodes (choose cover.origin and "
-                  "cover.spacing so that they do)",
+      fmt::format("fixed points are off their places by {:.2g} of the largest displacement: they "
+                  "cannot all be kept on these covers ([[fixed]] contradict each other, or hold "
+                  "more than so few covers can do; a smaller cover.spacing can do more)",
                   run.support_gap));
+}
+
+void warn_of_missing_factors(const Model& model, const RunResult& run, Terminal& terminal) {
+  if (model.solver.preconditioner != Preconditioner::direct || run.interrupted ||
+      run.preconditioner == Preconditioner::direct ||
+      run.preconditioner == Preconditioner::automatic)
+    return;
+  terminal.warn(
+      fmt::format("solver.preconditioner = \"direct\": this system's factors are out of reach "
+                  "(3e11 operations, "
+                  "3 GB) or did not help; it was solved with {}",
+                  preconditioner_name(run.preconditioner)));
 }
 
 void warn_of_interruption(const RunResult& run, const Model& model, Terminal& terminal) {

@@ -47,13 +47,14 @@ CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockAr
   CoveredRock rock;
   rock.covering = build_covers(cutting, model, progress);
   rock.fixed = fixed_points(cutting, rock.covering, model);
-  rock.monitors = locate_points(rock.covering, monitor_points(model));
+  rock.monitors = locate_points(rock.covering, monitor_points(model), Slivers::passed_over);
   rock.loads = load_points(cutting, rock.covering, model);
   rock.quiet = quiet_points(cutting, rock.covering, model);
   rock.velocities = rigid_velocities(rock.covering, blocks.block_count(), model);
   rock.block_vertices = locate_block_vertices(rock.covering, blocks);
   rock.mesh = make_element_mesh(rock.covering.arrays);
   require_in_rock(model, rock.monitors);
+  rock.covering.pieces.reset();  // all points are located
   return rock;
 }
 
@@ -158,6 +159,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
     add_run_seconds(clock, *run);
     warn_of_large_rotation(model, *run, terminal);
     warn_of_lost_energy(model, *run, terminal);
+    warn_of_missing_factors(model, *run, terminal);
     if (!run->interrupted) warn_of_support_gap(*run, rock->fixed, terminal);
     warn_of_interruption(*run, model, terminal);
   }

@@ -94,6 +94,7 @@ Covering build_covers(const Cutting& cutting, const Model& model, Progress& prog
   covering.arrays.series = cover.series;
   check_series(covering.arrays);
   auto index = std::make_shared<PieceIndex>(std::move(planes), std::move(lattice));
+  index->complex = cutting.complex;
   connect(complex, model, pieces, covering.arrays, *index);
   covering.pieces = std::move(index);
   return covering;

@@ -18,6 +18,9 @@ struct Covering {
   std::shared_ptr<const PieceIndex> pieces;  ///< for locating points
 };
 
+/// What stands for an element with next to no rock: its own functions, or those of a well filled one beside it, continued.
+enum class Slivers : std::uint8_t { as_they_are, passed_over };
+
 /// Lays the model's lattice (model.cover must be set) over the cutting. Deterministic numbering.
 Covering build_covers(const Cutting& cutting, const Model& model, Progress& progress);
 
@@ -26,9 +29,10 @@ void check_cover_size(const CoverSpec& cover, Real volume);
 
 /// Points of the material by position, m. A point on a face or vertex belongs to the lowest block that has it.
 /// Returns element = none for a point outside the rock.
-MaterialPoints locate_points(const Covering& covering, const std::vector<Vec3>& points);
+MaterialPoints locate_points(const Covering& covering, const std::vector<Vec3>& points,
+                             Slivers slivers = Slivers::as_they_are);
 
-/// The vertices of the blocks, in the order of BlockArrays::vertex, each in its own block.
+/// The vertices of the blocks, in the order of BlockArrays::vertex, each in its own block; slivers are passed over.
 MaterialPoints locate_block_vertices(const Covering& covering, const BlockArrays& blocks);
 
 /// The points at which the model's [[fixed]] hold, with penalties of 10 E/h per area (augmented Lagrangian) or

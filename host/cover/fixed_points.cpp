@@ -370,7 +370,7 @@ class Fixer {
   }
 
   void add(const PointRegion& region) {
-    const Holder h = locator_.find(region.point);
+    const Holder h = locator_.find_firm(region.point);
     if (!h.found()) return;
     const Real by_area = fixed_->stiffness ? 1 : spacing_ * spacing_;
     add_point(region.point, h.element, h.other, by_area * stiffness(h.element));

@@ -120,7 +120,7 @@ LoadPoints load_points(const Cutting& cutting, const Covering& covering, const M
   LoadPoints loads;
   const Locator locator(covering);
   for (const PointLoad& load : model.point_loads) {
-    const Holder holder = locator.find(load.point);
+    const Holder holder = locator.find_firm(load.point);
     if (!holder.found()) throw outside(load.place, "point", load.point);
     locator.add(load.point, holder, loads.points);
     add_force(loads, load.force);

@@ -1,6 +1,7 @@
 #include "host/cover/locate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -13,22 +14,58 @@ namespace rockfold {
 namespace {
 constexpr Real relative_slack =
     1e-9;  // of the model's size: far above rounding, far below any block
+/// Share of its part of a lattice cell below which an element is a sliver.
+constexpr Real least_fill = 0.02;
+/// Of the spacing: how far an element's functions are continued over slivers.
+constexpr Real continued = 0.01;
+/// Of the spacing: rock that pieces without volume (has_volume) stood for reaches so far over the others.
+constexpr Real left_out = 2e-5;
+
+/// m³
+Real piece_volume(const CoverArrays& covers, Index piece) {
+  const auto vertex = [&](Index v) {
+    const Real* at = &covers.vertex_xyz[3 * static_cast<std::size_t>(v)];
+    return Vec3{at[0], at[1], at[2]};
+  };
+  const Vec3 o = vertex(covers.vertex_begin[piece]);
+  Real six = 0;
+  for (Index t = covers.triangle_begin[piece]; t < covers.triangle_begin[piece + 1]; ++t) {
+    const Index* of = &covers.triangle_vertex[3 * static_cast<std::size_t>(t)];
+    six += dot(vertex(of[0]) - o, cross(vertex(of[1]) - o, vertex(of[2]) - o));
+  }
+  return six / 6;
 }
+
+bool share_cover(const ElementNodes& one, const ElementNodes& other, int nodes) {
+  for (int a = 0; a < nodes; ++a)
+    if (std::find(other.cover.begin(), other.cover.begin() + nodes, one.cover[a]) !=
+        other.cover.begin() + nodes)
+      return true;
+  return false;
+}
+
+}  // namespace
 
 // By the planes of the faces: the triangles of a sliver have no directions that could be trusted.
 Real Locator::piece_violation(const Vec3& x, Index piece) const {
   const Vec3 r = x - index_.planes.table.centre();
   Real worst = -std::numeric_limits<Real>::infinity();
-  for (auto f = index_.face_begin[piece]; f < index_.face_begin[piece + 1]; ++f) {
-    const HalfSpaceId h = index_.face_inside[f];
-    const Real above =
-        dot(index_.planes.table.normal(plane_of(h)), r) - index_.planes.table.offset(plane_of(h));
-    worst = std::max(worst, is_above(h) ? -above : above);
-  }
+  for (auto f = index_.face_begin[piece]; f < index_.face_begin[piece + 1]; ++f)
+    worst = std::max(worst, outside(index_.face_inside[f], r));
   return worst;
 }
 
+// m, how far outside the half-space r lies, from the table's centre.
+Real Locator::outside(HalfSpaceId h, const Vec3& r) const {
+  const PlaneTable& planes = index_.planes.table;
+  const Real above = dot(planes.normal(plane_of(h)), r) - planes.offset(plane_of(h));
+  return is_above(h) ? -above : above;
+}
+
 Locator::Locator(const Covering& covering) : covers_(covering.arrays), index_(*covering.pieces) {
+  const auto& edge = covers_.lattice.edge;
+  spacing_ = std::min({norm(edge[0]), norm(edge[1]), norm(edge[2])});
+  cell_volume_ = std::abs(dot(edge[0], cross(edge[1], edge[2])));
   if (covers_.lattice.kind != LatticeKind::block) return;
   for (Index e = 0; e < covers_.cut_count(); ++e) {
     Box& box = element_box_.emplace_back();
@@ -72,8 +109,8 @@ void Locator::try_element(const Vec3& x, Index e, Found& found) const {
   }
 }
 
-// All that may hold x.
-Locator::Found Locator::near(const Vec3& x) const {
+// All that may hold x, or a place so many edges of the lattice away.
+Locator::Found Locator::near(const Vec3& x, Real by) const {
   Found found;
   if (covers_.lattice.kind == LatticeKind::block) {
     Box point;
@@ -83,9 +120,13 @@ Locator::Found Locator::near(const Vec3& x) const {
         try_element(x, e, found);
     return found;
   }
-  Vertex v;
-  v.x = x - index_.planes.table.centre();
-  const LatticeBox box = index_.lattice.range(std::span(&v, 1));
+  std::array<Vertex, 8> around;
+  for (int c = 0; c < 8; ++c) {
+    around[c].x = x - index_.planes.table.centre();
+    for (int d = 0; d < 3; ++d)
+      around[c].x += ((c >> d & 1) != 0 ? by : -by) * covers_.lattice.edge[d];
+  }
+  const LatticeBox box = index_.lattice.range(around);
   for (Index k = box.low[2]; k < box.high[2]; ++k)
     for (Index j = box.low[1]; j < box.high[1]; ++j)
       for (Index i = box.low[0]; i < box.high[0]; ++i) {
@@ -101,6 +142,27 @@ Locator::Found Locator::near(const Vec3& x) const {
 }
 
 Holder Locator::find(const Vec3& x, Index block) const {
+  Holder best = holding(x, block);
+  if (best.found() && best.other == none) best.other = find_other(x, best);
+  return best;
+}
+
+Holder Locator::find_firm(const Vec3& x, Index block) const {
+  const Holder own = find(x, block);
+  if (!own.found() || !is_sliver(own)) return own;
+  const ElementNodes nodes = element_nodes(covers_, own.element);
+  const Index material = material_of(covers_, own.element);
+  Holder firm = nearest_within(x, continued, [&](const Holder& h) {
+    return h.block == own.block && !is_sliver(h) && material_of(covers_, h.element) == material &&
+           share_cover(nodes, element_nodes(covers_, h.element), covers_.nodes_per_part());
+  });
+  if (!firm.found()) return own;
+  if (firm.other == none)
+    firm.other = other_of(firm, near(x, continued), [&](const Holder& h) { return is_sliver(h); });
+  return firm;
+}
+
+Holder Locator::holding(const Vec3& x, Index block) const {
   const Real slack = relative_slack * index_.planes.table.model_size();
   const int first_split = covers_.first_split_parts();
   Holder best;
@@ -110,19 +172,64 @@ Holder Locator::find(const Vec3& x, Index block) const {
     if (!best.found() || std::tie(h.block, h.element) < std::tie(best.block, best.element))
       best = h;
   }
-  if (best.found() && best.other == none) best.other = find_other(x, best);
+  if (best.found() || covers_.lattice.kind == LatticeKind::block) return best;
+  return nearest_within(x, left_out, [&](const Holder& h) {
+    return (block == none || h.block == block) && is_in_rock(x, h.rock);
+  });
+}
+
+template <class Accept>
+Holder Locator::nearest_within(const Vec3& x, Real reach, const Accept& accept) const {
+  const int first_split = covers_.first_split_parts();
+  Holder best;
+  for (const Holder& h : near(x, reach)) {
+    if (h.violation > reach * spacing_ || h.part >= first_split || !accept(h)) continue;
+    if (!best.found() || std::tie(h.violation, h.element) < std::tie(best.violation, best.element))
+      best = h;
+  }
   return best;
 }
 
+bool Locator::is_in_rock(const Vec3& x, Index rock) const {
+  const Vec3 r = x - index_.planes.table.centre();
+  const Real slack = relative_slack * index_.planes.table.model_size();
+  for (const ConvexCell::Face& face : index_.complex->cells[rock].faces)
+    if (outside(face.inside, r) > slack) return false;
+  return true;
+}
+
+bool Locator::is_sliver(const Holder& holder) const {
+  const Index whole = covers_.parts_per_cell() * covers_.regular_count();
+  if (holder.element < whole || covers_.lattice.kind == LatticeKind::block) return false;
+  const Index e = holder.element - whole;
+  const CellSplit& split = covers_.lattice.split(covers_.element_cell[e]);
+  Real volume = 0;
+  for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q)
+    volume += piece_volume(covers_, q);
+  return volume <
+         least_fill * cell_volume_ * part_share(split, split.part[covers_.element_part[e]]);
+}
+
 Index Locator::find_other(const Vec3& x, const Holder& holder) const {
+  return other_of(holder, near(x), [](const Holder&) { return false; });
+}
+
+// The nearest of those that need not be avoided, or of all.
+template <class Avoid>
+Index Locator::other_of(const Holder& holder, const Found& found, const Avoid& avoid) const {
   const int first_split = covers_.first_split_parts();
   if (first_split == covers_.parts_per_cell()) return none;
   Holder best;
-  for (const Holder& h : near(x)) {
+  bool best_avoided = false;
+  for (const Holder& h : found) {
     if (h.rock != holder.rock || h.lattice_cell != holder.lattice_cell) continue;
     if (h.other != none) return h.other;
     if (h.part < first_split) continue;
-    if (!best.found() || h.violation < best.violation) best = h;
+    const bool avoided = avoid(h);
+    if (best.found() && std::tie(avoided, h.violation) >= std::tie(best_avoided, best.violation))
+      continue;
+    best = h;
+    best_avoided = avoided;
   }
   return best.element;
 }
@@ -146,10 +253,13 @@ void Locator::add(const Vec3& x, const Holder& h, MaterialPoints& points) const 
   add_material_point(covers_, x, h.element, points, h.other);
 }
 
-MaterialPoints locate_points(const Covering& covering, const std::vector<Vec3>& points) {
+MaterialPoints locate_points(const Covering& covering, const std::vector<Vec3>& points,
+                             Slivers slivers) {
   const Locator locator(covering);
   MaterialPoints result;
-  for (const Vec3& x : points) locator.add(x, locator.find(x), result);
+  for (const Vec3& x : points)
+    locator.add(x, slivers == Slivers::passed_over ? locator.find_firm(x) : locator.find(x),
+                result);
   return result;
 }
 
@@ -159,7 +269,7 @@ MaterialPoints locate_block_vertices(const Covering& covering, const BlockArrays
   for (Index b = 0; b < blocks.block_count(); ++b)
     for (Index v = blocks.vertex_begin[b]; v < blocks.vertex_begin[b + 1]; ++v) {
       const Vec3& x = blocks.vertex[v];
-      locator.add(x, locator.find(x, b), result);
+      locator.add(x, locator.find_firm(x, b), result);
     }
   return result;
 }

@@ -25,8 +25,13 @@ class Locator {
   explicit Locator(const Covering& covering);
 
   /// The part of the rock, or of one block, that holds x; of several (to 1e-9 of the model's size) that of the
-  /// lowest block, then element. Not found if x is outside all by more than that.
+  /// lowest block, then element. Not found if x is outside all rock by more than that.
   Holder find(const Vec3& x, Index block = none) const;
+
+  /// The same for what must not be left to a sliver alone: a force would press it out of shape, the more the smaller it is. Instead, the
+  /// nearest well filled element of the block, of its material and of a cover of the sliver's, up to a hundredth of the spacing away; its
+  /// functions, continued, stand for the sliver's (Höllig, Reif & Wipper 2001 do the same with B-splines).
+  Holder find_firm(const Vec3& x, Index block = none) const;
 
   /// The element of the second of two overlaid splits that holds x where `holder` does; none if there is one split.
   Index find_other(const Vec3& x, const Holder& holder) const;
@@ -39,14 +44,23 @@ class Locator {
 
  private:
   using Found = std::vector<Holder>;
-  Found near(const Vec3& x) const;
+  Found near(const Vec3& x, Real by = 0) const;
+  Holder holding(const Vec3& x, Index block) const;
+  template <class Accept>
+  Holder nearest_within(const Vec3& x, Real reach, const Accept& accept) const;
+  bool is_in_rock(const Vec3& x, Index rock) const;
+  template <class Avoid>
+  Index other_of(const Holder& holder, const Found& found, const Avoid& avoid) const;
+  bool is_sliver(const Holder& holder) const;
   void try_regular(const Vec3& x, Index regular, Found& found) const;
   void try_element(const Vec3& x, Index element, Found& found) const;
+  Real outside(HalfSpaceId h, const Vec3& r) const;
   Real piece_violation(const Vec3& x, Index piece) const;
 
   const CoverArrays& covers_;
   const PieceIndex& index_;
-  std::vector<Box> element_box_;  // [E] m; lattice `block` only
+  Real spacing_ = 0, cell_volume_ = 0;  // m, m³; the least of the lattice's edges
+  std::vector<Box> element_box_;        // [E] m; lattice `block` only
 };
 
 }  // namespace rockfold

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "host/cover/cover_planes.hpp"
 #include "host/cover/lattice_planes.hpp"
+#include "host/cut/complex.hpp"
 #include "src/arrays/cover_arrays.hpp"
 
 namespace rockfold {
@@ -15,6 +17,7 @@ struct PieceIndex {
       : planes(std::move(cover_planes)), lattice(std::move(lattice_planes)) {}
 
   CoverPlanes planes;  ///< of the cutting, and of the lattice
+  std::shared_ptr<const Complex> complex;
   LatticePlanes lattice;
   std::vector<Index> regular_rock;  ///< [R] cell of the complex that holds the regular lattice cell
   std::vector<Index> piece_rock;    ///< [Q] cell of the complex that the piece is part of

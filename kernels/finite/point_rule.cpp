@@ -129,22 +129,18 @@ class Basis {
     total_ += given;
   }
 
-  /// Points and their weights, found anew from all of the given rule: what rounding has left in them on the way goes.
+  /// Points and their weights, with what rounding has left in them on the way taken out as far as that makes them better.
   std::vector<std::pair<Index, Real>> result() {
-    std::vector<Real> left(size_, 0);
-    for (std::size_t j = 0; j < from_.size(); ++j)
-      for (std::size_t m = 0; m < size_; ++m)
-        left[m] += from_[j].weight * coordinates_.at(m, static_cast<Index>(j));
-    std::fill(weight_.begin(), weight_.end(), 0.0);
+    std::vector<Real> left = unbalanced(weight_), better(size_);
     for (int round = 0; round < 3; ++round) {
       std::fill(share_.begin(), share_.end(), 0.0);
       for (std::size_t m = 0; m < size_; ++m)
         Coordinates::add_scaled(size_, left[m], &inverse_[m * size_], share_.data());
-      for (std::size_t i = 0; i < size_; ++i) {
-        weight_[i] += share_[i];
-        for (std::size_t m = 0; m < size_; ++m)
-          left[m] -= share_[i] * coordinates_.at(m, point_[i]);
-      }
+      for (std::size_t i = 0; i < size_; ++i) better[i] = std::max(0.0, weight_[i] + share_[i]);
+      std::vector<Real> left_then = unbalanced(better);
+      if (!(largest(left_then) < largest(left))) break;
+      weight_ = better;
+      left = std::move(left_then);
     }
     std::vector<std::pair<Index, Real>> rule;
     for (std::size_t i = 0; i < size_; ++i)
@@ -153,7 +149,22 @@ class Basis {
   }
 
  private:
-  static constexpr Real rounding = 1e-11;
+  /// What the given rule's integrals of the coordinates have more than these weights'.
+  std::vector<Real> unbalanced(const std::vector<Real>& weight) const {
+    std::vector<Real> left(size_, 0);
+    for (std::size_t m = 0; m < size_; ++m) {
+      for (std::size_t j = 0; j < from_.size(); ++j)
+        left[m] += from_[j].weight * coordinates_.at(m, static_cast<Index>(j));
+      for (std::size_t i = 0; i < size_; ++i) left[m] -= weight[i] * coordinates_.at(m, point_[i]);
+    }
+    return left;
+  }
+
+  static Real largest(const std::vector<Real>& values) {
+    Real most = 0;
+    for (const Real v : values) most = std::max(most, std::abs(v));
+    return most;
+  }
 
   /// The point as a sum of those there are.
   void find_shares(Index j) {
@@ -162,18 +173,19 @@ class Basis {
       Coordinates::add_scaled(size_, coordinates_.at(m, j), &inverse_[m * size_], share_.data());
   }
 
-  /// The point whose weight ends first as `most` of a new one is moved to the points there are; size_ if none does. Of those that end
-  /// within rounding of each other the one with the largest share: small ones would spoil the inverse (Harris 1973).
+  /// The point whose weight ends first as `most` of a new one is moved to the points there are; size_ if none ends, but for rounding. Of
+  /// those that end within rounding of each other the one with the largest share: small ones would spoil the inverse (Harris 1973).
   std::size_t place_to_leave(Real most) const {
     const Real slack = 1e-14 * total_;
     Real bound = most;
     for (std::size_t i = 0; i < size_; ++i)
-      if (share_[i] < -rounding) bound = std::min(bound, (weight_[i] + slack) / -share_[i]);
+      if (share_[i] < 0) bound = std::min(bound, (weight_[i] + slack) / -share_[i]);
     std::size_t leaves = size_;
-    for (std::size_t i = 0; i < size_; ++i)
-      if (share_[i] < -rounding && weight_[i] <= bound * -share_[i] &&
-          weight_[i] < most * -share_[i] && (leaves == size_ || share_[i] < share_[leaves]))
-        leaves = i;
+    if (bound < most)
+      for (std::size_t i = 0; i < size_; ++i)
+        if (share_[i] < 0 && weight_[i] <= bound * -share_[i] &&
+            (leaves == size_ || share_[i] < share_[leaves]))
+          leaves = i;
     return leaves;
   }
 

@@ -201,6 +201,9 @@ constexpr Real roundings = 16;
 /// Share of the forces from which what rounding may leave unbalanced is looked at more closely.
 constexpr Real most_rounding = 1e-4;
 
+/// Times the least gap found on the way: a search for multipliers that ends there has gone astray.
+constexpr Real far_off = 10;
+
 bool any_augmented(const Springs& springs) {
   return springs.any() && largest_entry(springs.augmented) > 0;
 }
@@ -365,12 +368,21 @@ SolveReport solve_through(HeldSystem& system, const Field& b, const Field& goal,
   system.acceleration.begin_again();
   bool fresh = false;  // whether what it knows is of this solve alone
   bool exact = false;  // whether each solve goes to the tolerance, each update by itself
-  Real best = std::numeric_limits<Real>::infinity();
-  for (int stalled = 0; report.converged;) {
+  Real best = std::numeric_limits<Real>::infinity(), least_gap = best;
+  const Field kept = device::make_field("solve::kept_multiplier", springs.points.count);
+  auto measure_gap = [&] {
     const Real gap =
         multiplier_change(springs, factor, x, resting_places(system, goal), springs.force);
     report.gap =
         gap > 0 ? gap / std::max({largest_motion(system, x, base), largest_entry(goal), least}) : 0;
+    return gap;
+  };
+  for (int stalled = 0; report.converged;) {
+    const Real gap = measure_gap();
+    if (gap < least_gap) {
+      least_gap = gap;
+      Kokkos::deep_copy(kept, springs.multiplier);
+    }
     stalled = gap < 0.5 * best ? 0 : stalled + 1;
     if (stalled == 0) best = gap;
     // What was learned in earlier steps may have grown stale: every inner solve is inexact, and old pairs carry its noise on.
@@ -389,7 +401,14 @@ SolveReport solve_through(HeldSystem& system, const Field& b, const Field& goal,
     const bool close = report.gap <= options.gap_tolerance;
     if (close && report.residual <= pcg.tolerance) break;
     if (!close && (report.outer >= options.max_outer || stalled >= options.patience)) {
-      if (report.residual > pcg.tolerance) solve(0);
+      // Supports that contradict each other have no multipliers: the search for them only ends far off.
+      const bool astray = gap > far_off * least_gap;
+      if (astray) {
+        Kokkos::deep_copy(springs.multiplier, kept);
+        Kokkos::deep_copy(x, 0.0);
+      }
+      if (astray || report.residual > pcg.tolerance) solve(0);
+      if (astray) measure_gap();
       break;
     }
     ++report.outer;

@@ -72,6 +72,10 @@ constexpr Index least_spent = 200;
 /// An entry of the matrix in an iteration, over a multiplication of a factorisation: the one waits for memory, the other does not.
 constexpr double cost_of_entry = 10;
 
+/// Multiplications that take some tenths of a second, and covers of which they may be those.
+constexpr double few_operations = 1e9;
+constexpr Index few_covers = 1000;
+
 /// Iterations with factors: of an earlier matrix, of the present one.
 constexpr Index patience_with_old = 20, patience_with_new = 200;
 /// Pivots that count as none, in the order in which they are tried. What is left of functions that depend on each other is rounding, and
@@ -98,14 +102,17 @@ void go_back(const HeldSystem& system, const Field& x) {
     Kokkos::deep_copy(x, 0.0);
 }
 
-/// Whether a static system has taken as long as factors would by now: of two ways whose end is not known the other is then tried, and
-/// twice the time of the better one is lost at most.
+/// Whether a static system's factors cost next to nothing, while its functions depend on each other, or it has taken as long as they
+/// would by now: of two ways whose end is not known the other is then tried, and twice the time of the better one is lost at most.
 bool factors_pay(HeldSystem& system) {
   Factors& factors = system.factors;
+  const bool small = system.op.functions > 1 && system.op.covers <= few_covers;
   if (system.preconditioner != Preconditioner::automatic || system.combination.mass != 0 ||
-      !factors.possible() || system.spent < least_spent || !may_have_factors(system) ||
+      !factors.possible() || !(small || system.spent >= least_spent) || !may_have_factors(system) ||
       !analyse(factors, system.op, system.springs))
     return false;
+  if (small && factors.solver->operations() <= few_operations) return true;
+  if (system.spent < least_spent) return false;
   const double width = factors.pattern.width,
                entries = width * width * static_cast<double>(factors.pattern.column.size());
   return static_cast<double>(system.spent) * cost_of_entry * entries >=

@@ -77,11 +77,13 @@ void make_springs_again(Motion::Data& m, const SpringsBefore& before) {
       });
 }
 
-/// A support that starts with a velocity takes the rock along: the velocity nearest to that given, measured by mass, that
-/// goes with the augmented points. Else theirs would swing about their tables' slope for ever.
+/// A support that starts with a velocity takes the rock along, and one at rest holds it: the velocity nearest to that given, measured by
+/// mass, that goes with the augmented points. Else theirs would swing about their tables' slope for ever.
 SolveReport catch_up_with_supports(Motion::Data& m, const Field& augmented) {
-  if (!m.supports.tables.any() || !m.supports.tables.moving_after(m.now.time)) return {};
   const Real before = kinetic_energy(m);
+  const bool moving = m.supports.tables.any() && m.supports.tables.moving_after(m.now.time);
+  if (!moving && !(before > 0 && m.held.springs.any() && solve::largest_entry(augmented) > 0))
+    return {};
   m.rock->apply({0, 1}, m.now.velocity, m.right);
   aim_velocity(m, augmented);
   const SolveReport report =
@@ -157,11 +159,8 @@ SolveReport solve_equilibrium(Motion::Data& m) {
   const Real reference = find_residual(m, false);
   aim(m);
   Kokkos::deep_copy(m.correction, 0.0);
-  // There is no next step in which the multipliers could go on.
   solve::HeldOptions how = solve_options(m, reference);
-  how.patience = 40;
-  how.plain_at_last = true;
-  how.max_outer = std::max<Index>(how.max_outer, 400);
+  close_gaps(how);
   how.rounding = [&](const Field& x) { return m.rock->rounding(x); };
   how.stop_at_rounding = true;
   const SolveReport report =

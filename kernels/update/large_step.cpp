@@ -228,7 +228,10 @@ SolveReport iterate(Motion::Data& m, const Balance& balance, Real& wanted) {
     how.pcg.tolerance =
         std::max({0.1 * wanted, inexact ? forcing * left : 0, 4 * rounding}) / reference;
     const Real good = inexact ? good_progress * left : 0;
-    if (balance.dt == 0) how.patience = 40, how.max_outer = std::max<Index>(how.max_outer, 400);
+    if (balance.dt == 0 || !balance.steered) {
+      close_gaps(how);
+      how.plain_at_last = false;  // the next iteration goes on
+    }
     how.gap_tolerance *= 0.5;  // measured against another reference there
     set_tangent(m, balance, i == 0);
     Kokkos::deep_copy(m.correction, 0.0);

@@ -98,6 +98,8 @@ void aim_acceleration(const Motion::Data& m, const Field& augmented);
 /// goal of the first velocity: that of their tables at `augmented` points with one, what they have at others.
 void aim_velocity(const Motion::Data& m, const Field& augmented);
 solve::HeldOptions solve_options(const Motion::Data& m, Real reference);
+/// Where there is no next step in which the multipliers could go on.
+void close_gaps(solve::HeldOptions& how);
 
 SolveReport solve_initial_acceleration(Motion::Data& m, Real dt);
 SolveReport solve_equilibrium(Motion::Data& m);

@@ -166,6 +166,12 @@ solve::HeldOptions solve_options(const Motion::Data& m, Real reference) {
   return how;
 }
 
+void close_gaps(solve::HeldOptions& how) {
+  how.patience = 40;
+  how.plain_at_last = true;
+  how.max_outer = std::max<Index>(how.max_outer, 400);
+}
+
 SolveReport advance(Motion::Data& m, Real dt) {
   prepare(m, dt);
   leave_out_idle_motion(m);
@@ -178,13 +184,14 @@ SolveReport advance(Motion::Data& m, Real dt) {
   m.now.time += dt;
   set_time(m, m.now.time);
   predict(m, dt);
-  const Real reference = find_residual(m, m.dynamic_ratio > 0);
+  const Real reference = find_residual(m, steered || m.now.steps == 0);
   aim(m);
   if (steered) aim_steered(m);
   Kokkos::deep_copy(m.correction, 0.0);
   solve::HeldOptions how = solve_options(m, reference);
   how.rounding = [&](const Field& x) { return m.rock->rounding(x); };
   how.stop_at_rounding = !steered;
+  if (!steered) close_gaps(how);
   SolveReport report;
   if (!flies_freely(m, how.pcg.rounding))
     report = solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how);

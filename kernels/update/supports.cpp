@@ -132,13 +132,14 @@ void aim_velocity(const Motion::Data& m, const Field& augmented) {
   const solve::Springs s = m.held.springs;
   const auto slope = m.supports.tables.slope_after(m.now.time);
   const auto table = m.supports.table;
+  const bool any_table = m.supports.tables.any();
   const auto v = m.now.velocity, goal = m.goal;
   device::for_each(
       "rockfold::update::aim_velocity", s.points.count, KOKKOS_LAMBDA(const Index n) {
         for (int i = 0; i < 3; ++i)
-          goal(n, i) = augmented(n, i) > 0 && table(n) != none
-                           ? slope(3 * table(n) + i)
-                           : solve::interpolate_one(s.points, n, i, v);
+          goal(n, i) = !(augmented(n, i) > 0)          ? solve::interpolate_one(s.points, n, i, v)
+                       : any_table && table(n) != none ? slope(3 * table(n) + i)
+                                                       : 0;
       });
 }
 

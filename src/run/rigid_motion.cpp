@@ -107,10 +107,12 @@ StateArrays initial_motion(const CoverArrays& covers, const PieceMoments& moment
 }
 
 std::vector<Reaction> sum_reactions(const CoverArrays& covers, const FixedPoints& fixed,
-                                    const std::vector<Vec3>& reactions, Index conditions) {
+                                    const std::vector<Vec3>& reactions,
+                                    const std::vector<Vec3>& displacement, Index conditions) {
   std::vector<Reaction> sums(conditions);
   if (fixed.condition.empty()) return sums;
-  const std::vector<Vec3> arms = rigid_arms(covers);
+  std::vector<Vec3> arms = rigid_arms(covers);
+  for (std::size_t u = 0; u < displacement.size(); ++u) arms[u] += displacement[u];
   for (std::size_t n = 0; n < reactions.size(); ++n) {
     // The work on a rigid motion: force and moment whatever the point's weights are.
     Real share = 0;

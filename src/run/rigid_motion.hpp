@@ -22,7 +22,9 @@ StateArrays initial_motion(const CoverArrays& covers, const PieceMoments& moment
                            const std::vector<RigidVelocity>& velocities);
 
 /// The sum of the forces of each condition's fixed points, and of their moments about the origin. `reactions`: [N] N, of each point.
+/// `displacement`: [U] of the rock that they act on; empty: none that counts.
 std::vector<Reaction> sum_reactions(const CoverArrays& covers, const FixedPoints& fixed,
-                                    const std::vector<Vec3>& reactions, Index conditions);
+                                    const std::vector<Vec3>& reactions,
+                                    const std::vector<Vec3>& displacement, Index conditions);
 
 }  // namespace rockfold

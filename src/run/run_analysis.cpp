@@ -256,11 +256,13 @@ RunResult run_analysis(const RunInput& input, const StoreState& store, Progress&
   result.time = motion.time();
   result.energy = result.energies.back();
   result.reactions = motion.reactions();
-  result.conditions = sum_reactions(input.covers, input.fixed, result.reactions,
-                                    static_cast<Index>(input.model.fixed.size()));
   const std::vector<Vec3> displacement = motion.state().displacement;
-  result.blocks = average_block_motion(input.covers, moments, displacement,
-                                       input.blocks.block_count(), input.model.analysis->large());
+  const bool large = input.model.analysis->large();
+  result.conditions = sum_reactions(input.covers, input.fixed, result.reactions,
+                                    large ? displacement : std::vector<Vec3>{},
+                                    static_cast<Index>(input.model.fixed.size()));
+  result.blocks =
+      average_block_motion(input.covers, moments, displacement, input.blocks.block_count(), large);
   const std::vector<Stress> stress = motion.element_stress();
   result.block_stress =
       average_block_stress(input.covers, moments, stress, input.blocks.block_count());

@@ -95,6 +95,13 @@ class Warnings(ProgramTest):
         self.write("still.toml", PRESSED)
         self.assertNotIn("warning", self.run_program("run", "still.toml").stderr)
 
+    def test_tell_where_factors_were_asked_for_but_are_out_of_reach(self):
+        direct = PRESSED + '[solver]\npreconditioner = "direct"\n'
+        self.write("small.toml", direct)
+        self.assertNotIn("warning", self.run_program("run", "small.toml").stderr)
+        self.write("large.toml", direct.replace("spacing = 0.7", "spacing = 0.03"))
+        self.assertRegex(self.run_program("run", "large.toml").stderr, "factors are out of reach .* solved with multigrid")
+
     def test_name_conditions_that_contradict_each_other(self):
         again = PRESSED.split("[[fixed]]")[1].split("[[")[0]
         self.write("torn.toml", PRESSED + "[[fixed]]" + again + "value = [0.1, 0, 0]\n")

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "src/base/error.hpp"
+#include "src/base/vector.hpp"
 #include "tests/run/run_model.hpp"
 
 namespace rockfold {
@@ -198,6 +199,48 @@ type = "static"
   EXPECT_LT(grids.iterations.pcg, 300);
   EXPECT_LT(5 * grids.iterations.pcg, blocks.iterations.pcg);
   EXPECT_NEAR(grids.energy.strain / blocks.energy.strain, 1, 1e-6);
+}
+
+TEST(QuasiStatic, IsAtItsEndAfterOneLongStepWhereMultipliersAreFoundSlowly) {
+  const std::string prism = R"(
+gravity = [0, 0, 0]
+[[material]]
+density = 8729
+young_modulus = 1.86e8
+poisson_ratio = 0.45
+[[solid]]
+name = "r"
+shape = "prism"
+base = [[0.0, 0.0, 0.0], [1.893803878589614, 1.3350088505584075, -0.38718509153887065],
+        [1.4008959835236066, 1.8368189557623358, -1.0678671670523565],
+        [0.4243763387941666, 1.0635081511894722, -0.7900737015841195],
+        [-0.2953124197328771, 1.660235919181312, -1.6588276876041983],
+        [-0.9858157901320147, 1.0036202104078564, -1.3613641510269716]]
+extrude = [-0.4103231754702819, 0.8499828938717414, 0.9237521608584169]
+[cover]
+lattice = "tet5"
+order = 1
+mixed = true
+spacing = [0.752, 1.393, 1.362]
+directions = [[45.616, 334.231], [45.940, 135.513], [80.513, 234.819]]
+[[traction]]
+where = {face = "r.0"}
+value = [-876, 545, 1805]
+[[monitor]]
+point = [0.374, 1.384, 0.396]
+)" + [] {
+    std::string held;
+    for (const char* face : {"3", "4", "5"})
+      held += fmt::format("[[fixed]]\nwhere = {{face = 'r.{}'}}\nmethod = 'lagrange'\n", face);
+    return held;
+  }();
+  const auto top = [&](const std::string& analysis) {
+    return run_model(prism + "[analysis]\n" + analysis).result.monitors[0].displacement.back();
+  };
+  const Vec3 still = top("type = 'static'\n"),
+             steps =
+                 top("type = 'quasi_static'\nkinematics = 'small'\ntime_step = 100\nsteps = 1\n");
+  EXPECT_LE(norm(steps - still), 1e-6 * norm(still));
 }
 
 }  // namespace

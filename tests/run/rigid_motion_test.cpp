@@ -67,7 +67,7 @@ TEST(Reactions, OfAConditionAreForceAndMomentOfItsPoints) {
       covered, points, [](const Vec3&) { return Vec3{}; }, 1, false);
   fixed.condition = {1, 0, 1};
   const std::vector<Vec3> forces{{1, 2, 3}, {-4, 5, 6}, {7, -8, 9}};
-  const auto sums = sum_reactions(covered.arrays, fixed, forces, 3);
+  const auto sums = sum_reactions(covered.arrays, fixed, forces, {}, 3);
   ASSERT_EQ(sums.size(), 3u);
   EXPECT_NEAR(norm(sums[0].force - forces[1]), 0, 1e-12);
   EXPECT_NEAR(norm(sums[0].moment - cross(points[1], forces[1])), 0, 1e-12);

@@ -35,7 +35,7 @@ inline void run_model(const std::string& text, ModelAnswer& answer,
   const auto velocities = rigid_velocities(covering, blocks.block_count(), model);
   std::vector<Vec3> points;
   for (const auto& monitor : model.monitors) points.push_back(monitor.point);
-  const MaterialPoints monitors = locate_points(covering, points),
+  const MaterialPoints monitors = locate_points(covering, points, Slivers::passed_over),
                        vertices = locate_block_vertices(covering, blocks);
   const auto store = [&](const StoredState& state) {
     answer.stored.push_back(state.step);
