@@ -12,12 +12,19 @@ bool any_levels(const HeldSystem& system) {
   return !system.grid.levels.empty() || !system.cover_grid.levels.empty();
 }
 
+/// Whether steps in time are best left to blocks: multigrid has failed in one in which they came to the end.
+bool keeps_to_blocks(const HeldSystem& system) {
+  return system.blocks_did && system.combination.mass != 0;
+}
+
 /// Whether the next solve is to use multigrid. Short time steps need none.
 bool wants_grid(const HeldSystem& system) {
   if (!any_levels(system) || system.grid_failed || !(system.largest_diagonal > 0) ||
       !worth_a_grid(system))
     return false;
-  if (system.preconditioner == Preconditioner::multigrid || system.slow) return true;
+  if (system.preconditioner == Preconditioner::multigrid) return true;
+  if (keeps_to_blocks(system)) return false;
+  if (system.slow) return true;
   const Index least = system.op.functions == 1 ? least_for_multigrid : least_for_cover_grid;
   return system.combination.mass == 0 && system.op.covers >= least;
 }
@@ -205,7 +212,8 @@ PcgReport solve_any_way(HeldSystem& system, const Apply& a, const Field& load, c
                factors_next = tries == 0 && factors.possible();
     PcgOptions how = pcg;
     how.max_iterations = pcg.max_iterations - spent;
-    if (factors_next || (may_change && (grid || any_levels(system))))
+    const bool for_good = !grid && keeps_to_blocks(system);
+    if (factors_next || (may_change && !for_good && (grid || any_levels(system))))
       how.max_iterations =
           std::min(how.max_iterations,
                    patience(grid, tries,
@@ -214,7 +222,11 @@ PcgReport solve_any_way(HeldSystem& system, const Apply& a, const Field& load, c
     spent += done.iterations;
     system.spent += (grid ? cost_of_cycle : 1) * done.iterations;
     const bool broke = done.iterations < how.max_iterations;
-    if (small_enough(done, pcg) || spent >= pcg.max_iterations || interrupt_signal) break;
+    if (small_enough(done, pcg)) {
+      system.blocks_did = system.blocks_did || (!grid && system.grid_failed);
+      break;
+    }
+    if (spent >= pcg.max_iterations || interrupt_signal) break;
     if (factors_next) {
       const Preconditioning first = m;
       done.iterations = spent;

@@ -17,6 +17,8 @@ namespace {
 
 using device::Sums;
 
+/// Factors of a matrix that is all but singular answer with motion that moves no rock, in which the forces of finite strain drown.
+constexpr int most_vain = 4;
 constexpr int most_iterations = 60;
 /// Share of the unbalanced forces that the solve of an iteration leaves (inexact Newton: Dembo, Eisenstat & Steihaug 1982) …
 constexpr Real forcing = 1e-3;
@@ -201,6 +203,7 @@ SolveReport iterate(Motion::Data& m, const Balance& balance, Real& wanted) {
   SolveReport total;
   total.converged = false;
   Real before = std::numeric_limits<Real>::infinity(), gap_before = before;
+  int vain = 0;  // corrections by factors, one after the other, that have not helped
   for (int i = 0; i < most_iterations; ++i) {
     Real reference = find_residual(m, balance);
     aim(m, balance);
@@ -213,6 +216,9 @@ SolveReport iterate(Motion::Data& m, const Balance& balance, Real& wanted) {
     // Rounding alone: what is left is small, and another iteration would not take it away.
     const Real cancelled = std::max<Real>(1, m.large->largest_terms(m.now.displacement));
     const bool stalled = left <= 256 * cancelled * rounding && left > 0.5 * before;
+    const bool inexact = balance.dt > 0;
+    const bool by_factors = i > 0 && total.preconditioner == Preconditioner::direct;
+    vain = inexact && by_factors && left > 0.5 * before ? vain + 1 : 0;
     before = left;
     // A gap that whole solves do not halve stays: the report says how large it is, as under small strain.
     const bool closed = total.gap <= m.solver.gap_tolerance || total.gap > 0.5 * gap_before;
@@ -222,9 +228,12 @@ SolveReport iterate(Motion::Data& m, const Balance& balance, Real& wanted) {
       return total;
     }
     if (!std::isfinite(left)) return total;
+    if (vain == most_vain) {  // the step is taken again without
+      m.held.factors.make = {};
+      return total;
+    }
     solve::HeldOptions how = solve_options(m, reference);
     // Statics is solved closely: of smooth motions little shows in the forces.
-    const bool inexact = balance.dt > 0;
     how.pcg.tolerance =
         std::max({0.1 * wanted, inexact ? forcing * left : 0, 4 * rounding}) / reference;
     const Real good = inexact ? good_progress * left : 0;
