@@ -44,6 +44,7 @@ struct HeldSystem {
   Index spent = 0;            ///< iterations with this matrix, a cycle for so many as it costs
   bool slow = false;          ///< the diagonal blocks alone have taken many iterations
   Field load_before;          ///< work space: rows of b that springs act on
+  Field best_multiplier;      ///< work space: of the least gap in a search
   Field other_x, other_multiplier;  ///< work space of a second search, allocated when first needed
   /// What the multipliers' iteration has learned; it stays true from step to step. As deep as pays: each outer iteration costs
   /// some ten applications, a pair costs two vectors of the fixed points.
