@@ -27,8 +27,9 @@ constexpr Real largest_lost_share = 0.01;
 /// m: rock that moves less is at rest but for rounding.
 constexpr Real least_motion = 1e-10;
 
-/// Of the largest displacement: above it the answer differs visibly from that of points held exactly.
-constexpr Real largest_support_gap = 1e-3;
+/// Of the largest displacement: above it the answer differs visibly from that of points held exactly; and in analyses that close gaps,
+/// where it tells of supports that cannot all be kept.
+constexpr Real largest_support_gap = 1e-3, largest_gap_at_rest = 1e-5;
 
 Purpose purpose_of(Command command) {
   if (command == Command::support) return Purpose::support;
@@ -223,7 +224,8 @@ void warn_of_lost_energy(const Model& model, const RunResult& run, Terminal& ter
       lost, largest));
 }
 
-void warn_of_support_gap(const RunResult& run, const FixedPoints& fixed, Terminal& terminal) {
+void warn_of_support_gap(const Model& model, const RunResult& run, const FixedPoints& fixed,
+                         Terminal& terminal) {
   if (const auto pair = find_contradiction(fixed)) {
     terminal.warn(fmt::format(
         "fixed[{}] and fixed[{}] prescribe different displacements of the same points: neither "
@@ -231,7 +233,8 @@ void warn_of_support_gap(const RunResult& run, const FixedPoints& fixed, Termina
         (*pair)[0] + 1, (*pair)[1] + 1));
     return;
   }
-  if (run.support_gap <= largest_support_gap) return;
+  const bool moving = model.analysis->type == AnalysisType::dynamic;
+  if (run.support_gap <= (moving ? largest_support_gap : largest_gap_at_rest)) return;
   terminal.warn(
       fmt::format("fixed points are off their places by {:.2g} of the largest displacement: they "
                   "cannot all be kept on these covers ([[fixed]] contradict each other, or hold "

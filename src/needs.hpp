@@ -45,7 +45,8 @@ void warn_of_keys_without_use(const Model& model, Terminal& terminal);
 /// Newmark parameters that blow up where the time step is long for the stiffest element.
 void warn_of_conditional_stability(const Model& model, Terminal& terminal);
 /// An augmented Lagrangian that could not bring the fixed points to their places, or two [[fixed]] that contradict each other.
-void warn_of_support_gap(const RunResult& run, const FixedPoints& fixed, Terminal& terminal);
+void warn_of_support_gap(const Model& model, const RunResult& run, const FixedPoints& fixed,
+                         Terminal& terminal);
 /// Factors were asked for, and the last solve went without them.
 void warn_of_missing_factors(const Model& model, const RunResult& run, Terminal& terminal);
 void warn_of_interruption(const RunResult& run, const Model& model, Terminal& terminal);

@@ -160,7 +160,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
     warn_of_large_rotation(model, *run, terminal);
     warn_of_lost_energy(model, *run, terminal);
     warn_of_missing_factors(model, *run, terminal);
-    if (!run->interrupted) warn_of_support_gap(*run, rock->fixed, terminal);
+    if (!run->interrupted) warn_of_support_gap(model, *run, rock->fixed, terminal);
     warn_of_interruption(*run, model, terminal);
   }
   clock.measure("output", [&] { writer.finish(); });

@@ -293,16 +293,46 @@ class Connector {
 
   // Pieces of one cell of the complex on the two sides of a lattice cell's face share what the cell has of it.
   void join_face(UnionFind& stars, const CellContent& low, const CellContent& high, int axis) {
-    const auto& facets = form(low.lattice_cell).facet;
+    visit_face(low, axis, 1, [&](Index rock, const Holding& one, const PartFacet& facet) {
+      const Holding two = cells_.find_in(high, facet.other, rock);
+      if (two.any())
+        join_on_facet(stars, one, two, facet);
+      else
+        join_past(stars, one, high, rock, facet);
+    });
+    visit_face(high, axis, -1, [&](Index rock, const Holding& one, const PartFacet& facet) {
+      if (!cells_.find_in(low, facet.other, rock).any()) join_past(stars, one, low, rock, facet);
+    });
+  }
+
+  // Calls visit(rock, holding, facet) for what cells of the complex have on a face of a lattice cell.
+  template <class Visit>
+  void visit_face(const CellContent& cell, int axis, int step, const Visit& visit) const {
+    const auto& facets = form(cell.lattice_cell).facet;
     for (std::size_t part = 0; part < facets.size(); ++part)
-      for (std::size_t a = 0; a < facets[part].size(); ++a) {
-        const PartFacet& facet = facets[part][a];
-        if (facet.axis != axis || facet.step < 0) continue;
-        cells_.visit_open(
-            low, static_cast<int>(part), static_cast<int>(a), [&](Index rock, const Holding& one) {
-              join_on_facet(stars, one, cells_.find_in(high, facet.other, rock), facet);
+      for (std::size_t a = 0; a < facets[part].size(); ++a)
+        if (const PartFacet& facet = facets[part][a]; facet.axis == axis && facet.step == step)
+          cells_.visit_open(cell, static_cast<int>(part), static_cast<int>(a),
+                            [&](Index rock, const Holding& one) { visit(rock, one, facet); });
+  }
+
+  // The piece across was too small to be kept. The others that the star has there of this cell of the complex are one with it.
+  void join_past(UnionFind& stars, const Holding& one, const CellContent& other, Index rock,
+                 const PartFacet& facet) const {
+    if (other.regular != none || contacts_.is_parted(other, rock)) return;
+    const CellSplit& split = *form(other.lattice_cell).split;
+    for (int k = 0; k < facet.nodes; ++k) {
+      const int node = split.part[facet.other].node[facet.across[k]];
+      for (Index i = other.piece_begin; i < other.piece_end; ++i) {
+        if (record(i).rock != rock) continue;
+        const CellPart& part = split.part[record(i).part];
+        for (int b = 0; b < part.nodes; ++b)
+          if (part.node[b] == node)
+            visit_spots(one, [&](const Spot& a) {
+              stars.join(instance(a, facet.node[k]), piece_instance(i) + b);
             });
       }
+    }
   }
 
   void join_on_facet(UnionFind& stars, const Holding& one, const Holding& two,

@@ -314,14 +314,14 @@ class Fixer {
         others.insert(p);
         beyond += std::abs(weight[a]);
       }
+    if (!(beyond < least_weight)) others.clear(), beyond = 0;
     MaterialPoints at;
     add_material_point(covers_, x, element, at);
     HeldRow row{element, x, {}, {}, 0, false};
     for (std::size_t i = 0; i < at.unknown.size(); ++i) {
-      if (beyond < least_weight && others.count(at.unknown[i] % covers_.cover_count()) > 0)
-        continue;
+      if (others.count(at.unknown[i] % covers_.cover_count()) > 0) continue;
       row.unknown.push_back(at.unknown[i]);
-      row.weight.push_back(at.weight[i]);
+      row.weight.push_back(at.weight[i] / (1 - beyond));  // rock that moves as a whole moves so
     }
     add_row(row, spacing_ * spacing_ / 8 * stiffness(element));
   }

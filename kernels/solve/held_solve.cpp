@@ -48,8 +48,10 @@ void update_multipliers(HeldSystem& system) {
   scale_by_stiffness(springs, factor, 0.5, springs.multiplier);
 }
 
-/// Iterations of a dynamic step from which multigrid would be faster.
-constexpr Index many_iterations = 80;
+/// Iterations of a dynamic step from which multigrid would be faster; a cycle costs a dozen, and those of quadratic covers are many.
+Index many_iterations(int functions) {
+  return functions == 1 ? 80 : functions <= 4 ? 200 : 1000;
+}
 
 /// Adds the springs' part to a load for as long as it lives; then the load is what it was, digit for digit. The few rows that springs
 /// act on are kept meanwhile, not the whole load.
@@ -246,7 +248,7 @@ class HeldSolve {
     }
     by_factors_ = m.factors != nullptr;
     if (!m.whole() && worth_a_grid(system_))
-      system_.slow = system_.slow || done.iterations > many_iterations;
+      system_.slow = system_.slow || done.iterations > many_iterations(system_.op.functions);
     report.preconditioner = kind_of(system_, m);
     pcg_.reference = done.reference;  // one measure for all solves
     report.iterations += done.iterations;

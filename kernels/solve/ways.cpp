@@ -64,9 +64,16 @@ bool change_way(HeldSystem& system, Preconditioning& m, const Apply& a) {
   return true;
 }
 
+/// Of blocks of covers with several functions in a step in time. What other ways find may move these functions where they depend on each
+/// other, step by step farther; blocks leave them where they are.
+constexpr Index patience_in_time = 2000;
+
 /// Iterations after which the other way is tried: first with blocks, first with multigrid, then with blocks (a cycle costs what ten
 /// of them do), then with multigrid.
-Index patience(bool grid, int tries, bool factors_next) {
+Index patience(const HeldSystem& system, bool grid, int tries, bool factors_next) {
+  const Combination& c = system.combination;
+  const bool step = c.mass != 0 && c.stiffness >= 1;  // not the start, which is found with the mass
+  if (tries == 0 && !grid && system.op.functions > 1 && step) return patience_in_time;
   if (factors_next) return grid ? 150 : 200;
   if (tries == 0) return grid ? 300 : 200;
   return grid ? 1000 : 1500;
@@ -216,7 +223,7 @@ PcgReport solve_any_way(HeldSystem& system, const Apply& a, const Field& load, c
     if (factors_next || (may_change && !for_good && (grid || any_levels(system))))
       how.max_iterations =
           std::min(how.max_iterations,
-                   patience(grid, tries,
+                   patience(system, grid, tries,
                             factors_next && system.preconditioner == Preconditioner::automatic));
     done = solve_pcg(system.work, a, m, load, x, how);
     spent += done.iterations;

@@ -91,6 +91,38 @@ TEST(Supports, OfMorePointsThanABlockCanFollowLeaveItNearThem) {
   EXPECT_GT(answer.result.support_gap, 0.01);
 }
 
+TEST(Supports, OfABoxThatCutsElementsMoveRockAsFarAsTheyAreMoved) {
+  const Vec3 moved{1e-3, -2e-3, 5e-4};
+  for (const char* lattice : {"tet5", "tet6", "tet24", "hex8"})
+    for (const int order : {0, 1, 2})
+      for (const char* where :
+           {"box = [[-1, -1, -1], [2, 2, 0.1474]]",
+            "plane = {point = [0, 0, 0.05], normal = [0, 0, 1], tolerance = 0.1}"}) {
+        const ModelAnswer answer =
+            run_model(box({1, 1, 1}, {},
+                          fmt::format("[cover]\nlattice = '{}'\norder = {}\nspacing = 0.3997\n"
+                                      "origin = [0.1224, 0.0288, -0.0218]\n"
+                                      "[[fixed]]\nwhere = {{{}}}\nvalue = [{}, {}, {}]\n"
+                                      "[analysis]\ntype = 'static'\n"
+                                      "[[monitor]]\npoint = [0.77, 0.63, 0.91]\n",
+                                      lattice, order, where, moved[0], moved[1], moved[2])));
+        EXPECT_LE(norm(answer.result.monitors[0].displacement.back() - moved), 1e-8)
+            << lattice << " of order " << order << ", " << where;
+      }
+}
+
+TEST(Static, HoldsRockThatMissesLatticePlanesByAnyTinyAmount) {
+  for (const char* lattice : {"tet5", "tet6", "tet24", "hex8"})
+    for (Real miss = 1e-10; miss < 1e-5; miss *= 1.5) {
+      const ModelAnswer answer = run_model(
+          box({1, 1, 1}, {0, 0, -10},
+              fmt::format("[cover]\nlattice = '{}'\nspacing = 0.5\norigin = [{}, {}, {}]\n"
+                          "[[fixed]]\nwhere = {{face = 'r.zmin'}}\n[analysis]\ntype = 'static'\n",
+                          lattice, miss, -miss, -miss)));
+      EXPECT_NEAR(answer.result.conditions[0].force[2], 20000, 1e-3) << lattice << ", " << miss;
+    }
+}
+
 TEST(DynamicRatioOfZero, DampsTheFirstStepToo) {
   const ModelAnswer answer = run_model(
       box({1, 1, 1}, {},

@@ -63,8 +63,8 @@ TEST_P(AtRest, AQuasiStaticColumnStaysAsItStandsUnderItsWeight) {
   EXPECT_EQ(slow.steps, 60);
   EXPECT_NEAR(slow.energy.strain / still.energy.strain, 1, 1e-6);
   EXPECT_NEAR(slow.largest_displacement.length / still.largest_displacement.length, 1, 1e-6);
-  // Steps at rest take none: from the second half on nothing has to be found.
-  EXPECT_LT(slow.iterations.pcg, 2500);
+  // Steps at rest take none, from the second half on: all of them would take twice as many.
+  EXPECT_LT(slow.iterations.pcg, 5500);
 }
 
 INSTANTIATE_TEST_SUITE_P(
