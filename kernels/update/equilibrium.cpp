@@ -148,6 +148,7 @@ SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
   const SpringsBefore springs = hold_by_multipliers(m, hold);
   set_matrix(m, {0, 1}, 0, hold, false);
   const SolveReport report = set_in_motion(m, springs.augmented, hold);
+  m.held.factors.helped = false;  // steps see for themselves
   make_springs_again(m, springs);
   return report;
 }

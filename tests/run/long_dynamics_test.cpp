@@ -131,5 +131,37 @@ TEST(Supports, ThatMoveCarryRockLikewiseWhereStepsAreTakenAgain) {
     }
 }
 
+TEST(QuadraticCovers, OnALatticeThatFitsNothingKeepTheEnergyOfABeam) {
+  const RunResult beam = run_model(R"(
+gravity = [0, 0, 0]
+[[material]]
+density = 2000
+young_modulus = 1e7
+poisson_ratio = 0.25
+[[solid]]
+name = "b"
+shape = "box"
+min = [0, 0, 0]
+max = [4, 1, 1]
+[cover]
+lattice = "tet6"
+order = 2
+spacing = 0.8
+origin = [0.11, 0.23, 0.31]
+[[fixed]]
+where = {face = "b.xmin"}
+[[traction]]
+where = {face = "b.xmax"}
+value = [100, 200, -300]
+[analysis]
+type = "dynamic"
+kinematics = "small"
+time_step = 0.002
+steps = 12
+)")
+                             .result;
+  for (const Energy& e : beam.energies) EXPECT_LE(std::abs(e.numerical), 1e-5);  // J, of 0.1 J
+}
+
 }  // namespace
 }  // namespace rockfold
