@@ -322,7 +322,7 @@ class Connector {
     if (other.regular != none || contacts_.is_parted(other, rock)) return;
     const CellSplit& split = *form(other.lattice_cell).split;
     for (int k = 0; k < facet.nodes; ++k) {
-      const int node = split.part[facet.other].node[facet.across[k]];
+      const std::int8_t node = split.part[facet.other].node[facet.across[k]];
       for (Index i = other.piece_begin; i < other.piece_end; ++i) {
         if (record(i).rock != rock) continue;
         const CellPart& part = split.part[record(i).part];
