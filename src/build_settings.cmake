@@ -38,7 +38,7 @@ if(ROCKFOLD_NATIVE)
   add_compile_options(-march=native)
 endif()
 if(ROCKFOLD_SANITIZE)
-  # Addresses are the address sanitizer's part; the undefined-behaviour sanitizer's checks of them are half of what it costs to compile.
+  # Addresses are the address sanitizer's part; the undefined-behaviour sanitizer's checks of them are most of what it costs to compile.
   add_compile_options(-fsanitize=address,undefined -fno-sanitize=null,alignment,object-size,vptr -fno-sanitize-recover=all
                       -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)

@@ -249,8 +249,7 @@ void warn_of_missing_factors(const Model& model, const RunResult& run, Terminal&
     return;
   terminal.warn(
       fmt::format("solver.preconditioner = \"direct\": this system's factors are out of reach "
-                  "(3e11 operations, "
-                  "3 GB) or did not help; it was solved with {}",
+                  "(3e11 operations, 3 GB) or did not help; it was solved with {}",
                   preconditioner_name(run.preconditioner)));
 }
 

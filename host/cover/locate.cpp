@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <tuple>
 
 #include "src/arrays/shape_functions.hpp"
@@ -121,12 +122,13 @@ Locator::Found Locator::near(const Vec3& x, Real by) const {
     return found;
   }
   std::array<Vertex, 8> around;
-  for (int c = 0; c < 8; ++c) {
+  const int corners = by > 0 ? 8 : 1;
+  for (int c = 0; c < corners; ++c) {
     around[c].x = x - index_.planes.table.centre();
     for (int d = 0; d < 3; ++d)
       around[c].x += ((c >> d & 1) != 0 ? by : -by) * covers_.lattice.edge[d];
   }
-  const LatticeBox box = index_.lattice.range(around);
+  const LatticeBox box = index_.lattice.range(std::span(around).first(corners));
   for (Index k = box.low[2]; k < box.high[2]; ++k)
     for (Index j = box.low[1]; j < box.high[1]; ++j)
       for (Index i = box.low[0]; i < box.high[0]; ++i) {

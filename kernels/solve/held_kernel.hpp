@@ -40,7 +40,7 @@ struct HeldSystem {
   Factors factors;            ///< the third way
   bool grid_current = false;  ///< its values are those of the present combination
   bool grid_failed = false;   ///< it broke down with them
-  bool blocks_did = false;    ///< where it had
+  bool blocks_did = false;    ///< blocks came to the end of a step where multigrid had failed
   Index spent = 0;            ///< iterations with this matrix, a cycle for so many as it costs
   bool slow = false;          ///< the diagonal blocks alone have taken many iterations
   Field load_before;          ///< work space: rows of b that springs act on
