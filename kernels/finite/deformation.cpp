@@ -100,6 +100,7 @@ KOKKOS_INLINE_FUNCTION void state_at(const Deformation& body, const ForceRule& r
   if (rule.viscosity > 0) {
     for (int k = 0; k < 6; ++k) strain[k] -= old[k];
     add_elastic_stress(material, rule.viscosity, strain, s);
+    if (rule.carries) add_elastic_stress(material, 1, &body.carried(6 * at), s);
   }
   for (int i = 0; i < 9; ++i) h[i] = rule.middle ? 0.5 * (before[i] + after[i]) : after[i];
 }
@@ -151,6 +152,43 @@ void deform(const Deformation& body, const Field& displacement) {
 
 void keep(const Deformation& body) {
   Kokkos::deep_copy(body.start, body.now);
+}
+
+void carry_rate(Deformation& body, const Field& velocity, Real of_velocity,
+                const Field& acceleration, Real of_acceleration) {
+  const std::size_t size = 6 * static_cast<std::size_t>(body.elements) * body.points;
+  if (body.carried.extent(0) == 0) body.carried = device::allocate<Real>("finite::carried", size);
+  const Deformation b = body;
+  device::for_each(
+      "rockfold::finite::carry_rate", b.elements, KOKKOS_LAMBDA(const Index e) {
+        for (int q = 0; q < b.points; ++q) {
+          const std::size_t at = static_cast<std::size_t>(e) * b.points + q;
+          Real v[9], a[9];
+          gradient_at(b, velocity, e, q, v);
+          gradient_at(b, acceleration, e, q, a);
+          strain_rate(&b.start(9 * at), v, a, of_velocity, of_acceleration, &b.carried(6 * at));
+        }
+      });
+}
+
+Real viscous_work(const Deformation& body, Real viscosity, const Array<Real>& partial,
+                  const Array<Real>& sums) {
+  device::sum_then<1>(
+      "rockfold::finite::viscous_work", body.elements, partial,
+      KOKKOS_LAMBDA(const Index e, device::Sums<1>& sum) {
+        for (int q = 0; q < body.points; ++q) {
+          const std::size_t at = static_cast<std::size_t>(e) * body.points + q;
+          Real strain[6], old[6], s[6] = {0, 0, 0, 0, 0, 0};
+          green_strain(&body.now(9 * at), strain);
+          green_strain(&body.start(9 * at), old);
+          for (int k = 0; k < 6; ++k) strain[k] -= old[k];
+          add_elastic_stress(body.elastic(body.material(e)), viscosity, strain, s);
+          for (int k = 0; k < 6; ++k)
+            sum.value[0] += body.weight(at) * (k < 3 ? 1 : 2) * s[k] * strain[k];
+        }
+      },
+      KOKKOS_LAMBDA(const device::Sums<1>& sum) { sums(0) = sum.value[0]; });
+  return device::to_host(sums)[0];
 }
 
 void internal_forces(const Deformation& body, const ForceRule& rule, const Field& f) {

@@ -19,8 +19,10 @@ using device::Field;
 /// Where in a step forces are taken.
 struct ForceRule {
   bool middle = false;  ///< energy–momentum; otherwise at the end
-  /// β of Rayleigh damping over the step's length: S += viscosity · C : (E end − E start).
+  /// Rayleigh damping: S += viscosity · C : (E end − E start), and C : Deformation::carried where `carries`. By rule `middle` it is β
+  /// over the step's length; at the end βγ_N/(β_N Δt), as Newmark's formulas find the strain rate there.
   Real viscosity = 0;
+  bool carries = false;
   bool geometric = true;  ///< the part of the tangent that the stress makes
 };
 
@@ -38,6 +40,7 @@ struct Deformation {
   Array<Index> begin;         ///< [covers+1]
   Array<std::int64_t> entry;  ///< nodes·e + a: the elements of each cover
   Array<Real> start, now;     ///< [elements][points][9] H at the step's start, and now
+  Array<Real> carried;        ///< [elements][points][6] see carry_rate; empty until it is called
   Array<Real> force;          ///< [elements][points][9] weight · F S, by rule
   KOKKOS_INLINE_FUNCTION int width() const { return nodes * functions; }
   /// [3][stride] of an element at point q.
@@ -54,6 +57,15 @@ Deformation make_deformation(const CoverArrays& covers, const PieceMoments& mome
 void deform(const Deformation& body, const Field& displacement);
 /// The step is accepted: start = now.
 void keep(const Deformation& body);
+
+/// What the rates at the step's start add to the strain rate that damps (see ForceRule):
+///   carried = of_velocity · Ė + of_acceleration · Ë,  Ė = sym(Fᵀ ∇v),  Ë = sym(Fᵀ ∇a) + ∇vᵀ ∇v
+void carry_rate(Deformation& body, const Field& velocity, Real of_velocity,
+                const Field& acceleration, Real of_acceleration);
+
+/// J: ∫ (E end − E start) : viscosity · C : (E end − E start) dV.
+Real viscous_work(const Deformation& body, Real viscosity, const Array<Real>& partial,
+                  const Array<Real>& sums);
 
 /// f = ∫ F S ∇φ over all unknowns, N.
 void internal_forces(const Deformation& body, const ForceRule& rule, const Field& f);

@@ -15,6 +15,21 @@ KOKKOS_INLINE_FUNCTION void green_strain(const Real* h, Real* e) {
   }
 }
 
+/// rate = of_v · sym(Fᵀ V) + of_a · (sym(Fᵀ A) + VᵀV): of E's derivatives in time, V = ∇v, A = ∇a.
+KOKKOS_INLINE_FUNCTION void strain_rate(const Real* h, const Real* v, const Real* a, Real of_v,
+                                        Real of_a, Real* rate) {
+  for (int k = 0; k < 6; ++k) {
+    const int i = k < 3 ? k : k - 3, j = k < 3 ? k : (k - 2) % 3;
+    rate[k] = 0;
+    for (int m = 0; m < 3; ++m) {
+      const Real fi = h[3 * m + i] + (m == i ? 1 : 0), fj = h[3 * m + j] + (m == j ? 1 : 0);
+      rate[k] +=
+          0.5 * of_v * (fi * v[3 * m + j] + v[3 * m + i] * fj) +
+          of_a * (0.5 * (fi * a[3 * m + j] + a[3 * m + i] * fj) + v[3 * m + i] * v[3 * m + j]);
+    }
+  }
+}
+
 /// s += factor · (λ tr(e) I + 2μ e).
 KOKKOS_INLINE_FUNCTION void add_elastic_stress(const solve::Elastic& m, Real factor, const Real* e,
                                                Real* s) {

@@ -2,7 +2,8 @@
 //
 // With average acceleration Δd = Δt/2 (v + v') and Δt/2 ((F − C v − f) + (F' − C v' − f')) = M (v' − v), so that
 //   T' − T + ½ (f + f')·Δd + ½ (C v + C v')·Δd = ½ (F + F')·Δd
-// to the last digit: with the mean of forces over a step every work is exact. What other β, γ add or take is `numerical`.
+// to the last digit: with the mean of forces over a step every work is exact. Damping takes C Δd·Δd/Δt, the work at the step's mean
+// velocity, which is ½ (C v + C v')·Δd there and never negative. What other β, γ add or take is `numerical`.
 #include "kernels/update/motion_kernel.hpp"
 
 namespace rockfold {
@@ -14,15 +15,6 @@ using device::Sums;
 /// ½ (x + y)·Δd
 Real mean_work(const Motion::Data& m, const Field& x, const Field& y) {
   return 0.5 * (solve::dot(m.held.work, x, m.increment) + solve::dot(m.held.work, y, m.increment));
-}
-
-/// sum = v + v'.
-void sum_velocities(const Motion::Data& m, const Field& sum) {
-  const auto before = m.velocity_before, v = m.now.velocity;
-  device::for_each(
-      "rockfold::update::sum_velocities", m.unknowns, KOKKOS_LAMBDA(const Index p) {
-        for (int d = 0; d < 3; ++d) sum(p, d) = before(p, d) + v(p, d);
-      });
 }
 
 }  // namespace
@@ -46,20 +38,22 @@ void update_reactions(Motion::Data& m) {
   m.now.work.supports += device::to_host(m.sums)[0];
 }
 
-void count_work(Motion::Data& m) {
+void count_work(Motion::Data& m, Real dt) {
   Work& work = m.now.work;
   if (m.varying_loads.any()) work.loads += mean_work(m, m.varying_before, m.varying);
-  if (!m.damped()) return;
-  const Field sum = m.right;  // its work is done
-  sum_velocities(m, sum);
-  if (m.damping.mass > 0 || m.damping.stiffness > 0) {
-    m.rock->apply({m.damping.stiffness, m.damping.mass}, sum, m.work);
-    work.damping += 0.5 * solve::dot(m.held.work, m.work, m.increment);
+  Rayleigh by = m.damping;
+  if (m.large && by.stiffness > 0) {
+    work.damping += m.large->viscous_work(m.now.displacement, by.stiffness / dt);
+    by.stiffness = 0;
+  }
+  if (by.mass > 0 || by.stiffness > 0) {
+    m.rock->apply({by.stiffness, by.mass}, m.increment, m.work);
+    work.damping += solve::dot(m.held.work, m.work, m.increment) / dt;
   }
   if (m.dashpots.any()) {
     Kokkos::deep_copy(m.work, 0.0);
-    add_dashpots(m.dashpots, 1, sum, m.work);
-    work.quiet += 0.5 * solve::dot(m.held.work, m.work, m.increment);
+    add_dashpots(m.dashpots, 1, m.increment, m.work);
+    work.quiet += solve::dot(m.held.work, m.work, m.increment) / dt;
   }
 }
 

@@ -77,15 +77,24 @@ void make_springs_again(Motion::Data& m, const SpringsBefore& before) {
       });
 }
 
+/// How steps of length dt will hold and damp what the first velocity and acceleration are found for.
+struct Beginning {
+  const Field& augmented;  ///< the points held by multipliers from then on
+  Real hold = 0;           ///< β Δt²: factor of the springs
+  Real viscous = 0;        ///< γ Δt · β of Rayleigh: factor of the stiffness
+};
+
 /// A support that starts with a velocity takes the rock along, and one at rest holds it: the velocity nearest to that given, measured by
-/// mass, that goes with the augmented points. Else theirs would swing about their tables' slope for ever.
-SolveReport catch_up_with_supports(Motion::Data& m, const Field& augmented) {
+/// mass, that goes with the augmented points. Else theirs would swing about their tables' slope for ever. Strain rates that are damped
+/// within a step count too: mass alone would leave it to slivers, which have next to none, to make up for all of a jump.
+SolveReport catch_up_with_supports(Motion::Data& m, const Beginning& begin) {
   const Real before = kinetic_energy(m);
   const bool moving = m.supports.tables.any() && m.supports.tables.moving_after(m.now.time);
-  if (!moving && !(before > 0 && m.held.springs.any() && solve::largest_entry(augmented) > 0))
+  if (!moving && !(before > 0 && m.held.springs.any() && solve::largest_entry(begin.augmented) > 0))
     return {};
-  m.rock->apply({0, 1}, m.now.velocity, m.right);
-  aim_velocity(m, augmented);
+  set_matrix(m, {begin.viscous, 1}, 0, begin.hold, false);
+  m.rock->apply({begin.viscous, 1}, m.now.velocity, m.right);
+  aim_velocity(m, begin.augmented);
   const SolveReport report =
       solve::solve_held(m.held, m.right, m.goal, m.now.velocity, Field(), solve_options(m, 0));
   Kokkos::deep_copy(m.now.multiplier, 0.0);  // of a blow, not of a force
@@ -93,12 +102,14 @@ SolveReport catch_up_with_supports(Motion::Data& m, const Field& augmented) {
   return report;
 }
 
-/// The acceleration at the start. `augmented`: the points held by multipliers from then on.
-SolveReport find_acceleration(Motion::Data& m, const Field& augmented, Real tolerance,
-                              Index most_iterations) {
+/// The acceleration at the start, from (M + αK) a = F − C v − f(d), `stiffness` = α; the iterations of `total` are counted on.
+SolveReport find_acceleration(Motion::Data& m, const Beginning& begin, Real stiffness,
+                              Real tolerance, Index most_iterations, const SolveReport& total) {
+  set_matrix(m, {stiffness, 1}, 0, begin.hold, false);  // ways that have failed may be tried again
+  Kokkos::deep_copy(m.now.multiplier, 0.0);
   Kokkos::deep_copy(m.now.acceleration, 0.0);
   const Real reference = find_residual(m, m.damped());
-  aim_acceleration(m, augmented);
+  aim_acceleration(m, begin.augmented);
   const std::vector<Vec3> guess = uniform_field(m.unknowns, m.covers, m.gravity);
   device::copy_to_device(guess, m.now.acceleration);
   solve::HeldOptions how = solve_options(m, reference);
@@ -106,33 +117,37 @@ SolveReport find_acceleration(Motion::Data& m, const Field& augmented, Real tole
   how.pcg.max_iterations = std::min(how.pcg.max_iterations, most_iterations);
   // The mass resists whatever rounding leaves of the forces of strain, where these are not all there is.
   if (how.pcg.rounding < how.pcg.tolerance * reference) how.pcg.rounding = 0;
-  return solve::solve_held(m.held, m.right, m.goal, m.now.acceleration, Field(), how);
+  SolveReport report = solve::solve_held(m.held, m.right, m.goal, m.now.acceleration, Field(), how);
+  report.iterations += total.iterations;
+  return report;
 }
 
-/// The velocity and the acceleration at the start, from M a + κβΔt² K a = f where M a = f cannot be solved: among functions of which slivers
+/// Whether the acceleration is mostly of motion whose strain rate is damped away within a step, and Newmark's formulas would make
+/// displacements of it: Δt² (β/γ − ½) a in the first step.
+bool damped_away(Motion::Data& m, const Beginning& begin) {
+  if (!(begin.viscous > 0) || 2 * m.beta == m.gamma) return false;
+  auto norm = [&](const solve::Combination& c) {
+    m.rock->apply(c, m.now.acceleration, m.work);
+    return std::sqrt(solve::dot(m.held.work, m.work, m.work));
+  };
+  return norm({begin.viscous, 0}) > norm({0, 1});
+}
+
+/// The velocity and the acceleration at the start. Where M a = f cannot be solved, from M a + κβΔt² K a = f: among functions of which slivers
 /// hold next to no mass the stiffness tells apart what the mass does not. Motion slow beside the step is the same to κβ(ωΔt)².
-SolveReport set_in_motion(Motion::Data& m, const Field& augmented, Real hold) {
-  const SolveReport caught = catch_up_with_supports(m, augmented);
+SolveReport set_in_motion(Motion::Data& m, const Beginning& begin) {
+  const SolveReport caught = catch_up_with_supports(m, begin);
   if (!caught.converged) return caught;
   const bool several = m.held.op.functions > 1;
-  const Index most = m.solver.max_iterations;
-  SolveReport report =
-      find_acceleration(m, augmented, m.solver.tolerance, several ? patience_with_mass : most);
-  report.iterations += caught.iterations;
-  if (!report.converged && m.solver.tolerance < attainable && !interrupt_signal) {
-    const Index before = report.iterations;
-    set_matrix(m, {0, 1}, 0, hold, false);  // whatever has failed with it may be tried again
-    Kokkos::deep_copy(m.now.multiplier, 0.0);
-    report = find_acceleration(m, augmented, attainable, several ? patience_with_mass : most);
-    report.iterations += before;
-  }
-  if (!report.converged && several && !interrupt_signal) {
-    const Index before = report.iterations;
-    set_matrix(m, {small_share * hold, 1}, 0, hold, false);
-    Kokkos::deep_copy(m.now.multiplier, 0.0);
-    report = find_acceleration(m, augmented, m.solver.tolerance, most);
-    report.iterations += before;
-  }
+  const Index most = m.solver.max_iterations, few = several ? patience_with_mass : most;
+  const Real tolerance = m.solver.tolerance;
+  SolveReport report = find_acceleration(m, begin, 0, tolerance, few, caught);
+  if (!report.converged && tolerance < attainable && !interrupt_signal)
+    report = find_acceleration(m, begin, 0, attainable, few, report);
+  if (!report.converged && several && !interrupt_signal)
+    report = find_acceleration(m, begin, small_share * begin.hold, tolerance, most, report);
+  if (report.converged && damped_away(m, begin))
+    report = find_acceleration(m, begin, begin.viscous, tolerance, most, report);
   if (m.held.springs.any())
     solve::spring_reactions(m.held.springs, m.held.spring_factor, m.now.acceleration, m.goal,
                             m.now.reaction);
@@ -144,10 +159,14 @@ SolveReport set_in_motion(Motion::Data& m, const Field& augmented, Real hold) {
 SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
   set_time(m, m.now.time);
   const Real hold = m.beta * dt * dt;
+  if (m.large) {  // the stiffness, without the part of the stress
+    m.large->begin_step(m.now.displacement, {});
+    m.large->soften();
+  }
   set_matrix(m, {1, 1 / hold}, 0, 1, true);  // chooses the springs' stiffness
   const SpringsBefore springs = hold_by_multipliers(m, hold);
-  set_matrix(m, {0, 1}, 0, hold, false);
-  const SolveReport report = set_in_motion(m, springs.augmented, hold);
+  const SolveReport report =
+      set_in_motion(m, {springs.augmented, hold, m.gamma * dt * m.damping.stiffness});
   m.held.factors.helped = false;  // steps see for themselves
   make_springs_again(m, springs);
   return report;

@@ -31,6 +31,15 @@ class FiniteStrain : public LargeDeformation {
     finite::keep(body_);
     rule_ = rule;
   }
+  void carry_rate(const Field& velocity, Real of_velocity, const Field& acceleration,
+                  Real of_acceleration) override {
+    finite::carry_rate(body_, velocity, of_velocity, acceleration, of_acceleration);
+    rule_.carries = true;
+  }
+  Real viscous_work(const Field& d, Real viscosity) const override {
+    finite::deform(body_, d);
+    return finite::viscous_work(body_, viscosity, partial_, sums_);
+  }
   void force(const Field& d, const Field& f) const override {
     finite::deform(body_, d);
     finite::internal_forces(body_, rule_, f);

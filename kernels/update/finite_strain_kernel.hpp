@@ -10,6 +10,11 @@ class LargeDeformation : public Deformation {
  public:
   /// A step starts from d; its forces and tangents follow `rule`.
   virtual void begin_step(const Field& d, const finite::ForceRule& rule) = 0;
+  /// After begin_step: what the strain rate that damps takes from the rates at the step's start (finite::carry_rate).
+  virtual void carry_rate(const Field& velocity, Real of_velocity, const Field& acceleration,
+                          Real of_acceleration) = 0;
+  /// J that this viscosity takes in the step that ends at d (finite::viscous_work).
+  virtual Real viscous_work(const Field& d, Real viscosity) const = 0;
   /// Takes the tangent of the last linearise() again without the part of the stress, which compression may make negative.
   virtual void soften() = 0;
   /// Turns a correction to the end of the step, where forces are taken in its middle.

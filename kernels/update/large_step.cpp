@@ -37,18 +37,19 @@ struct Balance {
 void inertia_motion(const Motion::Data& m, const Balance& balance, const Field& w) {
   const auto v = m.now.velocity, a = m.now.acceleration;
   const auto v0 = m.velocity_before, a0 = m.acceleration_before;
-  const Real of_velocity = m.damping.mass, of_start = balance.middle ? 1 : 0;
+  const Real of_velocity = m.damping.mass, of_start = balance.middle ? 1 : 0,
+             whole = balance.middle ? 1 / m.handed : 0;
   device::for_each(
       "rockfold::update::large_inertia", m.unknowns, KOKKOS_LAMBDA(const Index p) {
         for (int i = 0; i < 3; ++i)
-          w(p, i) = a(p, i) + of_start * a0(p, i) + of_velocity * (v(p, i) + of_start * v0(p, i));
+          w(p, i) = a(p, i) + of_start * a0(p, i) + of_velocity * (v(p, i) + whole * v0(p, i));
       });
 }
 
-/// v' (+ v)
+/// v' (+ v, as it was when forces were balanced with it)
 void damped_velocity(const Motion::Data& m, const Balance& balance, const Field& w) {
   const auto v = m.now.velocity, v0 = m.velocity_before;
-  const Real of_start = balance.middle ? 1 : 0;
+  const Real of_start = balance.middle ? 1 / m.handed : 0;
   device::for_each(
       "rockfold::update::damped_velocity", m.unknowns, KOKKOS_LAMBDA(const Index p) {
         for (int i = 0; i < 3; ++i) w(p, i) = v(p, i) + of_start * v0(p, i);
@@ -126,6 +127,22 @@ void aim(const Motion::Data& m, const Balance& balance) {
           else
             goal(n, i) = share * s.target(n, i) - solve::interpolate_one(s.points, n, i, d);
           if (middle && !(s.augmented(n, i) > 0)) goal(n, i) += before(n, i);
+        }
+      });
+}
+
+/// goal_before = what springs are stretched by at the step's start; at that of the first they pull as the first acceleration has it, not
+/// as rock does that has not given way to them yet.
+void aim_at_start(Motion::Data& m) {
+  update::aim(m);
+  const solve::Springs s = m.held.springs;
+  const auto goal = m.goal, before = m.goal_before, reaction = m.now.reaction;
+  const bool first = m.now.steps == 0;
+  device::for_each(
+      "rockfold::update::aim_at_start", s.points.count, KOKKOS_LAMBDA(const Index n) {
+        for (int i = 0; i < 3; ++i) {
+          const Real k = s.stiffness(n, i);
+          before(n, i) = first && k > 0 ? reaction(n, i) / k : goal(n, i);
         }
       });
 }
@@ -301,27 +318,12 @@ void count_support_work(Motion::Data& m, const Balance& balance) {
   m.now.work.supports += device::to_host(m.sums)[0];
 }
 
-/// Work of changing loads, of damping by mass and velocity (in count_work's way) and by strain rate.
-void count_large_work(Motion::Data& m, const finite::ForceRule& rule, const Field& start) {
-  Work& work = m.now.work;
-  if (m.following.any()) {
-    Kokkos::deep_copy(m.work, m.following_before);
-    add_following_pressures(m.following, m.now.time, m.now.displacement, 1, m.work);
-    work.loads += 0.5 * solve::dot(m.held.work, m.work, m.increment);
-  }
-  if (rule.viscosity > 0) {
-    m.rock->force(m.now.displacement, m.work);
-    const Real with = solve::dot(m.held.work, m.work, m.increment);
-    finite::ForceRule elastic = rule;
-    elastic.viscosity = 0;
-    m.large->begin_step(start, elastic);
-    m.rock->force(m.now.displacement, m.work);
-    work.damping += with - solve::dot(m.held.work, m.work, m.increment);
-  }
-  const Real by_strain = m.damping.stiffness;
-  m.damping.stiffness = 0;
-  count_work(m);
-  m.damping.stiffness = by_strain;
+/// Work of pressures that follow their faces.
+void count_following_work(Motion::Data& m) {
+  if (!m.following.any()) return;
+  Kokkos::deep_copy(m.work, m.following_before);
+  add_following_pressures(m.following, m.now.time, m.now.displacement, 1, m.work);
+  m.now.work.loads += 0.5 * solve::dot(m.held.work, m.work, m.increment);
 }
 
 /// Work of changing loads and of pressures that follow, put on at once where nothing has moved yet: `increment` is the way.
@@ -346,27 +348,32 @@ SolveReport advance_large(Motion::Data& m, Real dt) {
   balance.middle = m.beta == 0.25 && m.gamma == 0.5 && balance.steered;
   finite::ForceRule rule;
   rule.middle = balance.middle;
-  rule.viscosity = m.damping.stiffness / dt;
+  const Real at_end = m.gamma / m.beta, damping = m.damping.stiffness;
+  rule.viscosity = damping / dt * (rule.middle ? 1 : at_end);
 
   if (m.now.steps > 0) leave_out_idle_motion(m);  // with the matrix of the step before
   if (m.varying_loads.any()) varying_load(m.varying_loads, m.now.time, m.varying_before);
   Kokkos::deep_copy(m.velocity_before, m.now.velocity);
   Kokkos::deep_copy(m.acceleration_before, m.now.acceleration);
-  Kokkos::deep_copy(m.displacement_before, m.now.displacement);
-  update::aim(m);
-  Kokkos::deep_copy(m.goal_before, m.goal);
+  aim_at_start(m);
   if (m.following.any()) {
     Kokkos::deep_copy(m.following_before, 0.0);
     add_following_pressures(m.following, m.now.time, m.now.displacement, 1, m.following_before);
   }
   m.large->begin_step(m.now.displacement, rule);
+  // Half of the rate that was not handed on is missing in the mean over the step.
+  const Real of_rate = rule.middle ? 0.5 * (1 / m.handed - 1) : 1 - at_end;
+  if (damping > 0 && of_rate != 0)
+    m.large->carry_rate(m.now.velocity, damping * of_rate, m.now.acceleration,
+                        rule.middle ? 0 : damping * dt * (1 - 0.5 * at_end));
   if (balance.steered) steer(m, dt);
   m.now.time += dt;
   set_time(m, m.now.time);
   predict(m, dt);
   const SolveReport report = balance_forces(m, balance);
   count_support_work(m, balance);
-  count_large_work(m, rule, m.displacement_before);
+  count_following_work(m);
+  count_work(m, dt);
   ++m.now.steps;
   return report;
 }

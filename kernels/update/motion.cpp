@@ -105,15 +105,13 @@ void make_data(Motion::Data& m, const MotionSetup& setup) {
                                      3 * device::chunk_count(std::max(m.unknowns, fixed)));
   m.sums = device::Array<Real>("rockfold::update::sums", 3);
   if (m.large) {
-    m.displacement_before = device::make_field("update::displacement_before", m.unknowns);
+    m.velocity_before = device::make_field("update::velocity_before", m.unknowns);
     m.acceleration_before = device::make_field("update::acceleration_before", m.unknowns);
     m.following = make_following_pressures(setup);
     if (m.following.any())
       m.following_before = device::make_field("update::following_before", m.unknowns);
     m.goal_before = device::make_field("update::goal_before", fixed);
   }
-  if (m.damped() || m.large)
-    m.velocity_before = device::make_field("update::velocity_before", m.unknowns);
   make_loads(m, setup);
   m.rock->force(m.now.displacement, m.work);
   m.initial_force = std::sqrt(solve::dot(m.held.work, m.work, m.work));
@@ -177,6 +175,7 @@ SolveReport Motion::step(Real dt, int substeps, const TrackedPoints* watched, Re
   m.largest_increment = 0;
   for (int i = 0; i < substeps; ++i) {
     // A quasi-static substep is a step of its own: nothing is handed on. The share of a velocity is taken once a step.
+    m.handed = 1;
     if (i == 0 || m.dynamic_ratio == 0) update::hand_on(m);
     SolveReport report =
         m.large ? update::advance_large(m, dt / substeps) : update::advance(m, dt / substeps);

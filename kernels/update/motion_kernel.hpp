@@ -45,10 +45,8 @@ struct Motion::Data {
   device::Field load;            ///< gravity and constant loads, N
   device::Field varying;         ///< loads that change, at the time of `now` …
   device::Field varying_before;  ///< … and at the start of the step; empty where no load changes
-  device::Field
-      velocity_before;  ///< at the start of the step; empty without damping or large kinematics
-  device::Field displacement_before, acceleration_before, goal_before,
-      following_before;      ///< likewise; large kinematics
+  device::Field velocity_before, acceleration_before, goal_before,
+      following_before;      ///< at the start of the step; large kinematics
   device::Field increment;   ///< Δd of the step
   device::Field correction;  ///< of the prediction: what is solved for
   device::Field right;       ///< right-hand side
@@ -57,6 +55,7 @@ struct Motion::Data {
   device::Field support_way;  ///< of the fixed points in the step
   device::Array<Real> partial, sums;
 
+  Real handed = 1;           ///< share of the velocity that the step now taken was handed
   Index idle_left_out = -1;  ///< steps done when it was (idle_motion.cpp); −1: never
   Vec3 gravity{};
   Rayleigh damping;
@@ -113,13 +112,13 @@ void predict(Motion::Data& m, Real dt);
 /// The same under large kinematics.
 SolveReport solve_equilibrium_large(Motion::Data& m);
 SolveReport advance_large(Motion::Data& m, Real dt);
-/// Scales the velocity by the dynamic ratio; at 0 drops the acceleration as well.
+/// Scales the velocity by the dynamic ratio, `handed`; at 0 drops the acceleration as well.
 void hand_on(Motion::Data& m);
 
 /// Reactions at the correction found, and the work of the supports: mean force times way.
 void update_reactions(Motion::Data& m);
 /// Counts the work of changing loads and of damping over the increment.
-void count_work(Motion::Data& m);
+void count_work(Motion::Data& m, Real dt);
 Real kinetic_energy(const Motion::Data& m);
 
 }  // namespace update

@@ -178,7 +178,6 @@ SolveReport advance(Motion::Data& m, Real dt) {
   if (m.varying_loads.any()) {
     varying_load(m.varying_loads, m.now.time, m.varying_before);
   }
-  if (m.damped()) Kokkos::deep_copy(m.velocity_before, m.now.velocity);
   const bool steered = m.dynamic_ratio > 0;
   if (steered) steer(m, dt);
   m.now.time += dt;
@@ -197,14 +196,14 @@ SolveReport advance(Motion::Data& m, Real dt) {
     report = solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how);
   correct(m, dt);
   update_reactions(m);
-  count_work(m);
+  count_work(m, dt);
   ++m.now.steps;
   return report;
 }
 
 void hand_on(Motion::Data& m) {
   if (m.dynamic_ratio == 1 || m.now.steps == 0) return;
-  const Real share = m.dynamic_ratio;
+  const Real share = m.handed = m.dynamic_ratio;
   m.now.work.ratio += (1 - share * share) * kinetic_energy(m);
   const bool keep_acceleration = share > 0;
   const auto v = m.now.velocity, a = m.now.acceleration;
