@@ -224,6 +224,14 @@ void warn_of_lost_energy(const Model& model, const RunResult& run, Terminal& ter
       lost, largest));
 }
 
+void warn_of_divided_steps(const Model& model, const RunResult& run, Terminal& terminal) {
+  if (run.divided_steps == 0) return;
+  terminal.warn(fmt::format(
+      "{} of {} steps did not converge at once and were divided, into {} parts at most: with an "
+      "analysis.time_step shorter than {:.3g} s all steps would be alike",
+      run.divided_steps, run.steps, run.most_parts, model.analysis->time_step));
+}
+
 void warn_of_support_gap(const Model& model, const RunResult& run, const FixedPoints& fixed,
                          Terminal& terminal) {
   if (const auto pair = find_contradiction(fixed)) {

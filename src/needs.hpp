@@ -44,6 +44,8 @@ void warn_of_lost_energy(const Model& model, const RunResult& run, Terminal& ter
 void warn_of_keys_without_use(const Model& model, Terminal& terminal);
 /// Newmark parameters that blow up where the time step is long for the stiffest element.
 void warn_of_conditional_stability(const Model& model, Terminal& terminal);
+/// Steps that found no solution until they were taken in parts; not those that max_displacement_ratio divides.
+void warn_of_divided_steps(const Model& model, const RunResult& run, Terminal& terminal);
 /// An augmented Lagrangian that could not bring the fixed points to their places, or two [[fixed]] that contradict each other.
 void warn_of_support_gap(const Model& model, const RunResult& run, const FixedPoints& fixed,
                          Terminal& terminal);

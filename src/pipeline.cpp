@@ -159,6 +159,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
     add_run_seconds(clock, *run);
     warn_of_large_rotation(model, *run, terminal);
     warn_of_lost_energy(model, *run, terminal);
+    warn_of_divided_steps(model, *run, terminal);
     warn_of_missing_factors(model, *run, terminal);
     if (!run->interrupted) warn_of_support_gap(model, *run, rock->fixed, terminal);
     warn_of_interruption(*run, model, terminal);

@@ -3,9 +3,12 @@
 #include <csignal>
 #include <string_view>
 
+#include <pthread.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include "src/base/interrupt.hpp"
+#include "src/io/partial_file.hpp"
 
 namespace rockfold {
 
@@ -16,21 +19,37 @@ constexpr std::string_view json_text =
     "before there was "
     "anything to store\",\"file\":\"\",\"line\":0,\"column\":0,\"key\":\"\"}\n}\n";
 constexpr std::string_view plain_text = "\r\033[Kinterrupted before there was anything to store\n";
-constexpr std::size_t wipe_length = 4;  // the text's "\r\033[K", for terminals alone
+constexpr std::string_view kept_text =
+    "\r\033[Kinterrupted again: the result ends with the last state that was stored\n";
+constexpr std::size_t wipe_length = 4;  // the texts' "\r\033[K", for terminals alone
 
-/// In a signal handler only write() and _exit() are safe.
+pthread_t main_thread;  // the one that writes files
+
+/// In a signal handler little more than write() and _exit() is safe.
 void put(int file, std::string_view text) {
   [[maybe_unused]] const auto ignored = write(file, text.data(), text.size());
 }
 
-/// Once: the analysis stops after its step. Twice: the user does not want to wait for that.
+void put_on_stderr(std::string_view text) {
+  put(STDERR_FILENO, isatty(STDERR_FILENO) ? text : text.substr(wipe_length));
+}
+
+/// Once: the analysis stops after its step. Twice: the user does not want to wait for that. While a state is written the main
+/// thread lets signals wait; others hand theirs to it.
 void remember(int signal) {
-  if (interrupt_signal) _exit(128 + signal);
+  if (pthread_equal(pthread_self(), main_thread) == 0) {
+    pthread_kill(main_thread, signal);
+    return;
+  }
+  if (interrupt_signal) {
+    if (settle_partial_files()) put_on_stderr(kept_text);
+    _exit(128 + signal);
+  }
   interrupt_signal = signal;
 }
 
 void exit_plain(int signal) {
-  put(STDERR_FILENO, isatty(STDERR_FILENO) ? plain_text : plain_text.substr(wipe_length));
+  put_on_stderr(plain_text);
   _exit(128 + signal);
 }
 
@@ -46,6 +65,7 @@ void exit_at_once_when_interrupted(bool json) {
 }
 
 void remember_interrupts() {
+  main_thread = pthread_self();
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, remember);
 }
 

@@ -8,7 +8,8 @@ namespace rockfold {
 void exit_at_once_when_interrupted(bool json);
 
 /// From here on a signal is remembered (src/base/interrupt.hpp); the analysis stops after its step.
-/// A second one ends the program at once.
+/// A second one ends the program as soon as no state is being written: a result that holds states takes its name, other files
+/// that are being written are removed. Call it in the thread that writes them.
 void remember_interrupts();
 
 /// 128 + the signal that was remembered, or 0.

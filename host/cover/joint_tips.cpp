@@ -10,6 +10,46 @@ namespace rockfold {
 
 namespace {
 
+// Calls visit(contact) for what touches within a block across joints, or where there are none.
+template <class Visit>
+void visit_contacts(const Complex& complex, GlueFinder& glue, bool joints, Visit visit) {
+  for (const Fragment& f : complex.fragments) {
+    if ((f.joint != none) != joints) continue;
+    if (joints && complex.cell_block[f.cell[0]] != complex.cell_block[f.cell[1]]) continue;
+    if (complex.zone(f.cell[0]).stage != 0 || complex.zone(f.cell[1]).stage != 0) continue;
+    glue.visit(f, visit);
+  }
+}
+
+// Regular lattice cells that joints within a block touch become pieces, which can have cuts.
+void split_regular(const Complex& complex, const LatticePlanes& lattice, const CoverPlanes& planes,
+                   Pieces& pieces) {
+  const OccupiedCells cells(lattice.lattice(), pieces);
+  GlueFinder glue(complex, lattice, planes, cells);
+  std::vector<bool> touched(pieces.regular.size(), false);
+  visit_contacts(complex, glue, true, [&](const Contact& c) {
+    for (const Index r : {c.one.regular, c.two.regular})
+      if (r != none) touched[r] = true;
+  });
+  std::vector<Pieces::Regular> kept;
+  for (std::size_t r = 0; r < touched.size(); ++r) {
+    const auto [lattice_cell, rock] = pieces.regular[r];
+    if (!touched[r]) {
+      kept.push_back(pieces.regular[r]);
+      continue;
+    }
+    const int parts = lattice.lattice().split(lattice_cell).part_count();
+    PieceRecord p;
+    p.lattice_cell = lattice_cell;
+    p.rock = rock;
+    for (p.part = 0; p.part < parts; ++p.part)
+      pieces.pieces.push_back(make_record(lattice, planes.table, lattice_cell, p.part, rock,
+                                          clip_to_part(complex, lattice, planes, p)));
+  }
+  pieces.regular = std::move(kept);
+  sort_pieces(pieces.pieces);
+}
+
 class TipExtender {
  public:
   TipExtender(const Complex& complex, const Model& model, const LatticePlanes& lattice,
@@ -32,32 +72,23 @@ class TipExtender {
  private:
   Index material(Index rock) const { return model_.solids[complex_.zone(rock).solid].material; }
 
-  // Calls visit(piece, piece, plane) for what touches inside a part, across joints or where there are none.
-  template <class Visit>
-  void visit_inside(bool joints, Visit visit) {
-    for (const Fragment& f : complex_.fragments) {
-      if ((f.joint != none) != joints) continue;
-      if (joints && complex_.cell_block[f.cell[0]] != complex_.cell_block[f.cell[1]]) continue;
-      if (complex_.zone(f.cell[0]).stage != 0 || complex_.zone(f.cell[1]).stage != 0) continue;
-      glue_.visit(f, [&](const Contact& c) {
-        if (c.facet == nullptr && c.one.regular == none && c.two.regular == none)
-          visit(c.one.piece_begin, c.two.piece_begin, c.polygon.plane);
-      });
-    }
-  }
-
   void find_elements() {
     UnionFind parts(static_cast<Index>(pieces_.pieces.size()));
-    visit_inside(false, [&](Index one, Index two, Index) {
+    visit_contacts(complex_, glue_, false, [&](const Contact& c) {
+      const Index one = c.one.piece_begin, two = c.two.piece_begin;
+      if (c.facet != nullptr || c.one.regular != none || c.two.regular != none) return;
       if (material(pieces_.pieces[one].rock) == material(pieces_.pieces[two].rock))
         parts.join(one, two);
     });
     element_ = parts.components();
   }
 
+  // No lattice cell with a joint on or in it is regular any more.
   void find_tips() {
-    visit_inside(true, [&](Index one, Index two, Index plane) {
-      if (element_[one] == element_[two]) tips_.emplace_back(element_[one], plane);
+    visit_contacts(complex_, glue_, true, [&](const Contact& c) {
+      const Index one = element_[c.one.piece_begin], two = element_[c.two.piece_begin];
+      if (c.facet == nullptr && one != two) return;
+      for (const Index element : {one, two}) tips_.emplace_back(element, c.polygon.plane);
     });
     std::sort(tips_.begin(), tips_.end());
     tips_.erase(std::unique(tips_.begin(), tips_.end()), tips_.end());
@@ -118,6 +149,7 @@ class TipExtender {
 
 void extend_joint_tips(const Complex& complex, const Model& model, const LatticePlanes& lattice,
                        const CoverPlanes& planes, Pieces& pieces) {
+  split_regular(complex, lattice, planes, pieces);
   TipExtender(complex, model, lattice, planes, pieces).run();
 }
 

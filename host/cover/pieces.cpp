@@ -30,13 +30,13 @@ std::uint32_t open_facets(const LatticePlanes& lattice, const std::array<Index, 
   return open;
 }
 
+}  // namespace
+
 void sort_pieces(std::vector<PieceRecord>& pieces) {
   std::sort(pieces.begin(), pieces.end(), [](const PieceRecord& a, const PieceRecord& b) {
     return std::tie(a.lattice_cell, a.part, a.rock) < std::tie(b.lattice_cell, b.part, b.rock);
   });
 }
-
-}  // namespace
 
 PieceRecord make_record(const LatticePlanes& lattice, const PlaneTable& planes, Index lattice_cell,
                         int part, Index rock, const CellView& cell) {

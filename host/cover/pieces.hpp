@@ -18,8 +18,8 @@ struct PieceRecord {
   std::uint32_t open_facets = 0;   ///< bit a: the piece has an area on facet a, which lies on the
                                    ///< lattice cell's boundary
   std::vector<HalfSpaceId> faces;  ///< that bound it, on its side
-  /// Planes of joints prolonged through the piece's element (joint_tips), on the piece's side; several pieces of one cell
-  /// of the complex in a part differ in them.
+  /// Planes of joints prolonged through the piece's element, or along its facets (joint_tips), on the piece's side; several
+  /// pieces of one cell of the complex in a part differ in them.
   std::vector<HalfSpaceId> cuts;
   std::vector<Vec3> vertices;                   ///< m, from the lattice cell's centre
   std::vector<std::array<Index, 3>> triangles;  ///< outward
@@ -40,6 +40,8 @@ Pieces cut_pieces(const Complex& complex, const CoverSpec& cover, const LatticeP
 
 /// Kind `block`: the cells of the complex as they are.
 Pieces block_pieces(const Complex& complex, const LatticePlanes& lattice);
+
+void sort_pieces(std::vector<PieceRecord>& pieces);  ///< in the order of Pieces, but for cuts
 
 PieceRecord make_record(const LatticePlanes& lattice, const PlaneTable& planes, Index lattice_cell,
                         int part, Index rock, const CellView& cell);

@@ -48,8 +48,10 @@ void SurfaceSplitter::visit_part(Index lattice_cell, int part, Index rock, const
     if (index.piece_cuts.empty() || index.piece_cuts[q].empty()) {
       visit(piece_holder(covering_, q), polygon);
     } else {
+      std::vector<HalfSpaceId> cuts = index.piece_cuts[q];
+      std::erase_if(cuts, [&](HalfSpaceId h) { return plane_of(h) == polygon.plane; });
       const Polygon own =
-          clipper_.get(index.planes.by_arithmetic(rock)).intersection(polygon, index.piece_cuts[q]);
+          clipper_.get(index.planes.by_arithmetic(rock)).intersection(polygon, cuts);
       if (!own.empty()) visit(piece_holder(covering_, q), own);
     }
   }

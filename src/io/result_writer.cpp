@@ -12,6 +12,7 @@
 #include "src/io/block_mesh.hpp"
 #include "src/io/element_mesh.hpp"
 #include "src/io/native_arrays.hpp"
+#include "src/io/partial_file.hpp"
 #include "src/io/result_file.hpp"
 #include "src/io/stress_fields.hpp"
 #include "src/io/vtkhdf.hpp"
@@ -66,25 +67,19 @@ void synchronize(const std::string& path, const std::string& shown_as) {
     fail(shown_as, std::string("cannot write: ") + std::strerror(error));
 }
 
-void rename_file(const std::string& from, const std::string& to) {
-  if (std::rename(from.c_str(), to.c_str()) != 0)
-    fail(to, std::string("cannot rename the finished file: ") + std::strerror(errno));
-}
-
-void write_text_file(const std::string& path, const std::string& partial, const std::string& text) {
-  std::ofstream out(partial, std::ios::binary);
+void write_text_file(const std::string& path, const std::string& text) {
+  PartialFile file(path);
+  std::ofstream out(file.aside(), std::ios::binary);
   out << text;
   out.close();
-  if (out) return rename_file(partial, path);
-  const int error = errno;
-  std::remove(partial.c_str());
-  fail(path, std::string("cannot write: ") + std::strerror(error));
+  if (!out) fail(path, std::string("cannot write: ") + std::strerror(errno));
+  file.take_name();
 }
 
 }  // namespace
 
 struct ResultWriter::Implementation {
-  std::string path, partial;
+  PartialFile target;
   bool finished = false;
   bool damaged = false;  ///< a state was written in part
   bool with_stress = false, with_nodal_stress = false;
@@ -98,8 +93,9 @@ struct ResultWriter::Implementation {
   std::vector<Grid> grids;
   std::vector<Real> times;
 
-  explicit Implementation(const Model& model) : stresses(model.materials) {}
-  File extend() const { return {partial, File::Mode::extend, path}; }
+  Implementation(std::string path, const Model& model)
+      : target(std::move(path)), stresses(model.materials) {}
+  File extend() const { return {target.aside(), File::Mode::extend, target.path()}; }
   std::int64_t bytes_of(const ResultState& state) const;
   void append_grids(File& file, const ResultState& state, std::int64_t number);
   void append_element_stress(File& file, Grid& grid, const ResultState& state, std::int64_t number);
@@ -110,26 +106,18 @@ struct ResultWriter::Implementation {
 };
 
 ResultWriter::ResultWriter(std::string path, const Model& model, const ResultHeader& header)
-    : implementation_(std::make_unique<Implementation>(model)) {
+    : implementation_(std::make_unique<Implementation>(std::move(path), model)) {
   auto& my = *implementation_;
-  my.partial = path + ".partial-" + std::to_string(getpid());
-  my.path = std::move(path);
-  if (std::filesystem::is_directory(my.path)) fail(my.path, "cannot write: it is a folder");
-  std::remove(my.partial.c_str());
-  try {
-    File file(my.partial, File::Mode::create, my.path);
-    vtkhdf::write_root(file);
-    write_origin(file, model, header);
-    file.close();
-  } catch (...) {
-    std::remove(my.partial.c_str());
-    throw;
-  }
+  const std::string& name = my.target.path();
+  if (std::filesystem::is_directory(name)) fail(name, "cannot write: it is a folder");
+  my.target.set_companion(xdmf_path(name));
+  File file(my.target.aside(), File::Mode::create, name);
+  vtkhdf::write_root(file);
+  write_origin(file, model, header);
+  file.close();
 }
 
-ResultWriter::~ResultWriter() {
-  if (!implementation_->finished) std::remove(implementation_->partial.c_str());
-}
+ResultWriter::~ResultWriter() = default;
 
 void ResultWriter::Implementation::write_block_grid(File& file, const BlockArrays& blocks,
                                                     const BlockFields& fields,
@@ -338,10 +326,12 @@ void ResultWriter::add_state(const ResultState& state) {
              (state.covers.time >= my.times.back() && my.with_stress == !state.stress.empty() &&
               my.with_nodal_stress == !state.nodal_stress.empty()),
          "time runs backwards, or stress comes and goes");
-  if (my.damaged) fail(my.path, "cannot write: an earlier state was written in part");
+  if (my.damaged) fail(my.target.path(), "cannot write: an earlier state was written in part");
+  const SignalsWait until_it_is_written;
   File file = my.extend();
   file.reserve(my.bytes_of(state));
   my.damaged = true;
+  my.target.set_worth_keeping(false);
   const auto number = static_cast<std::int64_t>(my.times.size());
   append_state(file, state.step, state.covers);
   if (!state.block_stress.empty())
@@ -350,6 +340,7 @@ void ResultWriter::add_state(const ResultState& state) {
   vtkhdf::append_step(file, my.grids, state_times, number);
   file.close();
   my.damaged = false;
+  my.target.set_worth_keeping(true);
   my.with_stress = !state.stress.empty();
   my.with_nodal_stress = !state.nodal_stress.empty();
   my.times.push_back(state.covers.time);
@@ -366,6 +357,9 @@ void ResultWriter::write_energies(const std::vector<Real>& time,
       {"quiet", &Energy::quiet},           {"ratio", &Energy::ratio},
       {"numerical", &Energy::numerical},   {"loads", &Energy::loads},
       {"supports", &Energy::supports}};
+  const SignalsWait until_they_are_written;
+  const bool states = !my.times.empty() && !my.damaged;
+  my.target.set_worth_keeping(false);
   File file = my.extend();
   file.write("/rockfold/energy/time", time);
   for (const auto& [name, part] : parts) {
@@ -374,21 +368,21 @@ void ResultWriter::write_energies(const std::vector<Real>& time,
     file.write(std::string("/rockfold/energy/") + name, values);
   }
   file.close();
+  my.target.set_worth_keeping(states);
 }
 
 void ResultWriter::finish() {
   auto& my = *implementation_;
   expect(!my.finished, "finish comes once");
-  if (my.damaged) fail(my.path, "cannot be finished: a state was written in part");
-  synchronize(my.partial, my.path);
-  rename_file(my.partial, my.path);
+  const std::string& name = my.target.path();
+  if (my.damaged) fail(name, "cannot be finished: a state was written in part");
+  synchronize(my.target.aside(), name);
+  my.target.take_name();
   my.finished = true;
-  const std::filesystem::path path(my.path);
-  synchronize(path.has_parent_path() ? path.parent_path().string() : ".", my.path);
-  if (my.grids.empty()) return;
-  const std::string xdmf = xdmf_path(my.path);
-  write_text_file(xdmf, xdmf + ".partial-" + std::to_string(getpid()),
-                  xdmf_text(path.filename().string(), my.grids, my.times));
+  const std::filesystem::path path(name);
+  synchronize(path.has_parent_path() ? path.parent_path().string() : ".", name);
+  if (!my.grids.empty())
+    write_text_file(xdmf_path(name), xdmf_text(path.filename().string(), my.grids, my.times));
 }
 
 std::string xdmf_path(const std::string& path) {
@@ -396,10 +390,10 @@ std::string xdmf_path(const std::string& path) {
 }
 
 const std::string& ResultWriter::path() const {
-  return implementation_->path;
+  return implementation_->target.path();
 }
 const std::string& ResultWriter::partial_path() const {
-  return implementation_->partial;
+  return implementation_->target.aside();
 }
 Index ResultWriter::state_count() const {
   return static_cast<Index>(implementation_->times.size());

@@ -20,6 +20,7 @@ Json run_totals_json(const RunReport& report) {
           {"time", report.run.time},
           {"interrupted", report.run.interrupted},
           {"largest_substeps", report.run.largest_substeps},
+          {"divided_steps", report.run.divided_steps},
           {"largest_displacement", report.run.largest_displacement.length},
           {"largest_displacement_block", report.run.largest_displacement.block + 1},
           {"largest_displacement_point", report.run.largest_displacement.point},

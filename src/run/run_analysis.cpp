@@ -166,7 +166,7 @@ void Run::solve_static() {
   recorder_.record(motion_, 1, true);
 }
 
-/// One step, in as many equal parts as max_displacement_ratio asks for. False where a signal ended it.
+/// One step, in as many equal parts as it takes to converge and as max_displacement_ratio asks for. False where a signal ended it.
 bool Run::take_step(Index step) {
   const Timer timer;
   const Real start = motion_.time();
@@ -174,6 +174,7 @@ bool Run::take_step(Index step) {
                                           : analysis_.time_step;
   motion_.save();
   Index inverted = none;  // by a try with fewer substeps
+  int needed = 1;         // substeps, for want of convergence
   for (int substeps = 1;; substeps *= 2) {
     if (substeps > most_substeps)
       throw Error(ErrorKind::analysis,
@@ -186,6 +187,7 @@ bool Run::take_step(Index step) {
     // Newton's method may find its way by shorter steps.
     if (!report.converged && analysis_.large() && substeps < most_substeps && !interrupt_signal) {
       result_.iterations.pcg += report.iterations;
+      needed = 2 * substeps;
       motion_.restore();
       continue;
     }
@@ -194,6 +196,10 @@ bool Run::take_step(Index step) {
     result_.largest_substeps = std::max(result_.largest_substeps, substeps);
     if (!watched_ || motion_.largest_increment() <= limit_) break;
     motion_.restore();
+  }
+  if (needed > 1 && !result_.interrupted) {
+    ++result_.divided_steps;
+    result_.most_parts = std::max(result_.most_parts, needed);
   }
   result_.seconds.solve += timer.seconds();
   return !result_.interrupted;

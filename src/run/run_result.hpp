@@ -99,7 +99,9 @@ struct RunResult {
   } seconds;
 
   LargestDisplacement largest_displacement;  ///< at the end
-  Index largest_substeps = 1;  ///< the finest subdivision that max_displacement_ratio asked for
+  Index largest_substeps = 1;  ///< the finest subdivision of a step, whatever asked for it
+  Index divided_steps = 0;     ///< steps that did not converge until they were divided
+  Index most_parts = 1;        ///< into how many at most
 };
 
 }  // namespace rockfold

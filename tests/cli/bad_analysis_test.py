@@ -8,6 +8,28 @@ from program import BINARY, PRESSED, ProgramTest
 
 DYNAMIC = 'type = "dynamic"\nkinematics = "small"\ntime_step = 0.01\nsteps = 5'
 
+# A soft bar that turns 0.7 times a step of 0.2 s.
+SPUN = """
+gravity = [0, 0, 0]
+[[material]]
+density = 2000
+young_modulus = 1e7
+poisson_ratio = 0.25
+[[solid]]
+name = "bar"
+shape = "box"
+min = [0, 0, 0]
+max = [2, 1, 1]
+[cover]
+spacing = 1
+[[initial_velocity]]
+where = {all = true}
+angular_velocity = [1, 2, 20]
+[analysis]
+time_step = 0.2
+steps = 3
+"""
+
 
 class BadInput(ProgramTest):
     """One change of a right model a line: what is replaced, by what, the line and key told, and words of the message."""
@@ -47,6 +69,25 @@ class BadInput(ProgramTest):
                       self.run_program("run", "bad.toml", status=2).stderr)
         self.write("bad.toml", PRESSED.replace('components = ["x"]', 'components = ["z"]'))
         self.assertIn("block 1 (translation along (1.000, 0.000, 0.000))", self.run_program("run", "bad.toml", status=1).stderr)
+
+
+class DividedSteps(ProgramTest):
+    def run_spun(self, *options):
+        self.write("spun.toml", SPUN)
+        document = self.json_of("run", "spun.toml", *options)
+        return document["totals"], [text for text in document["warnings"] if "divided" in text]
+
+    def test_that_did_not_converge_are_told(self):
+        totals, warnings = self.run_spun()
+        self.assertGreater(totals["divided_steps"], 0)
+        self.assertEqual(warnings, [
+            f"{totals['divided_steps']} of 3 steps did not converge at once and were divided, into {totals['largest_substeps']} "
+            "parts at most: with an analysis.time_step shorter than 0.2 s all steps would be alike"])
+
+    def test_as_the_user_asked_are_no_news(self):
+        totals, warnings = self.run_spun("--set", "analysis.time_step=0.05", "--set", "analysis.max_displacement_ratio=1")
+        self.assertGreater(totals["largest_substeps"], 1)
+        self.assertEqual((totals["divided_steps"], warnings), (0, []))
 
 
 class NoConvergence(ProgramTest):

@@ -34,6 +34,22 @@ class Signals(ProgramTest):
             self.assertRegex(process.err, r"warning: interrupted after \d+ of \d+ steps: the result ends at t = ")
             (self.folder / "free_fall.vtkhdf").unlink()
 
+    def test_twice_during_a_run_end_it_at_once_and_leave_no_partial_file(self):
+        self.copy_case("free_fall")
+        process = subprocess.Popen([BINARY, "run", "free_fall.toml", "--set", "analysis.end_time=5e5"], cwd=self.folder,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        partial = lambda: [path for path in self.folder.iterdir() if "partial" in path.name]
+        sizes, end = set(), time.monotonic() + 60
+        while len(sizes) < 6 and time.monotonic() < end:  # start, blocks, elements; then states
+            sizes.update(path.stat().st_size for path in partial())
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        process.send_signal(signal.SIGTERM)  # a second SIGINT could come before the first is seen, and be one with it
+        error = process.communicate(timeout=120)[1]
+        self.assertIn(process.returncode, (130, 143), error)
+        self.assertFalse(partial())
+        self.assertGreaterEqual(len(self.json_of("info", "free_fall.vtkhdf")["states"]["step"]), 1)
+
     def test_during_cutting_leave_nothing(self):
         self.copy_case("cube")
         began = time.monotonic()

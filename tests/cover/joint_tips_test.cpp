@@ -102,6 +102,102 @@ TEST(JointTips, ExtendedCutEachElementThatTheyEndIn) {
     }
 }
 
+/// A strip of a lattice plane, low < z < high, through a box from 0 to 4 whose lattice cells are cubes of 1 m.
+struct Strip {
+  Vec3 normal;  // horizontal
+  Real at, low, high;
+};
+
+Model cut_by(const Strip& s) {
+  Model model = box_model({0, 0, 0}, {4, 4, 4});
+  add_joint(model, s.normal, {s.at, 0, 0});
+  const Vec3 along = 9 * cross(Vec3{0, 0, 1}, s.normal);
+  for (const auto& [side, z] : {std::pair{-1, s.low}, {1, s.low}, {1, s.high}, {-1, s.high}})
+    model.joints[0].polygon.push_back(Vec3{s.at, 0, z} + Real(side) * along);
+  return model;
+}
+
+/// Parts of a node's star are one where they share a facet (three nodes and more) of which the strip takes nothing.
+int covers_at(const CoverArrays& a, Index node, const Strip& s, bool extended) {
+  struct Part {
+    Index cell;
+    std::set<Index> nodes;
+    int body;
+  };
+  std::vector<Part> star;
+  for (Index cell = 0; cell < a.lattice.cells[0] * a.lattice.cells[1] * a.lattice.cells[2]; ++cell)
+    for (const CellPart& part : a.lattice.split(cell).part) {
+      const Vec3 centre = a.lattice.cell_centre(cell);
+      if (std::any_of(centre.begin(), centre.end(), [](Real x) { return x < 0 || x > 4; }))
+        continue;
+      Part p{cell, {}, static_cast<int>(star.size())};
+      for (int n = 0; n < part.nodes; ++n) p.nodes.insert(a.lattice.cell_node(cell, part.node[n]));
+      if (p.nodes.count(node) != 0) star.push_back(std::move(p));
+    }
+  const auto open = [&](const Part& p, const Part& q) {
+    std::vector<Vec3> shared;
+    for (const Index n : p.nodes)
+      if (q.nodes.count(n) != 0) shared.push_back(a.lattice.node_position(n));
+    if (shared.size() < 3) return p.cell == q.cell && a.lattice.kind == LatticeKind::tet5_mixed;
+    bool held = true;
+    Real low = 9, high = -9;
+    for (const Vec3& x : shared) {
+      held = held && std::abs(dot(s.normal, x) - s.normal[0] * s.at) < 1e-9;
+      low = std::min(low, x[2]), high = std::max(high, x[2]);
+    }
+    held = held && low < s.high && high > s.low;
+    const bool whole = low >= s.low && high <= s.high;
+    return !(held && (extended || whole));
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (Part& p : star)
+      for (Part& q : star)
+        if (p.body > q.body && open(p, q)) p.body = q.body, changed = true;
+  }
+  std::set<int> bodies;
+  for (const Part& p : star) bodies.insert(p.body);
+  return static_cast<int>(bodies.size());
+}
+
+TEST(JointTips, InLatticePlanesAreProlongedToTheEdgesOfTheFacetsThatTheyEndIn) {
+  const Vec3 x{1, 0, 0}, diagonal{1, -1, 0};
+  struct {
+    LatticeKind kind;
+    Strip strip;
+  } const cases[] = {{LatticeKind::hex8, {x, 2, -1, 2.3}},
+                     {LatticeKind::tet6, {x, 2, -1, 2.3}},
+                     {LatticeKind::tet6, {x, 3, 0.7, 2.6}},
+                     {LatticeKind::tet6, {diagonal, 1, -1, 1.4}},
+                     {LatticeKind::tet6_kuhn, {diagonal, 0, 1.2, 5}},
+                     {LatticeKind::tet5, {x, 1, 0.2, 2.3}},
+                     {LatticeKind::tet24, {x, 2, -1, 2.3}},
+                     {LatticeKind::tet24, {diagonal, 0, -1, 2.6}},
+                     {LatticeKind::tet5_mixed, {x, 2, -1, 2.3}}};
+  for (const auto& [kind, strip] : cases) {
+    CoverSpec spec = extended(kind, 1);
+    spec.origin = Vec3{0, 0, 0};
+    Index covers_kept = 0;
+    for (const bool extend : {false, true}) {
+      spec.joint_tips = extend ? JointTips::extend : JointTips::keep;
+      const Covered c = cover(cut_by(strip), spec);
+      const Counts found = counts_of(c.arrays());
+      EXPECT_EQ(found.elements, 64 * cell_split(kind).part_count()) << lattice_name(kind);
+      for (const auto& [node, covers] : found.covers) {
+        EXPECT_EQ(covers, covers_at(c.arrays(), node, strip, extend))
+            << lattice_name(kind) << ", node " << node << (extend ? ", extended" : ", kept");
+      }
+      const auto all = static_cast<Index>(c.arrays().cover_node.size());
+      EXPECT_GT(all, covers_kept);
+      covers_kept = all;
+      EXPECT_NEAR(c.blocks.cutting.totals.dangling_joint_area,
+                  (std::min(strip.high, 4.0) - std::max(strip.low, 0.0)) *
+                      (strip.normal[1] == 0 ? 4 : std::sqrt(2.0) * (4 - strip.at)),
+                  1e-12);
+    }
+  }
+}
+
 TEST(JointTips, AreKeptByDefault) {
   const Crack k{2.1, -1, 5, -1, 2.3};
   const CoverSpec keep = spacing(0.8);
@@ -161,6 +257,29 @@ TEST(JointTips, ExtendedLeaveLoadedFacesTheirArea) {
     for (const Vec3& a : loads.area) area += norm(a);
     EXPECT_NEAR(area, 16, 16e-13) << lattice_name(kind);
   }
+}
+
+// The floor of the notch and the joint lie in one plane: on one facet of an element, or inside of one.
+TEST(JointTips, BesideALoadedFaceInTheirPlaneLeaveItItsArea) {
+  Model model = box_model({0, 0, 0}, {4, 4, 4});
+  model.solids.push_back(box_solid("notch", {0, 0, 2}, {2, 4, 4}, false));
+  add_joint(model, Vec3{0, 0, 1}, {0, 0, 2});
+  model.joints[0].polygon = {{1, -1, 2}, {2.7, -1, 2}, {2.7, 2.3, 2}, {1, 2.3, 2}};
+  Traction traction;
+  traction.where = FaceRegion{1, {4}};
+  traction.pressure = traction.follows = true;
+  traction.value = {1, 0, 0};
+  model.tractions.push_back(traction);
+  for (const LatticeKind kind : kinds)
+    for (const Real z : {0.0, 0.5}) {
+      CoverSpec spec = extended(kind, 1);
+      spec.origin = Vec3{0.5, 0, z};
+      const Covered c = cover(model, spec);
+      const LoadPoints loads = load_points(c.blocks.cutting, c.covering, c.model);
+      Real area = 0;
+      for (const Vec3& x : loads.area) area += norm(x);
+      EXPECT_NEAR(area, 8, 8e-13) << lattice_name(kind) << ' ' << z;
+    }
 }
 
 }  // namespace

@@ -9,16 +9,13 @@
 
 namespace rockfold {
 
-TextFile::TextFile(std::string path)
-    : path_(std::move(path)), partial_(path_ + ".partial-" + std::to_string(getpid())) {
-  file_ = std::fopen(partial_.c_str(), "wb");
+TextFile::TextFile(std::string path) : target_(std::move(path)) {
+  file_ = std::fopen(target_.aside().c_str(), "wb");
   if (file_ == nullptr) fail(errno);
 }
 
 TextFile::~TextFile() {
-  if (file_ == nullptr) return;
-  std::fclose(file_);
-  std::remove(partial_.c_str());
+  if (file_ != nullptr) std::fclose(file_);
 }
 
 void TextFile::flush() {
@@ -33,15 +30,13 @@ void TextFile::finish() {
   const bool closed = std::fclose(file_) == 0;
   const int error = errno;
   file_ = nullptr;
-  if (closed && std::rename(partial_.c_str(), path_.c_str()) == 0) return;
-  const int reason = closed ? errno : error;
-  std::remove(partial_.c_str());
-  fail(reason);
+  if (!closed) fail(error);
+  target_.take_name();
 }
 
 void TextFile::fail(int error) const {
   throw Error(ErrorKind::io, std::string("cannot be written: ") + std::strerror(error),
-              Place{path_, 0, 0, {}});
+              Place{target_.path(), 0, 0, {}});
 }
 
 }  // namespace rockfold

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "src/base/types.hpp"
+#include "src/io/partial_file.hpp"
 
 namespace rockfold {
 
@@ -33,7 +34,7 @@ class TextFile {
   void flush();
   [[noreturn]] void fail(int error) const;
 
-  std::string path_, partial_;
+  PartialFile target_;
   fmt::memory_buffer buffer_;
   std::FILE* file_ = nullptr;
 };
