@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/cover/centre_functions.hpp"
 #include "host/cover/connect.hpp"
 #include "host/cover/joint_tips.hpp"
 #include "host/cover/piece_index.hpp"
@@ -96,6 +97,7 @@ Covering build_covers(const Cutting& cutting, const Model& model, Progress& prog
   auto index = std::make_shared<PieceIndex>(std::move(planes), std::move(lattice));
   index->complex = cutting.complex;
   connect(complex, model, pieces, covering.arrays, *index);
+  centre_functions(covering.arrays);
   covering.pieces = std::move(index);
   return covering;
 }

@@ -205,8 +205,9 @@ Values series_amid(const CoverArrays& covers, const Points& points) {
   return series_values(covers, most->first, points);
 }
 
-/// The rows of all polynomials up to a degree over the points, and of the series of the cover amid them.
-void add_moments(const CoverArrays& covers, const Points& points, const Vec3& normal, Real spacing,
+/// The rows of all polynomials up to a degree over the points, and of the series of the cover amid them. `unit`: m, in which polynomials
+/// that differ too little from others are told.
+void add_moments(const CoverArrays& covers, const Points& points, const Vec3& normal, Real unit,
                  int degree, std::vector<HeldRow>& rows) {
   MaterialPoints at;
   Real area = 0;
@@ -215,7 +216,7 @@ void add_moments(const CoverArrays& covers, const Points& points, const Vec3& no
     area += p.area;
   }
   const auto functions =
-      OrthonormalFunctions(points, spacing).find(normal, degree, 1, series_amid(covers, points));
+      OrthonormalFunctions(points, unit).find(normal, degree, 1, series_amid(covers, points));
   for (const Function& function : functions) {
     std::map<Index, Real> weight;
     for (std::size_t n = 0; n < points.size(); ++n)
@@ -271,9 +272,9 @@ bool runs_through_nodes(const CoverArrays& covers, const std::vector<FacePolygon
 /// On nodes: what the functions of each cover are on the surface, as polynomials, is held by itself. With m the functions of
 /// cover a and q_j orthonormal in the mean over its share of the area, which N_a weighs, row j is that mean of q_j Σ_k m_k d_ak.
 /// All rows at rest, the surface is; and no fewer would do, but for displacements that the other covers bring about too.
-/// `polygon`: one of the surface. However small the surface is in an element, all of its nodes there count.
+/// `polygon`: one of the surface; `unit`: as of add_moments. However small the surface is in an element, all of its nodes there count.
 void hold_covers(const CoverArrays& covers, const Points& points, const FacePolygon& polygon,
-                 Real spacing, std::vector<HeldRow>& rows) {
+                 Real spacing, Real unit, std::vector<HeldRow>& rows) {
   std::map<Index, Points> of_cover;
   std::map<Index, Real> most_weight;
   for (const auto& p : points)
@@ -287,7 +288,7 @@ void hold_covers(const CoverArrays& covers, const Points& points, const FacePoly
     Real area = 0;
     for (const auto& p : share) area += p.area;
     const auto held =
-        OrthonormalFunctions(share, spacing)
+        OrthonormalFunctions(share, unit)
             .find(polygon.normal, covers.order, covers.order, series_values(covers, cover, share));
     for (const Function& one : held) {
       HeldRow row{share[0].element,
@@ -381,9 +382,11 @@ void hold_surface(const CoverArrays& covers, const std::vector<FacePolygon>& sur
   const int of_weights = covers.lattice.kind == LatticeKind::hex8 ? 3 : block ? 0 : 1;
   const int of_functions = of_weights + covers.order;
   const int of_series = covers.series ? covers.series->degree() : 0;
+  // Rock that is smaller than a lattice cell bends as its functions do, which are in units of its own size.
+  const Real unit = covers.middle.empty() ? spacing : 2 * covers.reach * spacing;
   if (!block && runs_through_nodes(covers, surface, spacing)) {
     hold_covers(covers, surface_points(surface, std::max(of_weights + 2 * covers.order, of_series)),
-                surface[0], spacing, rows);
+                surface[0], spacing, unit, rows);
     return;
   }
   const int degree = block ? covers.order : covers.order + 1;
@@ -393,7 +396,7 @@ void hold_surface(const CoverArrays& covers, const std::vector<FacePolygon>& sur
   const std::vector<Points> all =
       block ? std::vector<Points>{points}
             : join_small(patches(covers, points, normal, patch_width * spacing));
-  for (const Points& patch : all) add_moments(covers, patch, normal, spacing, degree, rows);
+  for (const Points& patch : all) add_moments(covers, patch, normal, unit, degree, rows);
 }
 
 }  // namespace rockfold

@@ -156,13 +156,16 @@ void assemble(const DeviceBlocks& block, const ElementTable& table, const Consta
     const int part = table.part(e);
     const Elastic m = table.elastic(table.material(e));
     const Real* origin = &table.origin(3 * static_cast<std::size_t>(c));
-    const ElementRow row(parts, ShiftedFunction(parts, part, a, sink.k, origin).terms(),
-                         &table.amid_moment(static_cast<std::size_t>(c) * parts.moments));
+    const ElementRow row(
+        parts,
+        ShiftedFunction(parts, part, a, sink.k, origin, table.argument(table.cover(e, a))).terms(),
+        &table.amid_moment(static_cast<std::size_t>(c) * parts.moments));
     for (int b = 0; b < parts.nodes; ++b) {
       const Index at = sink.find(table.cover(e, b));
+      const Argument of = table.argument(table.cover(e, b));
       for (int l = 0; l < n; ++l) {
         Real entry[entry_size];
-        row.couple(parts, ShiftedFunction(parts, part, b, l, origin).terms(), m, entry);
+        row.couple(parts, ShiftedFunction(parts, part, b, l, origin, of).terms(), m, entry);
         sink.add(at, l, entry);
       }
     }

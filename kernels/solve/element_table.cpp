@@ -84,6 +84,12 @@ ElementTable make_element_table(const CoverArrays& covers, const PieceMoments& m
     for (const Vec3& eta : moments.origin) origin.insert(origin.end(), eta.begin(), eta.end());
     table.origin = to_device("solve::element_origin", origin);
   }
+  if (!covers.middle.empty()) {
+    std::vector<Real> middle;
+    for (const Vec3& xi : covers.middle) middle.insert(middle.end(), xi.begin(), xi.end());
+    table.middle = to_device("solve::cover_middle", middle);
+    table.reach = covers.reach;
+  }
   table.elastic = to_device("solve::elastic", make_elastic(materials));
   return table;
 }

@@ -5,6 +5,12 @@
 
 namespace rockfold::solve {
 
+/// Cover functions are monomials of (ξ − middle) / reach.
+struct Argument {
+  Real middle[3];
+  Real reach;
+};
+
 struct ElementTable {
   PartTable parts;    ///< the polynomials; its functions and width do not count a local series
   int functions = 0;  ///< of a cover
@@ -19,7 +25,9 @@ struct ElementTable {
   Array<Real> cut_moment;            ///< [E][moments], m³, times the share of the split
   Array<Real> amid_moment;  ///< [E][moments] likewise about `origin`; empty for linear functions
   Array<Real> origin;       ///< [E][3] η amid the element
-  Array<Elastic> elastic;   ///< [materials]
+  Array<Real> middle;       ///< [P][3] of cover functions, or empty
+  Real reach = 1;
+  Array<Elastic> elastic;  ///< [materials]
   Array<Real>
       mean_slope;  ///< [elements][width][3] 1/m with a local series, where it is wanted; else empty
 
@@ -38,6 +46,12 @@ struct ElementTable {
     return whole(e)
                ? regular_cover(e / parts.parts * parts.cell_nodes + parts.cell_node(part(e), a))
                : element_cover((e - parts.parts * regular) * parts.nodes + a);
+  }
+  KOKKOS_INLINE_FUNCTION Argument argument(Index cover) const {
+    Argument of{{0, 0, 0}, reach};
+    if (middle.extent(0) > 0)
+      for (int d = 0; d < 3; ++d) of.middle[d] = middle(3 * static_cast<std::size_t>(cover) + d);
+    return of;
   }
   /// [parts.moments] ∫ η^m dV about the centre of the element's lattice cell, m³.
   KOKKOS_INLINE_FUNCTION const Real* moments(Index e) const {

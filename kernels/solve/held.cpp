@@ -28,10 +28,12 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
              automatic = preconditioner == Preconditioner::automatic ||
                          preconditioner == Preconditioner::direct;
   system.work = make_pcg_work(op.unknowns);
-  if (op.functions > 1 && (any || automatic))
-    system.cover_grid = make_cover_grid(covers, merged.fixed.points);
-  else if (any || (automatic && op.covers >= least_for_multigrid))
+  if (op.functions > 1) {
+    if ((any || automatic) && covers.middle.empty())  // coarse functions are those about nodes
+      system.cover_grid = make_cover_grid(covers, merged.fixed.points);
+  } else if (any || (automatic && op.covers >= least_for_multigrid)) {
     system.grid = make_multigrid(covers, op, merged.fixed.points, system.work.q);
+  }
   system.springs = build_springs(merged.fixed, op.unknowns);
   system.shares = std::move(merged.shares);
   system.best_multiplier =

@@ -50,7 +50,7 @@ struct RigidRow {
   std::array<std::uint8_t, 3> held;  ///< components
 };
 
-/// In the covers' functions a rigid motion is that of their nodes and, with functions ξ, its slope (shape_functions.hpp).
+/// In the covers' functions a rigid motion is that of their origins and, with functions ξ, its slope (shape_functions.hpp).
 RigidRow rigid_row(const CoverArrays& covers, const FixedPoints& fixed, std::size_t n,
                    const Vec3& origin) {
   const MaterialPoints& points = fixed.points;
@@ -62,9 +62,9 @@ RigidRow rigid_row(const CoverArrays& covers, const FixedPoints& fixed, std::siz
     const Real weight = points.weight[i];
     if (function == 0) {
       row.shift += weight;
-      row.arm += weight * (covers.lattice.node_position(covers.cover_node[cover]) - origin);
+      row.arm += weight * (function_origin(covers, cover) - origin);
     } else if (function < std::min(covers.polynomials(), 4)) {
-      row.arm += weight * covers.lattice.edge[function - 1];
+      row.arm += (weight * covers.reach) * covers.lattice.edge[function - 1];
     }
   }
   return row;

@@ -55,7 +55,7 @@ bool finite(const FunctionValue& f) {
 class Sampler {
  public:
   explicit Sampler(const CoverArrays& covers)
-      : covers_(covers), points_(covers, covers.series->degree()), functions_(covers) {}
+      : covers_(covers), points_(covers, sampling_degree(covers)), functions_(covers) {}
 
   int width() const { return functions_.width(); }
 
@@ -243,7 +243,7 @@ Array<Real> sampled_mean_slopes(const CoverArrays& covers) {
 
 PointSlopes sampled_slopes(const CoverArrays& covers, const std::vector<Index>& element,
                            const std::vector<Vec3>& local) {
-  if (!covers.series) return {};
+  if (!covers.sampled()) return {};
   const ElementFunctions functions(covers);
   const std::size_t width = functions.width();
   std::vector<Real> slopes(3 * width * element.size());

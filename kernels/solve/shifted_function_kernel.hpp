@@ -6,7 +6,7 @@
 // moments about that same point, all terms have the size of the function.
 #pragma once
 
-#include "kernels/solve/part_table_kernel.hpp"
+#include "kernels/solve/element_table_kernel.hpp"
 
 namespace rockfold::solve {
 
@@ -28,11 +28,11 @@ KOKKOS_INLINE_FUNCTION void shift_polynomial(Real* p, int degree, const Real* by
           }
 }
 
-/// Function k of node a about η = origin.
+/// Function k of node a, whose cover takes it `of`, about η = origin.
 class ShiftedFunction {
  public:
   KOKKOS_INLINE_FUNCTION ShiftedFunction(const PartTable& table, int part, int a, int k,
-                                         const Real* origin) {
+                                         const Real* origin, const Argument& of) {
     using integrate::count_to;
     const std::size_t node = static_cast<std::size_t>(part) * table.nodes + a;
     const int weight_terms = count_to(table.weight_degree),
@@ -41,7 +41,10 @@ class ShiftedFunction {
     for (int m = 0; m < weight_terms; ++m) weight[m] = table.weight(node * weight_terms + m);
     for (int m = 0; m < series_terms; ++m) series[m] = table.series(k * series_terms + m);
     shift_polynomial(weight, table.weight_degree, origin);
-    for (int d = 0; d < 3; ++d) by[d] = origin[d] - table.place(3 * node + d);
+    for (int d = 0; d < 3; ++d) by[d] = origin[d] - table.place(3 * node + d) - of.middle[d];
+    Real unit = 1 / of.reach;
+    for (int degree = 1; degree <= table.series_degree; ++degree, unit /= of.reach)
+      for (int m = count_to(degree - 1); m < count_to(degree); ++m) series[m] *= unit;
     shift_polynomial(series, table.series_degree, by);
 
     for (int m = 0; m < table.terms; ++m) value_[m] = 0;

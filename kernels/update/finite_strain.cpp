@@ -21,7 +21,7 @@ class FiniteStrain : public LargeDeformation {
             device::allocate<Real>("update::strain_partial", device::chunk_count(body_.elements))),
         sums_("rockfold::update::strain_sums", 1),
         rounding_(finite::rounding_force(body_, partial_, sums_)) {
-    if (setup.covers.series) sampled_ = std::make_unique<CoverArrays>(setup.covers);
+    if (setup.covers.sampled()) sampled_ = std::make_unique<CoverArrays>(setup.covers);
   }
 
   bool linear() const override { return false; }

@@ -62,7 +62,7 @@ std::array<Real, 4> integrals(const Real* p, int degree, const Real* moment) {
 /// Where functions are known at points alone.
 std::vector<Vec3> sampled_initial_stress_force(const CoverArrays& covers,
                                                const InitialStress& stress) {
-  const ElementPoints rule(covers, covers.series->degree());
+  const ElementPoints rule(covers, sampling_degree(covers));
   const ElementFunctions functions(covers);
   const int n = covers.functions();
   std::vector<Vec3> force(covers.unknown_count());
@@ -106,7 +106,7 @@ ElementHeights element_heights(const CoverArrays& covers, const PieceMoments& mo
 
 std::vector<Vec3> initial_stress_force(const CoverArrays& covers, const PieceMoments& moments,
                                        const InitialStress& stress) {
-  if (covers.series) return sampled_initial_stress_force(covers, stress);
+  if (covers.sampled()) return sampled_initial_stress_force(covers, stress);
   const LatticeFunctions all = lattice_functions(covers);
   std::vector<Vec3> force(covers.unknown_count());
   if (all.degree == 0) return force;  // nothing strains

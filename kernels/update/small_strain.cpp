@@ -31,7 +31,7 @@ class SmallStrain : public Deformation {
         before_(make_stress_before(setup)),
         work_(device::make_field("update::small_strain", setup.covers.unknown_count())),
         stiffest_(largest_stiffness(held.op)) {
-    if (setup.covers.series) {
+    if (setup.covers.sampled()) {
       sampled_ = std::make_unique<CoverArrays>(setup.covers);
       elements_.mean_slope = solve::sampled_mean_slopes(setup.covers);
     }

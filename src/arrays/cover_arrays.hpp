@@ -31,6 +31,10 @@ struct CoverArrays {
 
   // physical covers, ordered by lattice node
   std::vector<Index> cover_node;  ///< [P] linear lattice node index, ascending
+  /// Cover functions are monomials of (ξ − middle) / reach, ξ the place from the cover's node in units of the edges. Empty, and 1: of ξ
+  /// itself. Where there are whole cells it is empty.
+  std::vector<Vec3> middle;  ///< [P]
+  Real reach = 1;
 
   // regular lattice cells, ordered by lattice cell
   std::vector<Index> regular_cell;      ///< [R] linear lattice cell index
@@ -62,6 +66,8 @@ struct CoverArrays {
   /// Of a cover: those of its order come first.
   int polynomials() const { return order == 0 ? 1 : order == 1 ? 4 : 10; }
   int functions() const { return polynomials() + (series ? series->functions() : 0); }
+  /// Whether elements differ in their functions, which are then evaluated at points.
+  bool sampled() const { return series || !middle.empty(); }
   /// U: vectors of three components; degrees of freedom are three times as many.
   Index unknown_count() const { return functions() * cover_count(); }
   int nodes_per_cell() const { return cell_split(lattice.kind).node_count(); }

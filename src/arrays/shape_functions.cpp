@@ -8,7 +8,12 @@
 namespace rockfold {
 namespace {
 
-/// Value and gradient of the monomials, as cover_functions has them.
+/// What the monomials of a cover are taken of.
+Vec3 argument(const CoverArrays& covers, Index cover, const Vec3& xi) {
+  return covers.middle.empty() ? xi : (1 / covers.reach) * (xi - covers.middle[cover]);
+}
+
+/// Value and gradient of the monomials, as cover_functions has them. `reciprocal`: gradients of ξ.
 void monomials(const Vec3& xi, const Mat3& reciprocal, int functions, FunctionValue* f) {
   const auto value = cover_functions(xi, functions);
   for (int k = 0; k < functions; ++k) f[k] = {value[k], {}};
@@ -72,13 +77,26 @@ std::array<Real, most_functions> cover_functions(const Vec3& xi, int functions) 
 
 std::array<Real, most_functions> cover_functions(const CoverArrays& covers, Index cover,
                                                  const Vec3& xi) {
-  auto m = cover_functions(xi, covers.polynomials());
+  auto m = cover_functions(argument(covers, cover, xi), covers.polynomials());
   if (!covers.series) return m;
   std::array<FunctionValue, most_functions> f;
   series_functions(covers, cover, xi, f.data());
   for (int k = covers.polynomials(); k < covers.functions(); ++k)
     m[k] = f[k - covers.polynomials()].value;
   return m;
+}
+
+Vec3 function_origin(const CoverArrays& covers, Index cover) {
+  Vec3 x = covers.lattice.node_position(covers.cover_node[cover]);
+  for (int d = 0; d < 3 && !covers.middle.empty(); ++d)
+    x += covers.middle[cover][d] * covers.lattice.edge[d];
+  return x;
+}
+
+int sampling_degree(const CoverArrays& covers) {
+  if (covers.series) return covers.series->degree();
+  const int nodes = covers.nodes_per_part();
+  return covers.order + (nodes == 8 ? 3 : nodes == 4 ? 1 : 0);
 }
 
 void check_series(const CoverArrays& covers) {
@@ -143,8 +161,11 @@ Index material_of(const CoverArrays& covers, Index element) {
 ElementFunctions::ElementFunctions(const CoverArrays& covers)
     : covers_(covers),
       reciprocal_(covers.lattice.reciprocal()),
+      of_argument_(reciprocal_),
       functions_(covers.functions()),
-      width_(covers.nodes_per_part() * functions_) {}
+      width_(covers.nodes_per_part() * functions_) {
+  for (Vec3& row : of_argument_) row = (1 / covers.reach) * row;
+}
 
 void ElementFunctions::at(const ElementNodes& element, const Vec3& eta,
                           FunctionValue* function) const {
@@ -153,7 +174,8 @@ void ElementFunctions::at(const ElementNodes& element, const Vec3& eta,
   const auto weight = weights_with_gradients(part, eta, reciprocal_);
   for (int a = 0; a < part.nodes; ++a, function += functions_) {
     const Vec3 xi = eta - node_place(split, part.node[a]);
-    monomials(xi, reciprocal_, covers_.polynomials(), function);
+    monomials(argument(covers_, element.cover[a], xi), of_argument_, covers_.polynomials(),
+              function);
     if (covers_.series)
       series_functions(covers_, element.cover[a], xi, function + covers_.polynomials());
     for (int k = 0; k < functions_; ++k) {

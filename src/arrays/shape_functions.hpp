@@ -3,6 +3,7 @@
 // With φ_ak(η) = N_a(η) m_k(η − η_a) the displacement in an element is Σ_ak φ_ak d_ak. Cover functions m_k are the monomials
 // up to the cover's order in lattice coordinates about its own node:
 //   order 0: 1;  order 1: ξ_0 ξ_1 ξ_2;  order 2: ξ_0² ξ_1² ξ_2² ξ_0ξ_1 ξ_1ξ_2 ξ_2ξ_0
+// or, in rock that is smaller than a lattice cell, about the middle of what rock the cover holds (CoverArrays::middle).
 // It is the same space as the thesis' (Eq. 4-6), far better conditioned. A local series (local_series.hpp) adds functions after these.
 #pragma once
 
@@ -26,6 +27,12 @@ std::array<Real, most_functions> cover_functions(const Vec3& xi, int functions);
 /// All functions of a cover at ξ: the monomials of its order, then its local series.
 std::array<Real, most_functions> cover_functions(const CoverArrays& covers, Index cover,
                                                  const Vec3& xi);
+
+/// Where the linear functions of a cover vanish: m, its node or the middle of its rock.
+Vec3 function_origin(const CoverArrays& covers, Index cover);
+
+/// Of polynomials that are integrated exactly where functions are evaluated at points: those of a local series, or its own functions.
+int sampling_degree(const CoverArrays& covers);
 
 /// Throws Error(analysis) where the covers cannot carry their local series: too many functions, or blocks that it alone could turn.
 void check_series(const CoverArrays& covers);
@@ -55,7 +62,8 @@ class ElementFunctions {
 
  private:
   const CoverArrays& covers_;
-  Mat3 reciprocal_;  // gradients of η, 1/m
+  Mat3 reciprocal_;   // gradients of η, 1/m
+  Mat3 of_argument_;  // of what the monomials are taken of
   int functions_, width_;
 };
 

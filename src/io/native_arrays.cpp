@@ -146,6 +146,10 @@ void write_cover_arrays(File& file, const CoverArrays& covers) {
   write_lattice(file, covers.lattice);
   const std::string group = "/rockfold/covers/";
   file.write(group + "cover_node", covers.cover_node);
+  if (!covers.middle.empty()) {
+    file.write(group + "middle", covers.middle);
+    file.write(group + "reach", std::vector<Real>{covers.reach});
+  }
   file.write(group + "regular_cell", covers.regular_cell);
   file.write_wide(group + "regular_cover", covers.regular_cover, covers.nodes_per_cell());
   file.write(group + "regular_material", covers.regular_material);

@@ -156,7 +156,7 @@ int part_of(const CoverArrays& covers, Index e) {
 
 /// Where functions are known at points alone.
 std::vector<BlockMotion> average_sampled_motion(const CoverArrays& covers, Averages& sums) {
-  const ElementPoints rule(covers, covers.series->degree());
+  const ElementPoints rule(covers, sampling_degree(covers));
   const ElementFunctions functions(covers);
   const Index whole = covers.parts_per_cell() * covers.regular_count();
   std::vector<RockPoint> points;
@@ -182,7 +182,7 @@ std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
                                               const std::vector<Vec3>& displacement, Index blocks,
                                               bool large) {
   Averages sums(covers, displacement, blocks, large);
-  if (covers.series) return average_sampled_motion(covers, sums);
+  if (covers.sampled()) return average_sampled_motion(covers, sums);
   const LatticeFunctions& all = sums.functions();
   for (Index r = 0; r < covers.regular_count(); ++r) {
     const int first = all.parts * LatticeFunctions::form(covers.lattice, covers.regular_cell[r]);
@@ -238,7 +238,7 @@ LargestDisplacement find_largest_displacement(const CoverArrays& covers,
         const Vec3 x{covers.vertex_xyz[3 * v], covers.vertex_xyz[3 * v + 1],
                      covers.vertex_xyz[3 * v + 2]};
         const Vec3 eta = covers.lattice.to_local(x);
-        if (covers.series) {
+        if (covers.sampled()) {
           functions.at(nodes, eta, sampled.data());
           for (std::size_t f = 0; f < value.size(); ++f) value[f] = sampled[f].value;
         } else {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "src/arrays/shape_functions.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 
@@ -75,9 +76,9 @@ std::vector<Vec3> rigid_arms(const CoverArrays& covers) {
   const Index count = covers.cover_count();
   std::vector<Vec3> arms(covers.unknown_count());
   for (Index p = 0; p < count; ++p) {
-    arms[p] = covers.lattice.node_position(covers.cover_node[p]);
+    arms[p] = function_origin(covers, p);
     for (int d = 0; d < 3 && covers.order > 0; ++d)
-      arms[(1 + d) * count + p] = covers.lattice.edge[d];
+      arms[(1 + d) * count + p] = covers.reach * covers.lattice.edge[d];
   }
   return arms;
 }
