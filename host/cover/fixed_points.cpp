@@ -2,10 +2,13 @@
 // unknowns, points one by one.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -30,7 +33,11 @@ constexpr Real penalty_factor =
 /// no other rock is its.
 constexpr Real least_weight = 0.1;
 constexpr Real least_cosine = 0.9;  // between a plane and the faces that lie along it
-constexpr Real close_by = 1e-3;     // spacings: nearer to a held face than that vertices go with it
+/// Spacings: nearer to a held face or vertex than that vertices go with it. Held one by one they would hold slopes too, by rows that
+/// differ so little that it depends on how long one looks for their multipliers.
+constexpr Real close_by = 0.01;
+constexpr Real few_whole = 0.1;    // of the area of the rest of a rock face
+constexpr Real least_width = 0.1;  // spacings: of a part of a rock face that a box holds by itself
 
 /// Parts of held faces by the cells of a grid, to tell which points lie on them.
 class HeldFaces {
@@ -78,6 +85,30 @@ class HeldFaces {
   const Real spacing_;
   std::vector<Box> boxes_;
   std::map<Cell, std::vector<std::size_t>> of_cell_;
+};
+
+/// Where vertices are held, by the cells of a grid, and by which rows.
+class HeldPlaces {
+ public:
+  explicit HeldPlaces(Real spacing) : reach_(close_by * spacing) {}
+
+  /// The row of a place close by; else that of x from now on, which is none so far.
+  Index& row_near(const Vec3& x) {
+    Cell c{};
+    for (int d = 0; d < 3; ++d) c[d] = static_cast<std::int64_t>(std::floor(x[d] / reach_));
+    for (auto i = c[0] - 1; i <= c[0] + 1; ++i)
+      for (auto j = c[1] - 1; j <= c[1] + 1; ++j)
+        for (auto k = c[2] - 1; k <= c[2] + 1; ++k)
+          if (const auto found = of_cell_.find({i, j, k}); found != of_cell_.end())
+            for (auto& [place, row] : found->second)
+              if (norm(x - place) <= reach_) return row;
+    return of_cell_[c].emplace_back(x, none).second;
+  }
+
+ private:
+  using Cell = std::array<std::int64_t, 3>;
+  const Real reach_;
+  std::map<Cell, std::vector<std::pair<Vec3, Index>>> of_cell_;
 };
 
 /// Elements and their covers; regular cells by their parts.
@@ -238,15 +269,69 @@ class Fixer {
       if (wanted(polygon))
         surfaces[{polygon.plane, elements_.body(polygon.element)}].push_back(polygon);
     });
-    for (const auto& [key, surface] : surfaces) {
-      std::vector<HeldRow> rows;
-      hold_surface(covers_, surface, spacing_, rows);
-      for (const HeldRow& row : rows) add_row(row, row.area * stiffness(row.element));
-    }
+    for (const auto& [key, surface] : surfaces) add_rows(surface);
     return !surfaces.empty();
+  }
+  void add_rows(const std::vector<FacePolygon>& surface) {
+    std::vector<HeldRow> rows;
+    hold_surface(covers_, surface, spacing_, rows);
+    for (const HeldRow& row : rows) add_row(row, row.area * stiffness(row.element));
   }
   bool add_surface(const Region& region) {
     return add_surface(region, [](const FacePolygon&) { return true; });
+  }
+
+  /// What of a rock face lies in a box: the faces of its elements that do.
+  struct FaceInBox {
+    std::vector<FacePolygon> part;  ///< without those of elements that are held as a whole
+    Real extent = 0, area = 0;      ///< m, m²; of these
+    Real of_whole = 0;              ///< m², of the others
+    bool all = true;                ///< nothing of the rock face lies outside
+
+    void add(const FacePolygon& polygon, bool is_whole) {
+      const Real share = polygon.share * polygon_area(polygon.corner);
+      if (is_whole) {
+        of_whole += share;
+        return;
+      }
+      part.push_back(polygon);
+      area += share;
+      for (const Vec3& x : polygon.corner) extent = std::max(extent, norm(x - part[0].corner[0]));
+    }
+
+    /// Not beside elements that are held as a whole, which leave the rest few covers of its own, unless these are specks; nor strips and
+    /// specks of a rock face that lies across what is to be held: they would hold slopes at its edges.
+    bool to_be_held(Real spacing) const {
+      return !part.empty() && of_whole <= few_whole * area &&
+             (all || area >= least_width * spacing * extent);
+    }
+  };
+
+  /// Holds faces in a box.
+  HeldFaces hold_faces_in(const BoxRegion& box, const std::set<Index>& whole) {
+    const PlaneRegion everywhere{{}, {0, 0, 1}, std::numeric_limits<Real>::infinity()};
+    std::map<std::tuple<Index, Index>, FaceInBox> faces;  // by plane and body
+    visit_free_faces(cutting_, covering_, everywhere, [&](const FacePolygon& polygon) {
+      FaceInBox& face = faces[{polygon.plane, elements_.body(polygon.element)}];
+      if (std::all_of(polygon.corner.begin(), polygon.corner.end(),
+                      [&](const Vec3& x) { return is_in(box, x); }))
+        face.add(polygon, whole.count(polygon.element) > 0);
+      else
+        face.all = false;
+    });
+    HeldFaces held(spacing_);
+    for (const auto& [key, face] : faces) {
+      if (!face.to_be_held(spacing_)) continue;
+      for (const FacePolygon& polygon : face.part) held.add(polygon);
+      add_rows(face.part);
+    }
+    return held;
+  }
+
+  bool is_in(const BoxRegion& box, const Vec3& x) const {
+    for (int d = 0; d < 3; ++d)
+      if (x[d] < box.min[d] - slack_ || x[d] > box.max[d] + slack_) return false;
+    return true;
   }
 
   /// A cover of elements that are held as a whole.
@@ -256,32 +341,42 @@ class Fixer {
     bool alone = true;     ///< whether all of its rock is held
   };
 
-  /// Whole elements that `inside` holds, by all unknowns of their covers; of other elements the vertices in it. Slivers of rock that
-  /// others of a cover's elements share must not hold all of these: they hold the covers at whose nodes they lie.
-  /// Vertices that `faces` hold are theirs.
-  template <class Inside>
-  void add_volume(const Inside& inside, bool whole_elements, const HeldFaces& faces) {
+  /// Whole elements that `inside` holds, by all unknowns of their covers; of other elements the faces that hold_faces(whole elements) holds
+  /// and the vertices in it, which go with faces and covers that are held beside them. Slivers of rock that others of a cover's elements
+  /// share must not hold all of these: they hold the covers at whose nodes they lie.
+  template <class Inside, class HoldFaces>
+  void add_volume(const Inside& inside, bool whole_elements, const HoldFaces& hold_faces) {
     std::map<Index, HeldCover> covers;
+    std::set<Index> whole;
     const auto is_whole = [&](Index block, const std::vector<Vec3>& vertex) {
       return whole_elements && std::all_of(vertex.begin(), vertex.end(),
                                            [&](const Vec3& x) { return inside(x, block); });
     };
     elements_.each([&](Index element, Index block, const std::vector<Vec3>& vertex) {
-      if (is_whole(block, vertex)) {
-        hold_element(element, vertex, covers);
-      } else {
-        for (const Vec3& x : vertex)
-          if (inside(x, block) && !faces.hold(x))
-            add_vertex(x, element, [&](const Vec3& node) { return inside(node, block); });
-      }
+      if (!is_whole(block, vertex)) return;
+      whole.insert(element);
+      hold_element(element, vertex, covers);
     });
     elements_.each([&](Index element, Index block, const std::vector<Vec3>& vertex) {
       if (is_whole(block, vertex)) return;
       for (const Index p : elements_.covers_of(element))
         if (const auto found = covers.find(p); found != covers.end()) found->second.alone = false;
     });
-    for (const auto& [cover, held] : covers)
-      if (held.alone || held.weight >= least_weight) add_cover(cover, held);
+    for (auto it = covers.begin(); it != covers.end();)
+      it = it->second.alone || it->second.weight >= least_weight ? std::next(it) : covers.erase(it);
+    for (const auto& [cover, held] : covers) add_cover(cover, held);
+    const HeldFaces faces = hold_faces(whole);
+    std::map<std::pair<Index, bool>, HeldPlaces> places;  // by body and split
+    elements_.each([&](Index element, Index block, const std::vector<Vec3>& vertex) {
+      if (is_whole(block, vertex)) return;
+      const bool second = element_nodes(covers_, element).part >= covers_.first_split_parts();
+      HeldPlaces& held =
+          places.try_emplace({elements_.body(element), second}, spacing_).first->second;
+      for (const Vec3& x : vertex)
+        if (inside(x, block) && !faces.hold(x))
+          add_vertex(x, element, block, covers, held.row_near(x),
+                     [&](const Vec3& node) { return inside(node, block); });
+    });
   }
 
   void hold_element(Index element, const std::vector<Vec3>& vertex,
@@ -298,22 +393,35 @@ class Fixer {
     }
   }
 
-  /// A vertex of an element stands for some h²/8 of area, of the order of its share. Beside nodes that `inside` holds, it holds these: with
-  /// the little that others have in it as well, held exactly, the layer of elements beyond could not deform.
+  /// A vertex of an element stands for some h²/8 of area, of the order of its share. Beside nodes that `inside` holds, it holds these, unless
+  /// they are held as a whole: with the little that others have in it as well, held exactly, the layer of elements beyond could not deform.
+  /// `of_place`: the row that holds its place, if there is one.
   template <class Inside>
-  void add_vertex(const Vec3& x, Index element, const Inside& inside) {
+  void add_vertex(const Vec3& x, Index element, Index block, const std::map<Index, HeldCover>& held,
+                  Index& of_place, const Inside& inside) {
+    const Real resistance = spacing_ * spacing_ / 8 * stiffness(element);
+    if (of_place != none) {
+      result_.stiffness[of_place] += resistance;
+      return;
+    }
+    Holder own;
+    own.element = element;
+    own.block = block;
+    element = locator_.firm_for(x, own).element;
     const ElementNodes nodes = element_nodes(covers_, element);
     const CellPart& part = covers_.lattice.split(nodes.cell).part[nodes.part];
     const auto weight =
         part_weights(part, covers_.lattice.to_local(x - covers_.lattice.cell_centre(nodes.cell)));
-    Real beyond = 0;
+    Real beyond = 0, loose = 0;
     std::set<Index> others;
-    for (int a = 0; a < part.nodes; ++a)
-      if (const Index p = nodes.cover[a];
-          !inside(covers_.lattice.node_position(covers_.cover_node[p]))) {
-        others.insert(p);
-        beyond += std::abs(weight[a]);
-      }
+    for (int a = 0; a < part.nodes; ++a) {
+      const Index p = nodes.cover[a];
+      if (held.count(p) == 0) loose += std::abs(weight[a]);
+      if (inside(covers_.lattice.node_position(covers_.cover_node[p]))) continue;
+      others.insert(p);
+      beyond += std::abs(weight[a]);
+    }
+    if (loose < least_weight) return;
     if (!(beyond < least_weight)) others.clear(), beyond = 0;
     MaterialPoints at;
     add_material_point(covers_, x, element, at);
@@ -323,7 +431,8 @@ class Fixer {
       row.unknown.push_back(at.unknown[i]);
       row.weight.push_back(at.weight[i] / (1 - beyond));  // rock that moves as a whole moves so
     }
-    add_row(row, spacing_ * spacing_ / 8 * stiffness(element));
+    of_place = static_cast<Index>(result_.points.size());
+    add_row(row, resistance);
   }
 
   void add_cover(Index cover, const HeldCover& held) {
@@ -342,17 +451,20 @@ class Fixer {
   void add(const FaceRegion& region) { add_surface(region); }
 
   void add(const PlaneRegion& region) {
-    // Faces that lie along it, and vertices beside them: a wider plane holds no less. Slivers of faces across are not such faces.
-    HeldFaces faces(spacing_);
-    add_surface(region, [&](const FacePolygon& polygon) {
-      const bool along = std::abs(dot(polygon.normal, region.normal)) >= least_cosine;
-      if (along) faces.add(polygon);
-      return along;
-    });
     const Real tolerance = std::max(region.tolerance, slack_);
-    add_volume([&](const Vec3& x,
-                   Index) { return std::abs(dot(region.normal, x - region.point)) <= tolerance; },
-               false, faces);
+    const auto inside = [&](const Vec3& x, Index) {
+      return std::abs(dot(region.normal, x - region.point)) <= tolerance;
+    };
+    // Faces that lie along it, and vertices beside them: a wider plane holds no less. Slivers of faces across are not such faces.
+    add_volume(inside, false, [&](const std::set<Index>&) {
+      HeldFaces faces(spacing_);
+      add_surface(region, [&](const FacePolygon& polygon) {
+        const bool along = std::abs(dot(polygon.normal, region.normal)) >= least_cosine;
+        if (along) faces.add(polygon);
+        return along;
+      });
+      return faces;
+    });
   }
 
   void add(const BoxRegion& region) {
@@ -360,13 +472,8 @@ class Fixer {
     for (int d = 1; d < 3; ++d) thickness = std::min(thickness, region.max[d] - region.min[d]);
     const bool flat = thickness <= slack_;
     if (flat && add_surface(region)) return;
-    add_volume(
-        [&](const Vec3& x, Index) {
-          for (int d = 0; d < 3; ++d)
-            if (x[d] < region.min[d] - slack_ || x[d] > region.max[d] + slack_) return false;
-          return true;
-        },
-        !flat, HeldFaces(spacing_));
+    add_volume([&](const Vec3& x, Index) { return is_in(region, x); }, !flat,
+               [&](const std::set<Index>& whole) { return hold_faces_in(region, whole); });
   }
 
   void add(const PointRegion& region) {
@@ -380,7 +487,7 @@ class Fixer {
     const Holder h = locator_.find(region.point);
     if (h.found())
       add_volume([&](const Vec3&, Index block) { return block == h.block; }, true,
-                 HeldFaces(spacing_));
+                 [&](const std::set<Index>&) { return HeldFaces(spacing_); });
   }
 
   const Cutting& cutting_;

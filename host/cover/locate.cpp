@@ -150,7 +150,10 @@ Holder Locator::find(const Vec3& x, Index block) const {
 }
 
 Holder Locator::find_firm(const Vec3& x, Index block) const {
-  const Holder own = find(x, block);
+  return firm_for(x, find(x, block));
+}
+
+Holder Locator::firm_for(const Vec3& x, const Holder& own) const {
   if (!own.found() || !is_sliver(own)) return own;
   const ElementNodes nodes = element_nodes(covers_, own.element);
   const Index material = material_of(covers_, own.element);

@@ -32,6 +32,8 @@ class Locator {
   /// nearest well filled element of the block, of its material and of a cover of the sliver's, up to a hundredth of the spacing away; its
   /// functions, continued, stand for the sliver's (Höllig, Reif & Wipper 2001 do the same with B-splines).
   Holder find_firm(const Vec3& x, Index block = none) const;
+  /// That of x in the element and block of `own`.
+  Holder firm_for(const Vec3& x, const Holder& own) const;
 
   /// The element of the second of two overlaid splits that holds x where `holder` does; none if there is one split.
   Index find_other(const Vec3& x, const Holder& holder) const;
