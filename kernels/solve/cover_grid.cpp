@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "kernels/solve/chebyshev.hpp"
+#include "kernels/solve/coarse_points.hpp"
 #include "kernels/solve/cover_grid_kernel.hpp"
 
 namespace rockfold::solve {
@@ -197,41 +197,6 @@ Real largest_eigenvalue(const Cycle& cycle, const CoverLevel& level, std::size_t
   return diagonal.empty() ? 1 : margin * largest_of_tridiagonal(diagonal, beside);
 }
 
-/// Points as seen from coarse functions: N P.
-MaterialPoints coarsen_points(const MaterialPoints& points, const CoarseCovers& coarse,
-                              const std::vector<Real>& step, bool quadratic) {
-  const Index fines = static_cast<Index>(coarse.parent_begin.size()) - 1, coarses = coarse.count();
-  MaterialPoints result;
-  result.element = points.element;
-  for (std::size_t n = 0; n < points.size(); ++n) {
-    std::map<Index, Real> weight;
-    for (Index i = points.begin[n]; i < points.begin[n + 1]; ++i) {
-      const Index p = points.unknown[i] % fines;
-      const int k = points.unknown[i] / fines;
-      for (Index q = coarse.parent_begin[p]; q < coarse.parent_begin[p + 1]; ++q) {
-        const Real w = points.weight[i] * coarse.weight[q];
-        const auto add = [&](int f, Real share) {
-          weight[f * coarses + coarse.parent[q]] += share * w;
-        };
-        add(k, 1);
-        if (!quadratic || k < 1 || k > 3) continue;
-        const int d = k - 1, e = (d + 1) % 3, g = (d + 2) % 3;
-        const Real* s = &step[3 * static_cast<std::size_t>(q)];
-        add(4 + d, s[d]);
-        add(7 + d, 0.5 * s[e]);
-        add(7 + g, 0.5 * s[g]);
-      }
-    }
-    for (const auto& [unknown, w] : weight) {
-      if (w == 0) continue;
-      result.unknown.push_back(unknown);
-      result.weight.push_back(w);
-    }
-    result.begin.push_back(static_cast<Index>(result.unknown.size()));
-  }
-  return result;
-}
-
 /// [entries][3] finer place − coarser place in cells of the lattice; `half`: half an edge of the finer level in cells.
 std::vector<Real> parent_steps(const std::vector<HalfPlace>& fine, const CoarseCovers& coarse,
                                Real half) {
@@ -307,7 +272,7 @@ CoverGrid make_cover_grid(const CoverArrays& covers, const MaterialPoints& point
   Real half = 0.5;
   for (std::size_t l = 0; l < coarse.size(); ++l, half *= 2) {
     const std::vector<Real> step = parent_steps(place, coarse[l], half);
-    seen = coarsen_points(seen, coarse[l], step, quadratic);
+    seen = coarsen_points(seen, coarse[l], quadratic ? step : std::vector<Real>{});
     make_coarse_level(grid.levels[l + 1], coarse[l], functions, seen);
     grid.levels[l + 1].from = make_transfer(coarse[l], step, quadratic);
     place = coarse[l].place;

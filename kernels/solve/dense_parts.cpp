@@ -10,8 +10,8 @@ constexpr Real least_pivot = 2e-6;
 
 /// Inverts a symmetric positive semi-definite matrix a[n][n] by Cholesky's factors, leaving out the unknowns that depend on the
 /// ones before: their rows and columns of the inverse are zero.
-void invert_dense(std::vector<Real>& a, std::size_t n) {
-  std::vector<Real> l = a, column(n);
+void invert_dense(Real* a, std::size_t n) {
+  std::vector<Real> l(a, a + n * n), column(n);
   for (std::size_t j = 0; j < n; ++j) {
     Real* row_j = &l[n * j];
     Real pivot = row_j[j];
@@ -44,6 +44,9 @@ void invert_dense(std::vector<Real>& a, std::size_t n) {
 struct HostMatrix {
   std::vector<Index> slice_begin, value_begin, column, row, place;
   std::vector<float> value, own;
+  std::vector<Index> point_begin, unknown;  // of the springs
+  std::vector<Real> weight;
+  std::vector<Vec3> stiffness;
 
   explicit HostMatrix(const LevelMatrix& a)
       : slice_begin(device::to_host(a.block.slice_begin)),
@@ -52,11 +55,20 @@ struct HostMatrix {
         row(device::to_host(a.block.row)),
         place(device::to_host(a.place)),
         value(device::to_host(a.block.value)),
-        own(device::to_host(a.block.own)) {}
+        own(device::to_host(a.block.own)) {
+    const SingleSprings& s = a.springs;
+    if (!s.any()) return;
+    point_begin = device::to_host(s.points.begin);
+    unknown = device::to_host(s.points.unknown);
+    weight = device::to_host(s.points.weight);
+    stiffness.resize(point_begin.size() - 1);
+    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), s.stiffness);
+    for (std::size_t n = 0; n < stiffness.size(); ++n)
+      for (int d = 0; d < 3; ++d) stiffness[n][d] = host(n, d);
+  }
 
   /// Adds the rows `member` to dense[n][n], n = 3 · members.
-  void add(const Index* member, Index members, const std::vector<Index>& at,
-           std::vector<Real>& dense) const {
+  void add(const Index* member, Index members, const std::vector<Index>& at, Real* dense) const {
     const std::size_t n = 3 * static_cast<std::size_t>(members);
     for (Index m = 0; m < members; ++m) {
       const Index p = member[m], slot = place[p];
@@ -79,6 +91,22 @@ struct HostMatrix {
     }
   }
 };
+
+/// Adds the springs between members of one part to that part's matrix, dense[first …].
+void add_springs(const HostMatrix& a, const std::vector<Index>& part, const std::vector<Index>& at,
+                 const std::vector<Index>& begin, const std::vector<std::int64_t>& first,
+                 std::vector<Real>& dense) {
+  for (std::size_t n = 0; n < a.stiffness.size(); ++n)
+    for (Index i = a.point_begin[n]; i < a.point_begin[n + 1]; ++i)
+      for (Index j = a.point_begin[n]; j < a.point_begin[n + 1]; ++j) {
+        const Index p = a.unknown[i], q = a.unknown[j], c = part[p];
+        if (part[q] != c) continue;
+        const std::int64_t width = std::int64_t{3} * (begin[c + 1] - begin[c]);
+        for (int d = 0; d < 3; ++d)
+          dense[first[c] + width * (3 * at[p] + d) + 3 * at[q] + d] +=
+              a.weight[i] * a.weight[j] * a.stiffness[n][d];
+      }
+}
 
 }  // namespace
 
@@ -115,14 +143,15 @@ void invert_parts(const LevelMatrix& a, const DenseParts& parts) {
   const HostMatrix matrix(a);
   const std::vector<Index> begin = device::to_host(parts.begin),
                            member = device::to_host(parts.member), at = device::to_host(parts.at);
-  std::vector<float> inverse;
+  const std::vector<std::int64_t> first = device::to_host(parts.first);
+  std::vector<Real> values(parts.inverse.extent(0), 0.0);
+  add_springs(matrix, device::to_host(parts.part), at, begin, first, values);
   for (std::size_t c = 0; c + 1 < begin.size(); ++c) {
     const Index members = begin[c + 1] - begin[c];
-    std::vector<Real> dense(9 * static_cast<std::size_t>(members) * members, 0.0);
-    matrix.add(&member[begin[c]], members, at, dense);
-    invert_dense(dense, 3 * static_cast<std::size_t>(members));
-    inverse.insert(inverse.end(), dense.begin(), dense.end());
+    matrix.add(&member[begin[c]], members, at, &values[first[c]]);
+    invert_dense(&values[first[c]], 3 * static_cast<std::size_t>(members));
   }
+  std::vector<float> inverse(values.begin(), values.end());
   Kokkos::deep_copy(parts.inverse, device::Unmanaged<float>(inverse.data(), inverse.size()));
 }
 

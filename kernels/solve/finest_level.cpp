@@ -79,23 +79,24 @@ SingleBlocks combined_blocks(const DeviceBlocks& from, const Combination& c, Rea
   return block;
 }
 
-SingleSprings combined_springs(const Springs& from, const PointRows& rows, Real factor,
-                               Real scale) {
-  const Index count = rows.points.count;
-  SingleSprings springs{rows, SingleField("rockfold::solve::single_stiffness", count),
-                        SingleField("rockfold::solve::single_force", count)};
-  const auto stiffness = from.stiffness;
+}  // namespace
+
+SingleSprings level_springs(const Springs& springs, const PointRows& points, Real spring_factor,
+                            Real scale) {
+  const Index count = points.points.count;
+  SingleSprings single{points, SingleField("rockfold::solve::single_stiffness", count),
+                       SingleField("rockfold::solve::single_force", count)};
+  const auto stiffness = springs.stiffness;
+  const auto to = single.stiffness;
   device::for_each(
       "rockfold::solve::single_springs", count, KOKKOS_LAMBDA(const Index n) {
         for (int d = 0; d < 3; ++d)
-          springs.stiffness(n, d) = static_cast<float>(factor * stiffness(n, d) / scale);
+          to(n, d) = static_cast<float>(spring_factor * stiffness(n, d) / scale);
       });
-  return springs;
+  return single;
 }
 
-}  // namespace
-
-std::vector<Index> finest_classes(const Operator& op, const PointRows& springs) {
+std::vector<Index> finest_classes(const Operator& op) {
   std::vector<Index> classes(op.covers, none);
   const std::vector<Index> first = device::to_host(op.stencil.first),
                            length = device::to_host(op.stencil.length),
@@ -105,17 +106,14 @@ std::vector<Index> finest_classes(const Operator& op, const PointRows& springs) 
     for (Index k = 0; k < length[run]; ++k)
       classes[first[run] + op.stencil.stride * k] =
           material[run] * op.stencil.classes + node_class[run];
-  for (const Index row : device::to_host(springs.row)) classes[row] = none;
   return classes;
 }
 
-LevelMatrix finest_matrix(const Operator& op, const Springs& springs, const PointRows& points,
-                          const Combination& c, Real spring_factor, Real scale) {
+LevelMatrix finest_matrix(const Operator& op, const Combination& c, Real scale) {
   LevelMatrix a;
   a.rows = op.covers;
   a.stencil = combined_stencils(op.stencil, c, scale);
   a.block = combined_blocks(op.block, c, scale);
-  if (springs.any()) a.springs = combined_springs(springs, points, spring_factor, scale);
   a.place = device::allocate<Index>("solve::row_place", op.covers);
   const auto place = a.place, row = op.block.row;
   const SingleStencil runs = a.stencil;

@@ -44,8 +44,6 @@ std::vector<Index> slice_order(const CoarseCovers& covers, const std::vector<Ind
 struct Products {
   LevelMatrix fine;
   Interpolation p;
-  Array<Index>
-      spring_row;  ///< [fine rows] their row among those of the springs, or none; empty where there are no springs
   SingleBlocks block;
   Array<std::int64_t> lattice;
   Index first_slice = 0;
@@ -72,8 +70,7 @@ KOKKOS_INLINE_FUNCTION void find_nodes(const Products& g, ProductRow& row) {
   row.first[27] = k;
 }
 
-/// Where the sums of column q are; null where the row has none: a spring between covers that share no element. What it
-/// couples then stays in the row's own sum: that keeps the matrix definite.
+/// Where the sums of column q are; null where the row has none.
 KOKKOS_INLINE_FUNCTION Real* entry_of(const Products& g, const ProductRow& row, Index q) {
   const int node = neighbour_number(g.lattice(row.row), g.lattice(q));
   if (node >= 27) return nullptr;
@@ -132,26 +129,6 @@ KOKKOS_INLINE_FUNCTION void add_row(const Products& g, const ProductRow& row, In
   add_column(g, row, i, weight, diagonal, 1);
 }
 
-KOKKOS_INLINE_FUNCTION void add_springs(const Products& g, const ProductRow& row, Index i,
-                                        float weight, Real* own) {
-  const SingleSprings& s = g.fine.springs;
-  const Index t = g.spring_row(i);
-  if (t == none) return;
-  for (Index k = s.row_begin(t); k < s.row_begin(t + 1); ++k) {
-    const Index n = s.entry_point(s.row_entry(k));
-    const float w = static_cast<float>(weight * s.points.weight(s.row_entry(k)));
-    for (Index e = s.points.begin(n); e < s.points.begin(n + 1); ++e) {
-      const Real v = w * s.points.weight(e);
-      float block[9] = {};
-      for (int d = 0; d < 3; ++d) {
-        block[4 * d] = s.stiffness(n, d);
-        own[d] += v * s.stiffness(n, d);
-      }
-      add_column(g, row, s.points.unknown(e), static_cast<float>(v), block, 1);
-    }
-  }
-}
-
 KOKKOS_INLINE_FUNCTION void multiply_row(const Products& g, Index slot) {
   const Index slice = slot / slice_lanes;
   ProductRow row{g.block.row(slot),
@@ -163,10 +140,8 @@ KOKKOS_INLINE_FUNCTION void multiply_row(const Products& g, Index slot) {
   Real own[3] = {0, 0, 0};
   if (row.row != none) {
     find_nodes(g, row);
-    for (Index c = g.p.child_begin(row.row); c < g.p.child_begin(row.row + 1); ++c) {
+    for (Index c = g.p.child_begin(row.row); c < g.p.child_begin(row.row + 1); ++c)
       add_row(g, row, g.p.child(c), g.p.child_weight(c), own);
-      if (g.spring_row.extent(0) > 0) add_springs(g, row, g.p.child(c), g.p.child_weight(c), own);
-    }
   }
   for (int d = 0; d < 3; ++d)
     g.block.own(3 * static_cast<std::size_t>(slot) + d) = static_cast<float>(own[d]);
@@ -189,17 +164,6 @@ void multiply_slices(Products& g, const Index* slice, Index count, Index columns
       "rockfold::solve::store_products", values, KOKKOS_LAMBDA(const Index i) {
         now.block.values(now.first_slice)[i] = static_cast<float>(now.sum(i));
       });
-}
-
-Array<Index> find_spring_rows(const LevelMatrix& fine) {
-  if (fine.springs.points.count == 0) return {};
-  Array<Index> found = device::allocate<Index>("solve::spring_row_of", fine.rows);
-  Kokkos::deep_copy(found, none);
-  const auto row = fine.springs.row;
-  device::for_each(
-      "rockfold::solve::spring_row_of", static_cast<Index>(row.extent(0)),
-      KOKKOS_LAMBDA(const Index t) { found(row(t)) = t; });
-  return found;
 }
 
 }  // namespace
@@ -319,7 +283,6 @@ LevelMatrix coarse_matrix(const LevelMatrix& fine, const Interpolation& p, const
   }
   Products g{fine,
              p,
-             find_spring_rows(fine),
              rows.block,
              rows.lattice,
              0,
@@ -359,6 +322,17 @@ void invert_diagonal(const LevelMatrix& a, const SingleInverse& inverse) {
             sum -=
                 block.values(slice)[(static_cast<std::size_t>(k) * 9 + at[m]) * slice_lanes + lane];
           diagonal(p, m) = sum;
+        }
+      });
+  const SingleSprings springs = a.springs;
+  device::for_each(
+      "rockfold::solve::level_springs", static_cast<Index>(springs.row.extent(0)),
+      KOKKOS_LAMBDA(const Index t) {
+        for (Index k = springs.row_begin(t); k < springs.row_begin(t + 1); ++k) {
+          const Index e = springs.row_entry(k);
+          const Real w = springs.points.weight(e);
+          for (int d = 0; d < 3; ++d)
+            diagonal(springs.row(t), d) += w * w * springs.stiffness(springs.entry_point(e), d);
         }
       });
   invert_blocks(diagonal);

@@ -52,7 +52,9 @@ void set_combination(HeldSystem& system, const Combination& c, Real spring_facto
   system.combination = c;
   system.spring_factor = spring_factor;
   find_diagonal(system);
-  if (stiffen) stiffen_springs(system.springs, spring_factor, system.op.covers, system.inverse);
+  if (stiffen)
+    stiffen_springs(system.springs, spring_factor, system.op.covers, system.inverse,
+                    c.mass == 0 && has_grid(system));
   add_spring_diagonal(system.springs, spring_factor, system.inverse);
   const Blocks diagonal = system.inverse;
   system.largest_diagonal = device::largest(

@@ -26,9 +26,6 @@ struct HeldSystem {
   PointShares shares;  ///< of the points given in them
   PcgWork work;
   Array<Real> masses;  ///< of covers, once largest_motion has been asked for
-  /// (n, d) unknown / N by which augmented points yield to their multipliers, as springs do; empty: they hold their places.
-  Field compliance;
-  Field rest;  ///< work space, likewise empty
   Combination combination;
   Real spring_factor = 1;
   Blocks inverse;             ///< see inverse_of; empty while nothing needs them
@@ -54,7 +51,7 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
                             Preconditioner preconditioner = Preconditioner::automatic,
                             const MakeDirectSolver& direct = {});
 
-/// Chooses α, β, γ; with `stiffen`, also the stiffness of augmented points that suits them.
+/// Chooses α, β, γ; with `stiffen`, also how springs are solved with (stiffen_springs; they yield where β is 0).
 void set_combination(HeldSystem& system, const Combination& c, Real spring_factor, bool stiffen);
 
 /// The inverted diagonal blocks of the matrix as it is, [U]: found where they are not there.

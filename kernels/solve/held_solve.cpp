@@ -17,18 +17,6 @@ namespace {
 /// later gaps and mislead the acceleration; smaller, and digits are bought that the next multipliers change.
 constexpr Real inner_reduction = 1e-3;
 
-/// Where augmented points come to rest under their multipliers.
-Field resting_places(const HeldSystem& system, const Field& goal) {
-  if (system.compliance.extent(0) == 0) return goal;
-  Field place = system.rest;
-  const Field compliance = system.compliance, multiplier = system.springs.multiplier;
-  device::for_each(
-      "rockfold::solve::resting_places", system.springs.points.count, KOKKOS_LAMBDA(const Index n) {
-        for (int d = 0; d < 3; ++d) place(n, d) = goal(n, d) + compliance(n, d) * multiplier(n, d);
-      });
-  return place;
-}
-
 /// λ from λ and springs.force, the change it would take by itself.
 void update_multipliers(HeldSystem& system) {
   const Springs& springs = system.springs;
@@ -197,8 +185,8 @@ constexpr Real most_rounding = 1e-4;
 /// Times the least gap found on the way: a search for multipliers that ends there has gone astray.
 constexpr Real far_off = 10;
 
-bool any_augmented(const Springs& springs) {
-  return springs.any() && largest_entry(springs.augmented) > 0;
+bool any_multipliers(const Springs& springs) {
+  return springs.any() && largest_entry(springs.by_multiplier) > 0;
 }
 
 /// The springs' part of a solve, whose multipliers are as they are.
@@ -325,8 +313,8 @@ class MultiplierSearch {
     // What the forces would move the stiffest cover by: where they cancel nothing moves, and any gap would be large beside that.
     const Real diagonal = system_.largest_diagonal,
                least = diagonal > 0 ? options_.pcg.reference / diagonal : 0;
-    const Real gap = multiplier_change(system_.springs, system_.spring_factor, x_,
-                                       resting_places(system_, goal_), system_.springs.force);
+    const Real gap =
+        multiplier_change(system_.springs, system_.spring_factor, x_, goal_, system_.springs.force);
     inner_.report.gap =
         gap > 0 ? gap / std::max({largest_motion(system_, x_, base_), largest_entry(goal_), least})
                 : 0;
@@ -381,9 +369,9 @@ class MultiplierSearch {
 SolveReport solve_through(HeldSystem& system, const Field& b, const Field& goal, const Field& x,
                           const Field& base, const HeldOptions& options) {
   HeldSolve solve(system, b, goal, x, base, options);
-  const bool augmented = any_augmented(system.springs);
-  solve.solve(augmented ? inner_reduction : 0);
-  if (augmented && solve.report.converged)
+  const bool by_multipliers = any_multipliers(system.springs);
+  solve.solve(by_multipliers ? inner_reduction : 0);
+  if (by_multipliers && solve.report.converged)
     MultiplierSearch(system, goal, x, base, options, solve).run();
   return solve.report;
 }
@@ -414,7 +402,7 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
   const Factors& factors = system.factors;
   const bool may_begin_again = factors.possible() && !factors.helped &&
                                system.preconditioner != Preconditioner::direct &&
-                               may_have_factors(system) && any_augmented(system.springs);
+                               may_have_factors(system) && any_multipliers(system.springs);
   if (!may_begin_again) return solve_through(system, b, goal, x, base, options);
   if (system.other_x.extent(0) == 0) {
     system.other_x = device::make_field("solve::other_x", system.op.unknowns);

@@ -1,7 +1,7 @@
 // One level of the multigrid preconditioner: a matrix in single precision, y = A x with
-//   y_i = D_i x_i + Σ_j A_ij (x_j − x_i),   D_i the sum of a row's blocks (mass and springs; diagonal),
+//   y_i = D_i x_i + Σ_j A_ij (x_j − x_i),   D_i the sum of a row's blocks (mass; diagonal),
 // so that a translation meets exactly what it ought to: nothing where the rock is free. All values are divided by `scale`.
-// The finest level shares the rows of the operator and keeps its springs apart; coarser ones are block rows alone.
+// The finest level shares the rows of the operator; coarser ones are block rows. Springs stand beside them.
 #pragma once
 
 #include "kernels/solve/coarse_covers.hpp"
@@ -52,9 +52,12 @@ struct LevelMatrix {
   Array<Index> place;  ///< [rows] where a row stands: its slot of `block`, or −1 − its run
 };
 
-/// The finest level: functions 0 of all covers. `points`: those of the springs, with the weights of functions 0 alone.
-LevelMatrix finest_matrix(const Operator& op, const Springs& springs, const PointRows& points,
-                          const Combination& c, Real spring_factor, Real scale);
+/// The finest level: functions 0 of all covers.
+LevelMatrix finest_matrix(const Operator& op, const Combination& c, Real scale);
+
+/// The springs of a level whose functions have the weights `points` there.
+SingleSprings level_springs(const Springs& springs, const PointRows& points, Real spring_factor,
+                            Real scale);
 
 /// Interpolation from a level to the next finer one, and its transpose. A cover between 2ⁿ coarse ones takes as much of each.
 struct Interpolation {
@@ -80,14 +83,14 @@ struct CoarseRows {
 };
 
 /// Rows of one class are alike: the same couplings to the covers around, or `none`. Those of the finest level: full stencils of one
-/// table without springs.
-std::vector<Index> finest_classes(const Operator& op, const PointRows& springs);
+/// table.
+std::vector<Index> finest_classes(const Operator& op);
 /// Those of a coarse level: rows with one cover at each of the nodes around, whose children are alike in their order.
 std::vector<Index> coarse_classes(const CoarseCovers& coarse, const std::vector<Index>& fine);
 
 CoarseRows make_coarse_rows(const CoarseCovers& coarse, const std::vector<Index>& classes);
 
-/// Galerkin's product Pᵀ A P into the rows of the coarse level.
+/// Galerkin's product Pᵀ A P into the rows of the coarse level, without springs.
 LevelMatrix coarse_matrix(const LevelMatrix& fine, const Interpolation& p, const CoarseRows& rows);
 
 /// The inverted diagonal blocks of a coarse level.

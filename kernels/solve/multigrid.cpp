@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "kernels/solve/chebyshev.hpp"
+#include "kernels/solve/coarse_points.hpp"
 #include "kernels/solve/multigrid_kernel.hpp"
 
 namespace rockfold::solve {
@@ -262,8 +263,9 @@ Multigrid make_multigrid(const CoverArrays& covers, const Operator& op,
   grid.lent = lent;
   allocate_fields(grid.levels[0], covers.cover_count());
   borrow_steps(grid.levels[0], lent);
-  grid.points = make_point_rows(of_constants(points, covers.cover_count()), covers.cover_count());
-  std::vector<Index> classes = finest_classes(op, grid.points);
+  MaterialPoints seen = of_constants(points, covers.cover_count());
+  grid.levels[0].points = make_point_rows(seen, covers.cover_count());
+  std::vector<Index> classes = finest_classes(op);
   for (std::size_t l = 0; l < coarse.size(); ++l) {
     GridLevel& level = grid.levels[l + 1];
     allocate_fields(level, coarse[l].count());
@@ -271,6 +273,8 @@ Multigrid make_multigrid(const CoverArrays& covers, const Operator& op,
     classes = coarse_classes(coarse[l], classes);
     level.structure = make_coarse_rows(coarse[l], classes);
     level.from = make_interpolation(coarse[l]);
+    seen = coarsen_points(seen, coarse[l]);
+    level.points = make_point_rows(seen, coarse[l].count());
   }
   if (largest_part(coarse.back()) <= small_part)
     grid.coarsest = make_dense_parts(connected_parts(coarse.back()));
@@ -294,11 +298,13 @@ void set_inverse(Multigrid& grid, const Blocks& inverse, Real scale) {
 
 void set_values(Multigrid& grid, const Operator& op, const Springs& springs, const Combination& c,
                 Real spring_factor) {
-  grid.levels[0].a = finest_matrix(op, springs, grid.points, c, spring_factor, grid.scale);
-  for (std::size_t l = 1; l < grid.levels.size(); ++l) {
+  for (std::size_t l = 0; l < grid.levels.size(); ++l) {
     GridLevel& level = grid.levels[l];
-    level.a = coarse_matrix(grid.levels[l - 1].a, level.from, level.structure);
-    invert_diagonal(level.a, level.inverse);
+    level.a = l == 0 ? finest_matrix(op, c, grid.scale)
+                     : coarse_matrix(grid.levels[l - 1].a, level.from, level.structure);
+    if (springs.any())
+      level.a.springs = level_springs(springs, level.points, spring_factor, grid.scale);
+    if (l > 0) invert_diagonal(level.a, level.inverse);
   }
   const bool dense = grid.coarsest.any();
   for (std::size_t l = 0; l + (dense ? 1 : 0) < grid.levels.size(); ++l)

@@ -13,6 +13,8 @@ namespace rockfold::solve {
 
 struct GridLevel {
   LevelMatrix a;
+  PointRows
+      points;  ///< of the springs, as the level sees them: with the weights of functions 0 alone
   SingleInverse inverse;
   Real largest = 0;  ///< eigenvalue of D⁻¹A, with a margin
   SingleField x, r, d, step;
@@ -24,7 +26,6 @@ struct GridLevel {
 struct Multigrid {
   Field lent;                     ///< of another, see make_multigrid
   std::vector<GridLevel> levels;  ///< finest first; two at least
-  PointRows points;               ///< of the springs, with the weights of functions 0 alone
   DenseParts coarsest;  ///< empty where the last level's parts are too large: smoothed only
   Real scale = 1;       ///< what all values are divided by
 };

@@ -3,9 +3,11 @@
 namespace rockfold::solve {
 namespace {
 
-/// Stiffness of augmented points, in diagonals of what they hold. That of points which one cover moves alone stands in the
+/// Stiffness of augmented points over what resists them. That of points which one cover moves alone stands in the
 /// blocks of the preconditioner, so that it may be high, and the multipliers have little to do.
 constexpr Real stiffness_alone = 1e4, stiffness_shared = 10;
+/// Springs by that much stiffer than multipliers need yield to multipliers.
+constexpr Real far_stiffer = 4;
 
 Index points_of(const Springs& springs) {
   return springs.points.count;
@@ -27,6 +29,8 @@ Springs build_springs(const FixedPoints& fixed, Index unknowns) {
   springs.given_stiffness = device::make_field("solve::given_stiffness", n);
   springs.stiffness = device::make_field("solve::stiffness", n);
   springs.augmented = device::make_field("solve::augmented", n);
+  springs.by_multiplier = device::make_field("solve::by_multiplier", n);
+  springs.compliance = device::make_field("solve::compliance", n);
   springs.multiplier = device::make_field("solve::multiplier", n);
   springs.target = device::make_field("solve::target", n);
   springs.force = device::make_field("solve::spring_force", n);
@@ -36,6 +40,7 @@ Springs build_springs(const FixedPoints& fixed, Index unknowns) {
   device::copy_to_device(stiffness, springs.given_stiffness);
   device::copy_to_device(stiffness, springs.stiffness);
   device::copy_to_device(augmented, springs.augmented);
+  device::copy_to_device(augmented, springs.by_multiplier);
   device::copy_to_device(fixed.value, springs.target);
   return springs;
 }
@@ -75,10 +80,11 @@ void add_spring_diagonal(const Springs& springs, Real factor, const Blocks& bloc
       });
 }
 
-void stiffen_springs(const Springs& springs, Real factor, Index covers, const Blocks& block) {
+void stiffen_springs(const Springs& springs, Real factor, Index covers, const Blocks& block,
+                     bool yielding) {
   if (!springs.any()) return;
   const Springs s = springs;
-  // A cover shares its diagonal (mean of x, y, z) among its points by their squared weights.
+  // A cover shares its diagonal (mean of x, y, z) among the points that it moves alone by their squared weights.
   device::for_each(
       "rockfold::solve::share_diagonal", static_cast<Index>(springs.row.extent(0)),
       KOKKOS_LAMBDA(const Index t) {
@@ -96,17 +102,26 @@ void stiffen_springs(const Springs& springs, Real factor, Index covers, const Bl
       });
   device::for_each(
       "rockfold::solve::stiffen", points_of(springs), KOKKOS_LAMBDA(const Index n) {
-        Real wanted = 0;
+        Real held = 0, yields = 0;  // N/m, m/N
         bool of_one_cover = true;
         for (Index i = s.points.begin(n); i < s.points.begin(n + 1); ++i) {
-          wanted += s.share(i);
-          of_one_cover = of_one_cover && s.points.unknown(i) % covers ==
-                                             s.points.unknown(s.points.begin(n)) % covers;
+          const Index p = s.points.unknown(i);
+          const Real w = s.points.weight(i), mean = (block(p, 0) + block(p, 1) + block(p, 2)) / 3;
+          held += s.share(i);
+          if (mean > 0) yields += w * w / mean;
+          of_one_cover = of_one_cover && p % covers == s.points.unknown(s.points.begin(n)) % covers;
         }
-        wanted *= (of_one_cover ? stiffness_alone : stiffness_shared) / factor;
+        const Real wanted = (of_one_cover ? stiffness_alone : stiffness_shared) * held / factor;
+        const Real resisted = yields > 0 ? stiffness_shared / (yields * factor) : 0;
         for (int d = 0; d < 3; ++d) {
           const Real given = s.given_stiffness(n, d);
-          s.stiffness(n, d) = s.augmented(n, d) > 0 && wanted > given ? wanted : given;
+          const bool augmented = s.augmented(n, d) > 0;
+          const bool yielded = !augmented && yielding && !of_one_cover && resisted > 0 &&
+                               given > far_stiffer * resisted;
+          s.stiffness(n, d) = augmented && wanted > given ? wanted : yielded ? resisted : given;
+          s.compliance(n, d) = yielded ? 1 / (factor * (given - resisted)) : 0;
+          s.by_multiplier(n, d) = augmented || yielded ? 1 : 0;
+          if (s.by_multiplier(n, d) == 0) s.multiplier(n, d) = 0;
         }
       });
 }
@@ -119,8 +134,9 @@ Real multiplier_change(const Springs& springs, Real factor, const Field& x, cons
         Real worst = 0;
         for (int d = 0; d < 3; ++d) {
           change(n, d) = 0;
-          if (!(s.augmented(n, d) > 0)) continue;
-          const Real gap = interpolate_one(s.points, n, d, x) - goal(n, d);
+          if (!(s.by_multiplier(n, d) > 0)) continue;
+          const Real gap = interpolate_one(s.points, n, d, x) - goal(n, d) -
+                           s.compliance(n, d) * s.multiplier(n, d);
           change(n, d) = device::math::sqrt(factor * s.stiffness(n, d)) * gap;
           worst = device::math::fmax(worst, s.reach(n) * device::math::fabs(gap));
         }
@@ -133,7 +149,7 @@ void scale_by_stiffness(const Springs& springs, Real factor, Real power, const F
   device::for_each(
       "rockfold::solve::scale_by_stiffness", points_of(springs), KOKKOS_LAMBDA(const Index n) {
         for (int d = 0; d < 3; ++d)
-          if (s.augmented(n, d) > 0)
+          if (s.by_multiplier(n, d) > 0)
             values(n, d) *= device::math::pow(factor * s.stiffness(n, d), power);
       });
 }

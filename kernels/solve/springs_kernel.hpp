@@ -14,9 +14,11 @@ namespace rockfold::solve {
 
 struct Springs : PointRows {
   Field given_stiffness;  ///< (n, d) N/m as the model asks, 0 where a component is free
+  Field stiffness;        ///< (n, d) N/m in use, see stiffen_springs
+  Field augmented;        ///< (n, d) 1 where a multiplier holds the point in its place
   Field
-      stiffness;  ///< (n, d) N/m in use: raised for augmented points in stiff or heavy surroundings
-  Field augmented;    ///< (n, d) 1 where a multiplier works
+      by_multiplier;  ///< (n, d) 1 where a multiplier works: there, and for springs too stiff to be solved with …
+  Field compliance;   ///< … (n, d) unknown / N by which these yield to their multipliers, else 0
   Field multiplier;   ///< (n, d) N
   Field target;       ///< (n, d) m, prescribed displacement
   Array<Real> reach;  ///< (n) how far rock moves with one metre of the point, at most
@@ -35,18 +37,20 @@ void add_spring_load(const Springs& springs, Real factor, const Field& goal, con
 /// The diagonal blocks of factor · Nᵀ k N, added to d.
 void add_spring_diagonal(const Springs& springs, Real factor, const Blocks& d);
 
-/// Raises the stiffness of augmented points to ten times the diagonal that the point has to hold, or ten thousand times where one
-/// cover moves it alone: d are the diagonal blocks of the operator without springs, `covers` their number. Below that (short time steps: heavy; stiff rock) the multipliers would
-/// converge slowly. What they converge to does not depend on it.
-void stiffen_springs(const Springs& springs, Real factor, Index covers, const Blocks& d);
+/// Raises the stiffness of augmented points to ten times the diagonal that the point has to hold, or ten thousand
+/// times where one cover moves it alone: d are the diagonal blocks of the operator without springs, `covers` their number. Less, and the multipliers
+/// would converge slowly (short time steps: heavy; stiff rock). Preconditioners know a spring between covers by its share of each alone:
+/// with `yielding`, those far stiffer than what resists them have multipliers to which they yield, the same forces found otherwise.
+/// What all converge to does not depend on it.
+void stiffen_springs(const Springs& springs, Real factor, Index covers, const Blocks& d,
+                     bool yielding);
 
-/// change(n, d) = √(factor · k) (N x − goal) at augmented points, 0 elsewhere: the next change of the multipliers in the scale
-/// in which their iteration is symmetric. Returns how far off rock
-/// is at most: the largest reach · |N x − goal|, m.
+/// change(n, d) = √(factor · k) (N x − goal − compliance λ) where multipliers work, 0 elsewhere: the next change of the multipliers in the
+/// scale in which their iteration is symmetric. Returns how far off rock is at most: the largest reach · |N x − goal − compliance λ|, m.
 Real multiplier_change(const Springs& springs, Real factor, const Field& x, const Field& goal,
                        const Field& change);
 
-/// values *= (factor · k)^power at augmented points.
+/// values *= (factor · k)^power where multipliers work.
 void scale_by_stiffness(const Springs& springs, Real factor, Real power, const Field& values);
 
 /// reaction(n, d): the force of each point on the rock, −λ − factor · k (N x − goal), N.

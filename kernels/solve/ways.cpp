@@ -25,8 +25,7 @@ bool wants_grid(const HeldSystem& system) {
   if (system.preconditioner == Preconditioner::multigrid) return true;
   if (keeps_to_blocks(system)) return false;
   if (system.slow) return true;
-  const Index least = system.op.functions == 1 ? least_for_multigrid : least_for_cover_grid;
-  return system.combination.mass == 0 && system.op.covers >= least;
+  return system.combination.mass == 0 && has_grid(system);
 }
 
 Preconditioning choose(HeldSystem& system, const Apply& a) {
@@ -189,6 +188,12 @@ bool solve_with_factors(HeldSystem& system, const Apply& a, const Field& load, c
 }
 
 }  // namespace
+
+bool has_grid(const HeldSystem& system) {
+  const Index least = system.op.functions == 1 ? least_for_multigrid : least_for_cover_grid;
+  return any_levels(system) &&
+         (system.op.covers >= least || system.preconditioner == Preconditioner::multigrid);
+}
 
 bool worth_a_grid(const HeldSystem& system) {
   return system.combination.stiffness != 0 || system.op.functions > 1;

@@ -9,6 +9,9 @@ namespace rockfold::solve {
 /// With fewer covers multigrid does not pay even in a static analysis: of one function, of several.
 inline constexpr Index least_for_multigrid = 2000, least_for_cover_grid = 100;
 
+/// Whether static systems are large enough for multigrid, and have one.
+bool has_grid(const HeldSystem& system);
+
 /// A mass matrix of covers with one function needs no multigrid. With several, what is nearly dependent in them is as smooth
 /// and as weak in the mass as in the stiffness.
 bool worth_a_grid(const HeldSystem& system);

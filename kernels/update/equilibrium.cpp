@@ -7,10 +7,10 @@
 namespace rockfold::update {
 namespace {
 
-/// Springs by that much stiffer than multipliers need become multipliers.
-constexpr Real far_stiffer = 4;
 /// Stiffness of augmented points over what the mass that they hold asks for, at most: more would drown that mass in it.
 constexpr Real most_stiffer = 100;
+/// Springs by that much stiffer than multipliers need yield to multipliers.
+constexpr Real far_stiffer = 4;
 /// Iterations of a solve with the mass alone, of covers with several functions, before the stiffness is taken in.
 constexpr Index patience_with_mass = 1000;
 /// Of it, so that all that moves in a few steps starts as it would without.
@@ -21,7 +21,7 @@ constexpr Real attainable = 1e-8;
 
 /// What springs were before stiff ones became multipliers.
 struct SpringsBefore {
-  Field augmented, stiffness;
+  Field by_multiplier, stiffness, compliance;
 };
 
 /// Springs far stiffer than the masses that they hold, by multipliers to which they yield: the same forces, found otherwise. A penalty
@@ -29,28 +29,30 @@ struct SpringsBefore {
 /// would take thousands of iterations.
 SpringsBefore hold_by_multipliers(Motion::Data& m, Real spring_factor) {
   solve::Springs& s = m.held.springs;
-  SpringsBefore before{s.augmented, s.stiffness};
+  SpringsBefore before{s.by_multiplier, s.stiffness, s.compliance};
   if (!s.any()) return before;
   const Index count = s.points.count;
-  s.augmented = device::make_field("update::by_multiplier", count);
+  s.by_multiplier = device::make_field("update::by_multiplier", count);
+  s.compliance = device::make_field("update::compliance", count);
   s.stiffness = device::make_field("update::held_stiffness", count);
   const solve::Blocks mass("rockfold::update::mass_diagonal", m.unknowns);
   m.rock->diagonal({0, 1}, mass);
   solve::Springs chosen = s;  // with none given, all stand where multipliers work well
   chosen.given_stiffness = device::make_field("update::no_stiffness", count);
-  const auto by_multiplier = s.augmented, stiffness = s.stiffness, given = s.given_stiffness;
+  chosen.augmented = device::make_field("update::all_augmented", count);
+  const auto all = chosen.augmented, given = s.given_stiffness;
   device::for_each(
       "rockfold::update::all_by_multiplier", count, KOKKOS_LAMBDA(const Index n) {
-        for (int d = 0; d < 3; ++d) by_multiplier(n, d) = given(n, d) > 0 ? 1 : 0;
+        for (int d = 0; d < 3; ++d) all(n, d) = given(n, d) > 0 ? 1 : 0;
       });
-  solve::stiffen_springs(chosen, spring_factor, m.covers, mass);
-  m.held.rest = device::make_field("update::rest", count);
-  const auto compliance = m.held.compliance = device::make_field("update::compliance", count);
+  solve::stiffen_springs(chosen, spring_factor, m.covers, mass, false);
+  const auto by_multiplier = s.by_multiplier, stiffness = s.stiffness, compliance = s.compliance,
+             augmented = s.augmented;
   device::for_each(
       "rockfold::update::stiff_springs", count, KOKKOS_LAMBDA(const Index n) {
         for (int d = 0; d < 3; ++d) {
           const Real k = before.stiffness(n, d);
-          if (before.augmented(n, d) > 0) {
+          if (augmented(n, d) > 0) {
             const Real by_mass = most_stiffer * stiffness(n, d);
             stiffness(n, d) = by_mass > 0 && by_mass < k ? by_mass : k;
             continue;
@@ -66,9 +68,9 @@ SpringsBefore hold_by_multipliers(Motion::Data& m, Real spring_factor) {
 
 void make_springs_again(Motion::Data& m, const SpringsBefore& before) {
   solve::Springs& s = m.held.springs;
-  s.augmented = before.augmented;
+  s.by_multiplier = before.by_multiplier;
   s.stiffness = before.stiffness;
-  m.held.compliance = m.held.rest = Field();
+  s.compliance = before.compliance;
   const auto augmented = s.augmented, multiplier = s.multiplier;
   device::for_each(
       "rockfold::update::springs_again", s.points.count, KOKKOS_LAMBDA(const Index n) {
@@ -79,9 +81,8 @@ void make_springs_again(Motion::Data& m, const SpringsBefore& before) {
 
 /// How steps of length dt will hold and damp what the first velocity and acceleration are found for.
 struct Beginning {
-  const Field& augmented;  ///< the points held by multipliers from then on
-  Real hold = 0;           ///< β Δt²: factor of the springs
-  Real viscous = 0;        ///< γ Δt · β of Rayleigh: factor of the stiffness
+  Real hold = 0;     ///< β Δt²: factor of the springs
+  Real viscous = 0;  ///< γ Δt · β of Rayleigh: factor of the stiffness
 };
 
 /// A support that starts with a velocity takes the rock along, and one at rest holds it: the velocity nearest to that given, measured by
@@ -90,11 +91,12 @@ struct Beginning {
 SolveReport catch_up_with_supports(Motion::Data& m, const Beginning& begin) {
   const Real before = kinetic_energy(m);
   const bool moving = m.supports.tables.any() && m.supports.tables.moving_after(m.now.time);
-  if (!moving && !(before > 0 && m.held.springs.any() && solve::largest_entry(begin.augmented) > 0))
+  if (!moving &&
+      !(before > 0 && m.held.springs.any() && solve::largest_entry(m.held.springs.augmented) > 0))
     return {};
   set_matrix(m, {begin.viscous, 1}, 0, begin.hold, false);
   m.rock->apply({begin.viscous, 1}, m.now.velocity, m.right);
-  aim_velocity(m, begin.augmented);
+  aim_velocity(m);
   const SolveReport report =
       solve::solve_held(m.held, m.right, m.goal, m.now.velocity, Field(), solve_options(m, 0));
   Kokkos::deep_copy(m.now.multiplier, 0.0);  // of a blow, not of a force
@@ -109,7 +111,7 @@ SolveReport find_acceleration(Motion::Data& m, const Beginning& begin, Real stif
   Kokkos::deep_copy(m.now.multiplier, 0.0);
   Kokkos::deep_copy(m.now.acceleration, 0.0);
   const Real reference = find_residual(m, m.damped());
-  aim_acceleration(m, begin.augmented);
+  aim_acceleration(m);
   const std::vector<Vec3> guess = uniform_field(m.unknowns, m.covers, m.gravity);
   device::copy_to_device(guess, m.now.acceleration);
   solve::HeldOptions how = solve_options(m, reference);
@@ -165,8 +167,7 @@ SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
   }
   set_matrix(m, {1, 1 / hold}, 0, 1, true);  // chooses the springs' stiffness
   const SpringsBefore springs = hold_by_multipliers(m, hold);
-  const SolveReport report =
-      set_in_motion(m, {springs.augmented, hold, m.gamma * dt * m.damping.stiffness});
+  const SolveReport report = set_in_motion(m, {hold, m.gamma * dt * m.damping.stiffness});
   m.held.factors.helped = false;  // steps see for themselves
   make_springs_again(m, springs);
   return report;

@@ -141,7 +141,7 @@ void aim_at_start(Motion::Data& m) {
   device::for_each(
       "rockfold::update::aim_at_start", s.points.count, KOKKOS_LAMBDA(const Index n) {
         for (int i = 0; i < 3; ++i) {
-          const Real k = s.stiffness(n, i);
+          const Real k = s.given_stiffness(n, i);
           before(n, i) = first && k > 0 ? reaction(n, i) / k : goal(n, i);
         }
       });

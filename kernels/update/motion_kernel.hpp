@@ -92,10 +92,10 @@ std::array<Real, 3> steering(Real beta, Real gamma);
 void steer(const Motion::Data& m, Real dt);
 /// … and, once it is predicted, what is left of it: the goal of augmented points.
 void aim_steered(const Motion::Data& m);
-/// goal of the first acceleration: none at `augmented` points; others pull with what their springs are stretched by.
-void aim_acceleration(const Motion::Data& m, const Field& augmented);
-/// goal of the first velocity: at `augmented` points that of their tables, none without one; at others what they have.
-void aim_velocity(const Motion::Data& m, const Field& augmented);
+/// goal of the first acceleration: none at augmented points; others pull with what their springs are stretched by.
+void aim_acceleration(const Motion::Data& m);
+/// goal of the first velocity: at augmented points that of their tables, none without one; at others what they have.
+void aim_velocity(const Motion::Data& m);
 solve::HeldOptions solve_options(const Motion::Data& m, Real reference);
 /// Where there is no next step in which the multipliers could go on.
 void close_gaps(solve::HeldOptions& how);

@@ -115,20 +115,20 @@ void aim_steered(const Motion::Data& m) {
       });
 }
 
-void aim_acceleration(const Motion::Data& m, const Field& augmented) {
+void aim_acceleration(const Motion::Data& m) {
   const solve::Springs s = m.held.springs;
   const Real factor = m.held.spring_factor;
   const auto d = m.now.displacement, goal = m.goal;
   device::for_each(
       "rockfold::update::aim_acceleration", s.points.count, KOKKOS_LAMBDA(const Index n) {
         for (int i = 0; i < 3; ++i)
-          goal(n, i) = augmented(n, i) > 0
+          goal(n, i) = s.augmented(n, i) > 0
                            ? 0
                            : (s.target(n, i) - solve::interpolate_one(s.points, n, i, d)) / factor;
       });
 }
 
-void aim_velocity(const Motion::Data& m, const Field& augmented) {
+void aim_velocity(const Motion::Data& m) {
   const solve::Springs s = m.held.springs;
   const auto slope = m.supports.tables.slope_after(m.now.time);
   const auto table = m.supports.table;
@@ -137,7 +137,7 @@ void aim_velocity(const Motion::Data& m, const Field& augmented) {
   device::for_each(
       "rockfold::update::aim_velocity", s.points.count, KOKKOS_LAMBDA(const Index n) {
         for (int i = 0; i < 3; ++i)
-          goal(n, i) = !(augmented(n, i) > 0)          ? solve::interpolate_one(s.points, n, i, v)
+          goal(n, i) = !(s.augmented(n, i) > 0)        ? solve::interpolate_one(s.points, n, i, v)
                        : any_table && table(n) != none ? slope(3 * table(n) + i)
                                                        : 0;
       });

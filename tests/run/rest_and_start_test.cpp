@@ -201,6 +201,35 @@ type = "static"
   EXPECT_NEAR(grids.energy.strain / blocks.energy.strain, 1, 1e-6);
 }
 
+TEST(Multigrid, IsAsGoodWhereSupportsMissTheLattice) {
+  const auto solve = [&](const char* lattice, const char* method, const char* origin,
+                         const char* preconditioner) {
+    return run_model(
+               box("[4, 4, 4]", 1e10,
+                   fmt::format("lattice = \"{}\"\nspacing = 0.5\norigin = {}", lattice, origin)) +
+               floor_held +
+               fmt::format("method = \"{}\"\n[[monitor]]\npoint = [4, 4, 4]\n[analysis]\ntype "
+                           "= \"static\"\n[solver]\npreconditioner = \"{}\"\n",
+                           method, preconditioner))
+        .result;
+  };
+  for (const char* lattice : {"tet6", "hex8"})
+    for (const char* method : {"penalty", "augmented_lagrangian"}) {
+      const RunResult fits = solve(lattice, method, "[0, 0, 0]", "multigrid"),
+                      misses = solve(lattice, method, "[0.17, 0.08, 0.29]", "multigrid"),
+                      plain = solve(lattice, method, "[0.17, 0.08, 0.29]", "node_block_jacobi");
+      EXPECT_EQ(misses.preconditioner, Preconditioner::multigrid) << lattice << method;
+      EXPECT_LE(misses.iterations.pcg, 5 * fits.iterations.pcg) << lattice << method;
+      // Springs that yield to multipliers pull as springs do.
+      const Vec3 u = plain.monitors[0].displacement.back();
+      EXPECT_LE(length(misses.monitors[0].displacement.back() - u), 1e-6 * length(u))
+          << lattice << method;
+      EXPECT_NEAR(misses.conditions[0].force[2], plain.conditions[0].force[2],
+                  1e-6 * plain.conditions[0].force[2])
+          << lattice << method;
+    }
+}
+
 TEST(QuasiStatic, IsAtItsEndAfterOneLongStepWhereMultipliersAreFoundSlowly) {
   const std::string prism = R"(
 gravity = [0, 0, 0]
