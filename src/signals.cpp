@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include <pthread.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include "src/base/interrupt.hpp"

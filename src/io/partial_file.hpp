@@ -2,10 +2,9 @@
 // where a signal ends the program at once.
 #pragma once
 
+#include <csignal>
 #include <string>
 #include <utility>
-
-#include <signal.h>
 
 namespace rockfold {
 
