@@ -86,9 +86,12 @@ bool flies_astray(Motion::Data& m, Real dt, Real of_mass) {
   return of_strain > of_mass * norm(forces);
 }
 
-/// Whether rock that nothing holds goes on as predicted: only rounding is left of the forces.
+/// Whether rock on which nothing acts goes on as predicted: its own forces alone are left, by rounding. Right after find_residual.
 bool flies_freely(const Motion::Data& m, Real rounding) {
-  return !m.held.springs.any() && std::sqrt(solve::dot(m.held.work, m.right, m.right)) <= rounding;
+  if (m.held.springs.any()) return false;
+  const std::vector<Real> squares =
+      device::to_host(m.sums);  // of loads; inertia and damping; forces of strain
+  return squares[0] == 0 && squares[1] == 0 && std::sqrt(squares[2]) <= rounding;
 }
 
 }  // namespace
@@ -184,6 +187,7 @@ SolveReport advance(Motion::Data& m, Real dt) {
   set_time(m, m.now.time);
   predict(m, dt);
   const Real reference = find_residual(m, steered || m.now.steps == 0);
+  const bool free = flies_freely(m, m.rock->rounding(m.now.displacement));
   aim(m);
   if (steered) aim_steered(m);
   Kokkos::deep_copy(m.correction, 0.0);
@@ -192,7 +196,7 @@ SolveReport advance(Motion::Data& m, Real dt) {
   how.stop_at_rounding = !steered;
   if (!steered) close_gaps(how);
   SolveReport report;
-  if (!flies_freely(m, how.pcg.rounding))
+  if (!free)
     report = solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how);
   correct(m, dt);
   update_reactions(m);
