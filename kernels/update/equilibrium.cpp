@@ -13,8 +13,10 @@ constexpr Real most_stiffer = 100;
 constexpr Real far_stiffer = 4;
 /// Iterations of a solve with the mass alone, of covers with several functions, before the stiffness is taken in.
 constexpr Index patience_with_mass = 1000;
-/// Of it, so that all that moves in a few steps starts as it would without.
-constexpr Real small_share = 1e-3;
+/// Of what steps weigh the stiffness with beside the mass: motion with more energy of it than of the mass is gone within a step, by far …
+constexpr Real passing_share = 1e-3;
+/// … and is left out by that share of it; less would leave slivers strained, more would touch what lasts.
+constexpr Real smoothing_share = 0.1;
 
 /// A tolerance that can be met where a closer one cannot: better than to take the stiffness in.
 constexpr Real attainable = 1e-8;
@@ -79,27 +81,55 @@ void make_springs_again(Motion::Data& m, const SpringsBefore& before) {
       });
 }
 
-/// How steps of length dt will hold and damp what the first velocity and acceleration are found for.
+/// How steps of length dt will hold the rock that begins to move.
 struct Beginning {
-  Real hold = 0;     ///< β Δt²: factor of the springs
-  Real viscous = 0;  ///< γ Δt · β of Rayleigh: factor of the stiffness
+  Real hold = 0;       ///< β Δt²: factor of the springs
+  Real stiffness = 0;  ///< βΔt² + γΔt · β of Rayleigh: weight of the stiffness beside the mass
 };
 
+/// Whether motion x is mostly such that it is gone within a step: slivers, which have next to no mass, make up for jumps between rock and
+/// supports and for whatever acts on them.
+bool passes(Motion::Data& m, const Beginning& begin, const Field& x) {
+  auto energy = [&](const solve::Combination& c) {
+    m.rock->apply(c, x, m.work);
+    return solve::dot(m.held.work, x, m.work);
+  };
+  return energy({passing_share * begin.stiffness, 0}) > energy({0, 1});
+}
+
+/// The velocity nearest to the present one, measured by M + αK, that goes with the augmented points. `stiffness`: α.
+SolveReport project_velocity(Motion::Data& m, const Beginning& begin, Real stiffness) {
+  const solve::Combination c{stiffness, 1};
+  set_matrix(m, c, 0, begin.hold, false);
+  m.rock->apply(c, m.now.velocity, m.right);
+  aim_velocity(m);
+  const SolveReport report =
+      solve::solve_held(m.held, m.right, m.goal, m.now.velocity, Field(), solve_options(m, 0));
+  Kokkos::deep_copy(m.now.multiplier, 0.0);  // of a blow, not of a force
+  return report;
+}
+
 /// A support that starts with a velocity takes the rock along, and one at rest holds it: the velocity nearest to that given, measured by
-/// mass, that goes with the augmented points. Else theirs would swing about their tables' slope for ever. Strain rates that are damped
-/// within a step count too: mass alone would leave it to slivers, which have next to none, to make up for all of a jump.
+/// mass, that goes with the augmented points. Else theirs would swing about their tables' slope for ever.
 SolveReport catch_up_with_supports(Motion::Data& m, const Beginning& begin) {
   const Real before = kinetic_energy(m);
   const bool moving = m.supports.tables.any() && m.supports.tables.moving_after(m.now.time);
   if (!moving &&
       !(before > 0 && m.held.springs.any() && solve::largest_entry(m.held.springs.augmented) > 0))
     return {};
-  set_matrix(m, {begin.viscous, 1}, 0, begin.hold, false);
-  m.rock->apply({begin.viscous, 1}, m.now.velocity, m.right);
-  aim_velocity(m);
-  const SolveReport report =
-      solve::solve_held(m.held, m.right, m.goal, m.now.velocity, Field(), solve_options(m, 0));
-  Kokkos::deep_copy(m.now.multiplier, 0.0);  // of a blow, not of a force
+  const Field v = m.now.velocity, given = m.increment, change = m.correction;
+  Kokkos::deep_copy(given, v);
+  SolveReport report = project_velocity(m, begin, 0);
+  device::for_each(
+      "rockfold::update::change_of_velocity", m.unknowns, KOKKOS_LAMBDA(const Index p) {
+        for (int i = 0; i < 3; ++i) change(p, i) = v(p, i) - given(p, i);
+      });
+  if (report.converged && passes(m, begin, change)) {
+    const Index iterations = report.iterations;
+    Kokkos::deep_copy(v, given);
+    report = project_velocity(m, begin, smoothing_share * begin.stiffness);
+    report.iterations += iterations;
+  }
   m.now.work.supports += kinetic_energy(m) - before;
   return report;
 }
@@ -110,7 +140,11 @@ SolveReport find_acceleration(Motion::Data& m, const Beginning& begin, Real stif
   set_matrix(m, {stiffness, 1}, 0, begin.hold, false);  // ways that have failed may be tried again
   Kokkos::deep_copy(m.now.multiplier, 0.0);
   Kokkos::deep_copy(m.now.acceleration, 0.0);
-  const Real reference = find_residual(m, m.damped());
+  Real reference = find_residual(m, m.damped());
+  if (m.following.any()) {
+    add_following_pressures(m.following, m.now.time, m.now.displacement, 1, m.right);
+    reference = std::max(reference, std::sqrt(solve::dot(m.held.work, m.right, m.right)));
+  }
   aim_acceleration(m);
   const std::vector<Vec3> guess = uniform_field(m.unknowns, m.covers, m.gravity);
   device::copy_to_device(guess, m.now.acceleration);
@@ -124,19 +158,9 @@ SolveReport find_acceleration(Motion::Data& m, const Beginning& begin, Real stif
   return report;
 }
 
-/// Whether the acceleration is mostly of motion whose strain rate is damped away within a step, and Newmark's formulas would make
-/// displacements of it: Δt² (β/γ − ½) a in the first step.
-bool damped_away(Motion::Data& m, const Beginning& begin) {
-  if (!(begin.viscous > 0) || 2 * m.beta == m.gamma) return false;
-  auto norm = [&](const solve::Combination& c) {
-    m.rock->apply(c, m.now.acceleration, m.work);
-    return std::sqrt(solve::dot(m.held.work, m.work, m.work));
-  };
-  return norm({begin.viscous, 0}) > norm({0, 1});
-}
-
-/// The velocity and the acceleration at the start. Where M a = f cannot be solved, from M a + κβΔt² K a = f: among functions of which slivers
-/// hold next to no mass the stiffness tells apart what the mass does not. Motion slow beside the step is the same to κβ(ωΔt)².
+/// The velocity and the acceleration at the start. Where M a = f cannot be solved, or leads to what is gone within a step, from
+/// M a + αK a = f: among functions of which slivers hold next to no mass the stiffness tells apart what the mass does not. Motion slow
+/// beside the step is the same to a tenth of β(ωΔt)².
 SolveReport set_in_motion(Motion::Data& m, const Beginning& begin) {
   const SolveReport caught = catch_up_with_supports(m, begin);
   if (!caught.converged) return caught;
@@ -146,10 +170,12 @@ SolveReport set_in_motion(Motion::Data& m, const Beginning& begin) {
   SolveReport report = find_acceleration(m, begin, 0, tolerance, few, caught);
   if (!report.converged && tolerance < attainable && !interrupt_signal)
     report = find_acceleration(m, begin, 0, attainable, few, report);
-  if (!report.converged && several && !interrupt_signal)
-    report = find_acceleration(m, begin, small_share * begin.hold, tolerance, most, report);
-  if (report.converged && damped_away(m, begin))
-    report = find_acceleration(m, begin, begin.viscous, tolerance, most, report);
+  // Average acceleration makes no displacement of what is gone within a step, and keeps the energy where forces are balanced at the start.
+  const bool average = m.beta == 0.25 && m.gamma == 0.5;
+  if (report.converged ? !average && passes(m, begin, m.now.acceleration)
+                       : several && !interrupt_signal)
+    report =
+        find_acceleration(m, begin, smoothing_share * begin.stiffness, tolerance, most, report);
   if (m.held.springs.any())
     solve::spring_reactions(m.held.springs, m.held.spring_factor, m.now.acceleration, m.goal,
                             m.now.reaction);
@@ -167,7 +193,7 @@ SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
   }
   set_matrix(m, {1, 1 / hold}, 0, 1, true);  // chooses the springs' stiffness
   const SpringsBefore springs = hold_by_multipliers(m, hold);
-  const SolveReport report = set_in_motion(m, {hold, m.gamma * dt * m.damping.stiffness});
+  const SolveReport report = set_in_motion(m, {hold, hold + m.gamma * dt * m.damping.stiffness});
   m.held.factors.helped = false;  // steps see for themselves
   make_springs_again(m, springs);
   return report;

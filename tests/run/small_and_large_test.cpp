@@ -1,4 +1,7 @@
 // Both kinematics are one where strains and rotations are next to nothing, on lattices beside the faces of rock too.
+#include <algorithm>
+#include <utility>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -154,6 +157,58 @@ TEST(Kinematics, AreOneWherePenaltySupportsAreMovedAtOnce) {
       EXPECT_NEAR(l.strain, s.strain, 1e-3 * s.strain) << order << ' ' << miss;
       EXPECT_NEAR(l.kinetic, s.kinetic, 1e-3 * s.kinetic) << order << ' ' << miss;
     }
+}
+
+/// Far from slivers and beside them rock moves alike.
+void expect_same_motion(const ModelAnswer& one, const ModelAnswer& other, Real share,
+                        const std::string& what) {
+  const Vec3 u = one.result.monitors[0].displacement.back();
+  EXPECT_LE(norm(other.result.monitors[0].displacement.back() - u), share * norm(u)) << what;
+  const Energy a = one.result.energy, b = other.result.energy;
+  EXPECT_NEAR(b.kinetic, a.kinetic, 10 * share * a.kinetic) << what;
+  EXPECT_NEAR(b.strain, a.strain, 10 * share * std::max(a.strain, a.kinetic)) << what;
+}
+
+TEST(FreeRock, BesideSliversMovesAsUnderLargeKinematics) {
+  const std::string pull = "[[traction]]\nwhere = {face = 'r.zmax'}\nvalue = [0, 0, -10]",
+                    thrown = "[[initial_velocity]]\nwhere = {all = true}\nvelocity = [1e-3, 0, 0]";
+  const std::string average = "rayleigh = {alpha = 100, beta = 0}",
+                    other = average + "\nnewmark = {beta = 0.3025, gamma = 0.6}";
+  for (const int order : {1, 2})
+    for (const auto& [scheme, load] : {std::pair{average, thrown}, {other, pull}}) {
+      const auto small = run_model(moving_cube("small", order, 1e-6, scheme, "", load)),
+                 large = run_model(moving_cube("large", order, 1e-6, scheme, "", load));
+      expect_same_motion(small, large, 1e-3, scheme + load);
+    }
+}
+
+TEST(Start, OfPressuresThatFollowIsThatOfOthersWhereNothingTurns) {
+  const std::string scheme = "newmark = {beta = 0.3025, gamma = 0.6}",
+                    load = "[[traction]]\nwhere = {face = 'r.zmax'}\npressure = 10";
+  const auto small = run_model(moving_cube("small", 0, 0, scheme, "", load)),
+             large = run_model(moving_cube("large", 0, 0, scheme, "", load));
+  expect_same_motion(small, large, 1e-5, "pressure");
+}
+
+TEST(Start, OfLoadedSliversPutsNoEnergyIn) {
+  const std::string scheme = "newmark = {beta = 0.3025, gamma = 0.6}",
+                    floor = "[[fixed]]\nwhere = {face = 'r.zmin'}",
+                    load = "[[traction]]\nwhere = {face = 'r.xmin'}\nvalue = [10, 0, 0]";
+  for (const char* kinematics : {"small", "large"}) {
+    const auto fitted = run_model(moving_cube(kinematics, 0, 0, scheme, floor, load)),
+               missed = run_model(moving_cube(kinematics, 0, 1e-6, scheme, floor, load));
+    expect_same_motion(fitted, missed, 0.05, kinematics);
+  }
+}
+
+TEST(Start, OfDampedRockWithAVelocityIsTheSameByEveryMethod) {
+  const std::string scheme = "rayleigh = {alpha = 0, beta = 5e-3}",
+                    thrown = "[[initial_velocity]]\nwhere = {all = true}\nvelocity = [1e-3, 0, 0]",
+                    floor = "[[fixed]]\nwhere = {face = 'r.zmin'}\nmethod = ";
+  const auto springs = run_model(moving_cube("small", 0, 0, scheme, floor + "'penalty'", thrown)),
+             multipliers = run_model(
+                 moving_cube("small", 0, 0, scheme, floor + "'augmented_lagrangian'", thrown));
+  expect_same_motion(springs, multipliers, 0.02, "damped");
 }
 
 TEST(DampedStart, OnAFloorThatMovesStrainsNoSlivers) {
