@@ -243,11 +243,12 @@ void warn_of_support_gap(const Model& model, const RunResult& run, const FixedPo
   }
   const bool moving = model.analysis->type == AnalysisType::dynamic;
   if (run.support_gap <= (moving ? largest_support_gap : largest_gap_at_rest)) return;
-  terminal.warn(
-      fmt::format("fixed points are off their places by {:.2g} of the largest displacement: they "
-                  "cannot all be kept on these covers ([[fixed]] contradict each other, or hold "
-                  "more than so few covers can do; a smaller cover.spacing can do more)",
-                  run.support_gap));
+  terminal.warn(fmt::format(
+      "fixed points are off their places by {:.2g} of the largest displacement: they "
+      "cannot all be kept on these covers ({}more than so few covers can do; a smaller "
+      "cover.spacing can do more)",
+      run.support_gap,
+      model.fixed.size() > 1 ? "[[fixed]] contradict each other, or hold " : "[[fixed]] holds "));
 }
 
 void warn_of_missing_factors(const Model& model, const RunResult& run, Terminal& terminal) {

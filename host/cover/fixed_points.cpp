@@ -159,6 +159,25 @@ class Elements {
   UnionFind joined_;
 };
 
+/// m: of all rock, along x, y or z.
+Real largest_extent(const CoverArrays& covers) {
+  Real largest = 0;
+  if (covers.regular_count() > 0) return std::numeric_limits<Real>::infinity();
+  for (int d = 0; d < 3; ++d) {
+    Real low = std::numeric_limits<Real>::infinity(), high = -low;
+    for (Index e = 0; e < covers.cut_count(); ++e) {
+      const Real centre = covers.lattice.cell_centre(covers.element_cell[e])[d];
+      for (Index v = covers.vertex_begin[covers.piece_begin[e]];
+           v < covers.vertex_begin[covers.piece_begin[e + 1]]; ++v) {
+        low = std::min(low, centre + covers.vertex_xyz[3 * v + d]);
+        high = std::max(high, centre + covers.vertex_xyz[3 * v + d]);
+      }
+    }
+    largest = std::max(largest, high - low);
+  }
+  return largest;
+}
+
 class Fixer {
  public:
   Fixer(const Cutting& cutting, const Covering& covering, const Model& model)
@@ -171,7 +190,8 @@ class Fixer {
         slack_(1e-9 * covering.pieces->planes.table.model_size()),
         spacing_(std::cbrt(
             dot(covering.arrays.lattice.edge[0],
-                cross(covering.arrays.lattice.edge[1], covering.arrays.lattice.edge[2])))) {}
+                cross(covering.arrays.lattice.edge[1], covering.arrays.lattice.edge[2])))),
+        reach_(std::min(spacing_, largest_extent(covering.arrays))) {}
 
   FixedPoints run() {
     for (const Fixed& f : model_.fixed) {
@@ -229,8 +249,8 @@ class Fixer {
     if (fixed_->stiffness) return *fixed_->stiffness;
     const Material& rock = model_.materials[material_of(covers_, element)];
     const Real nu = rock.poisson_ratio, e = rock.young_modulus;
-    if (fixed_->method != FixMethod::penalty) return augmented_factor * e / spacing_;
-    return penalty_factor * e * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) / spacing_;
+    if (fixed_->method != FixMethod::penalty) return augmented_factor * e / reach_;
+    return penalty_factor * e * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) / reach_;
   }
 
   void add_row(const HeldRow& row, Real stiffness) {
@@ -399,7 +419,7 @@ class Fixer {
   template <class Inside>
   void add_vertex(const Vec3& x, Index element, Index block, const std::map<Index, HeldCover>& held,
                   Index& of_place, const Inside& inside) {
-    const Real resistance = spacing_ * spacing_ / 8 * stiffness(element);
+    const Real resistance = reach_ * reach_ / 8 * stiffness(element);
     if (of_place != none) {
       result_.stiffness[of_place] += resistance;
       return;
@@ -445,7 +465,7 @@ class Fixer {
                0,
                k > 0,
                std::min<Real>(1, held.weight)},
-              spacing_ * spacing_ * stiffness(held.element));
+              reach_ * reach_ * stiffness(held.element));
   }
 
   void add(const FaceRegion& region) { add_surface(region); }
@@ -479,7 +499,7 @@ class Fixer {
   void add(const PointRegion& region) {
     const Holder h = locator_.find_firm(region.point);
     if (!h.found()) return;
-    const Real by_area = fixed_->stiffness ? 1 : spacing_ * spacing_;
+    const Real by_area = fixed_->stiffness ? 1 : reach_ * reach_;
     add_point(region.point, h.element, h.other, by_area * stiffness(h.element));
   }
 
@@ -497,6 +517,8 @@ class Fixer {
   const Locator locator_;
   Elements elements_;
   const Real slack_, spacing_;
+  const Real
+      reach_;  ///< m, of the rock behind a support, at most a spacing: springs are stiff beside it
   const Fixed* fixed_ = nullptr;
   Index table_ = none;
   FixedPoints result_;

@@ -172,8 +172,9 @@ SolveReport set_in_motion(Motion::Data& m, const Beginning& begin) {
     report = find_acceleration(m, begin, 0, attainable, few, report);
   // Average acceleration makes no displacement of what is gone within a step, and keeps the energy where forces are balanced at the start.
   const bool average = m.beta == 0.25 && m.gamma == 0.5;
+  const bool stuck = several || report.iterations < most;
   if (report.converged ? !average && passes(m, begin, m.now.acceleration)
-                       : several && !interrupt_signal)
+                       : stuck && !interrupt_signal)
     report =
         find_acceleration(m, begin, smoothing_share * begin.stiffness, tolerance, most, report);
   if (m.held.springs.any())

@@ -175,6 +175,25 @@ std::vector<BlockMotion> average_sampled_motion(const CoverArrays& covers, Avera
   return sums.take();
 }
 
+/// [cut elements] m³.
+std::vector<Real> cut_volumes(const CoverArrays& covers, const PieceMoments& moments) {
+  std::vector<Real> volume(covers.cut_count(), 0);
+  for (Index e = 0; e < covers.cut_count(); ++e)
+    for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
+      volume[e] += moments.volume[q];
+  return volume;
+}
+
+/// m³ below which an element is a sliver beside a whole one, or beside the largest where there is none.
+Real sliver_volume(const CoverArrays& covers, const std::vector<Real>& volume) {
+  constexpr Real share = 1e-3;
+  const auto& edge = covers.lattice.edge;
+  Real whole = std::abs(dot(edge[0], cross(edge[1], edge[2]))) / covers.parts_per_cell();
+  if (covers.regular_count() == 0 && !volume.empty())
+    whole = std::min(whole, *std::max_element(volume.begin(), volume.end()));
+  return share * whole;
+}
+
 }  // namespace
 
 std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
@@ -204,8 +223,11 @@ std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
 }
 
 LargestDisplacement find_largest_displacement(const CoverArrays& covers,
+                                              const PieceMoments& moments,
                                               const std::vector<Vec3>& displacement) {
   LargestDisplacement largest;
+  const std::vector<Real> volume = cut_volumes(covers, moments);
+  const Real least = sliver_volume(covers, volume);
   const auto offer = [&](const Vec3& u, const Vec3& point, Index block) {
     if (largest.block == none || norm(u) > largest.length) largest = {norm(u), point, block};
   };
@@ -231,6 +253,7 @@ LargestDisplacement find_largest_displacement(const CoverArrays& covers,
   std::vector<FunctionValue> sampled(functions.width());
   const Index whole = covers.parts_per_cell() * covers.regular_count();
   for (Index e = 0; e < covers.cut_count(); ++e) {
+    if (volume[e] < least) continue;
     const Vec3 centre = covers.lattice.cell_centre(covers.element_cell[e]);
     const ElementNodes nodes = element_nodes(covers, whole + e);
     for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)

@@ -16,8 +16,10 @@ std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
                                               const std::vector<Vec3>& displacement, Index blocks,
                                               bool large = false);
 
-/// Over the lattice nodes of whole cells and the vertices of cut elements; the displacement is that of the covers.
+/// Over the lattice nodes of whole cells and the vertices of cut elements but slivers, whose corners hardly resist; the displacement is that
+/// of the covers.
 LargestDisplacement find_largest_displacement(const CoverArrays& covers,
+                                              const PieceMoments& moments,
                                               const std::vector<Vec3>& displacement);
 
 }  // namespace rockfold

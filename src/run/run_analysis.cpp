@@ -89,9 +89,10 @@ Index block_of(const CoverArrays& covers, Index element) {
             number(at[2]) +
             "): loads or velocities are too large for its stiffness (material.young_modulus)";
   } else if (!std::isfinite(report.residual)) {
-    what +=
-        "the motion grew beyond all numbers: it is not stable (analysis.time_step, "
-        "analysis.newmark), or nothing resists it";
+    what += input.model.analysis->type == AnalysisType::static_
+                ? "the solver broke down (solver.preconditioner), or nothing resists the loads"
+                : "the motion grew beyond all numbers: it is not stable (analysis.time_step, "
+                  "analysis.newmark), or nothing resists it";
   } else {
     const SolverSpec& solver = input.model.solver;
     if (report.residual <= solver.tolerance)
@@ -273,7 +274,7 @@ RunResult run_analysis(const RunInput& input, const StoreState& store, Progress&
   result.block_stress =
       average_block_stress(input.covers, moments, stress, input.blocks.block_count());
   result.strength = find_strength(input.covers, moments, stress, input.model.materials);
-  result.largest_displacement = find_largest_displacement(input.covers, displacement);
+  result.largest_displacement = find_largest_displacement(input.covers, moments, displacement);
   return result;
 }
 

@@ -43,7 +43,7 @@ TEST_P(BlockAverages, OfARigidMotionAreItsRotationAndTheDisplacementOfTheCentroi
     EXPECT_LE(norm(blocks[b].rotation - turn), 1e-12);
   }
   // The corner that moves furthest, found among the vertices of elements.
-  const LargestDisplacement largest = find_largest_displacement(a, d);
+  const LargestDisplacement largest = find_largest_displacement(a, piece_moments(a), d);
   Real most = 0;
   for (int c = 0; c < 8; ++c)
     most = std::max(most, norm(motion({1.1 * (c & 1), 0.9 * (c >> 1 & 1), 0.8 * (c >> 2)})));

@@ -138,6 +138,7 @@ struct PrismOnPoints {
   Vec3 extrude, origin;
   std::array<std::array<Real, 2>, 3> direction;
   std::array<Vec3, 3> held;
+  Real stiffness;  ///< N/m, of each point
   Vec3 loaded, force, watched;
   Vec3 displacement;  ///< m, at `watched`, in 113-bit arithmetic from an assembly of its own
 };
@@ -155,7 +156,9 @@ std::string model_of(const PrismOnPoints& p, bool turn) {
       "[cover]\nlattice = '{}'\norder = 2\nspacing = {}\ndirections = [{}, {}, {}]\norigin = {}\n",
       p.lattice, p.spacing, direction(0), direction(1), direction(2), place(p.origin));
   for (const Vec3& x : p.held)
-    model += fmt::format("[[fixed]]\nwhere = {{point = {}}}\nmethod = 'penalty'\n", place(x));
+    model +=
+        fmt::format("[[fixed]]\nwhere = {{point = {}}}\nmethod = 'penalty'\nstiffness = {:.17g}\n",
+                    place(x), p.stiffness);
   model += fmt::format("[[point_load]]\npoint = {}\nforce = {}\n", place(p.loaded), place(p.force));
   model += fmt::format("[[monitor]]\npoint = {}\n[analysis]\n{}\n", place(p.watched), small_static);
   return model;
@@ -170,6 +173,7 @@ TEST(RockInACell, MovesAsInLongerArithmeticHoweverItIsTurned) {
                       {-0.2171, 0.5804, 1.0393},
                       {{{16.7, 278.4}, {87.9, 70.9}, {82.4, 15.2}}},
                       {{{0.007, 0.019, 0.018}, {0.628, 0.062, 0.018}, {0.697, 0.882, 0.018}}},
+                      7833077808853.58,
                       {0.048, 0.52, 0.96},
                       {-1711, -8013, 4560},
                       {0.601, 0.104, 0.06},
@@ -181,6 +185,7 @@ TEST(RockInACell, MovesAsInLongerArithmeticHoweverItIsTurned) {
                       {0.0996, 1.4684, 0.1729},
                       {{{5.5, 132.0}, {84.3, 93.4}, {85.0, 354.6}}},
                       {{{0.029, 0.032, 0.012}, {1.552, 0.596, 0.012}, {1.638, 1.749, 0.012}}},
+                      2357122190737.39,
                       {0.669, 1.441, 0.632},
                       {-8968, -5307, -3500},
                       {1.509, 0.63, 0.039},
