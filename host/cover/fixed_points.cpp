@@ -16,6 +16,7 @@
 #include "host/cover/free_faces.hpp"
 #include "host/cover/held_rows.hpp"
 #include "host/cover/locate.hpp"
+#include "host/cover/rows_apart.hpp"
 #include "host/cut/union_find.hpp"
 #include "src/arrays/shape_functions.hpp"
 #include "src/base/error.hpp"
@@ -37,7 +38,9 @@ constexpr Real least_cosine = 0.9;  // between a plane and the faces that lie al
 /// differ so little that it depends on how long one looks for their multipliers.
 constexpr Real close_by = 0.01;
 constexpr Real few_whole = 0.1;    // of the area of the rest of a rock face
+constexpr Real few_held = 0.25;    // of what moves that rest
 constexpr Real least_width = 0.1;  // spacings: of a part of a rock face that a box holds by itself
+constexpr Real least_area = 0.25;  // spacings squared: likewise
 
 /// Parts of held faces by the cells of a grid, to tell which points lie on them.
 class HeldFaces {
@@ -301,14 +304,22 @@ class Fixer {
     return add_surface(region, [](const FacePolygon&) { return true; });
   }
 
+  /// A cover of elements that are held as a whole.
+  struct HeldCover {
+    Index element = none;  ///< the first of them
+    Real weight = 0;       ///< of its node in them, at most
+    bool alone = true;     ///< whether all of its rock is held
+  };
+
   /// What of a rock face lies in a box: the faces of its elements that do.
   struct FaceInBox {
     std::vector<FacePolygon> part;  ///< without those of elements that are held as a whole
     Real extent = 0, area = 0;      ///< m, m²; of these
     Real of_whole = 0;              ///< m², of the others
+    Real of_held = 0;               ///< m², of `area` times the weight of covers that are held
     bool all = true;                ///< nothing of the rock face lies outside
 
-    void add(const FacePolygon& polygon, bool is_whole) {
+    void add(const FacePolygon& polygon, bool is_whole, Real held_weight) {
       const Real share = polygon.share * polygon_area(polygon.corner);
       if (is_whole) {
         of_whole += share;
@@ -316,26 +327,28 @@ class Fixer {
       }
       part.push_back(polygon);
       area += share;
+      of_held += share * held_weight;
       for (const Vec3& x : polygon.corner) extent = std::max(extent, norm(x - part[0].corner[0]));
     }
 
     /// Not beside elements that are held as a whole, which leave the rest few covers of its own, unless these are specks; nor strips and
-    /// specks of a rock face that lies across what is to be held: they would hold slopes at its edges.
+    /// specks of a rock face that lies across what is to be held: multipliers would hold slopes at its edges.
     bool to_be_held(Real spacing) const {
-      return !part.empty() && of_whole <= few_whole * area &&
-             (all || area >= least_width * spacing * extent);
+      return !part.empty() && of_whole <= few_whole * area && of_held <= few_held * area &&
+             (all || area >= std::max(least_width * extent, least_area * spacing) * spacing);
     }
   };
 
   /// Holds faces in a box.
-  HeldFaces hold_faces_in(const BoxRegion& box, const std::set<Index>& whole) {
+  HeldFaces hold_faces_in(const BoxRegion& box, const std::set<Index>& whole,
+                          const std::map<Index, HeldCover>& covers) {
     const PlaneRegion everywhere{{}, {0, 0, 1}, std::numeric_limits<Real>::infinity()};
     std::map<std::tuple<Index, Index>, FaceInBox> faces;  // by plane and body
     visit_free_faces(cutting_, covering_, everywhere, [&](const FacePolygon& polygon) {
       FaceInBox& face = faces[{polygon.plane, elements_.body(polygon.element)}];
       if (std::all_of(polygon.corner.begin(), polygon.corner.end(),
                       [&](const Vec3& x) { return is_in(box, x); }))
-        face.add(polygon, whole.count(polygon.element) > 0);
+        face.add(polygon, whole.count(polygon.element) > 0, held_weight(polygon, covers));
       else
         face.all = false;
     });
@@ -354,18 +367,26 @@ class Fixer {
     return true;
   }
 
-  /// A cover of elements that are held as a whole.
-  struct HeldCover {
-    Index element = none;  ///< the first of them
-    Real weight = 0;       ///< of its node in them, at most
-    bool alone = true;     ///< whether all of its rock is held
-  };
+  /// Of what moves a part of a face, the share of covers that are held; at its corners, in the mean.
+  Real held_weight(const FacePolygon& polygon, const std::map<Index, HeldCover>& covers) const {
+    const ElementNodes nodes = element_nodes(covers_, polygon.element);
+    const CellPart& part = covers_.lattice.split(nodes.cell).part[nodes.part];
+    const Vec3 centre = covers_.lattice.cell_centre(nodes.cell);
+    Real held = 0;
+    for (const Vec3& x : polygon.corner) {
+      const auto weight = part_weights(part, covers_.lattice.to_local(x - centre));
+      for (int a = 0; a < part.nodes; ++a)
+        if (covers.count(nodes.cover[a]) > 0) held += std::abs(weight[a]);
+    }
+    return held / static_cast<Real>(polygon.corner.size());
+  }
 
-  /// Whole elements that `inside` holds, by all unknowns of their covers; of other elements the faces that hold_faces(whole elements) holds
+  /// Whole elements that `inside` holds, by all unknowns of their covers; of other elements the faces that hold_faces(whole elements, covers) holds
   /// and the vertices in it, which go with faces and covers that are held beside them. Slivers of rock that others of a cover's elements
   /// share must not hold all of these: they hold the covers at whose nodes they lie.
   template <class Inside, class HoldFaces>
   void add_volume(const Inside& inside, bool whole_elements, const HoldFaces& hold_faces) {
+    const std::size_t first = result_.points.size();
     std::map<Index, HeldCover> covers;
     std::set<Index> whole;
     const auto is_whole = [&](Index block, const std::vector<Vec3>& vertex) {
@@ -385,7 +406,8 @@ class Fixer {
     for (auto it = covers.begin(); it != covers.end();)
       it = it->second.alone || it->second.weight >= least_weight ? std::next(it) : covers.erase(it);
     for (const auto& [cover, held] : covers) add_cover(cover, held);
-    const HeldFaces faces = hold_faces(whole);
+    const HeldFaces faces = hold_faces(whole, covers);
+    RowsApart apart(result_, first);
     std::map<std::pair<Index, bool>, HeldPlaces> places;  // by body and split
     elements_.each([&](Index element, Index block, const std::vector<Vec3>& vertex) {
       if (is_whole(block, vertex)) return;
@@ -394,7 +416,7 @@ class Fixer {
           places.try_emplace({elements_.body(element), second}, spacing_).first->second;
       for (const Vec3& x : vertex)
         if (inside(x, block) && !faces.hold(x))
-          add_vertex(x, element, block, covers, held.row_near(x),
+          add_vertex(x, element, block, covers, held.row_near(x), apart,
                      [&](const Vec3& node) { return inside(node, block); });
     });
   }
@@ -418,7 +440,7 @@ class Fixer {
   /// `of_place`: the row that holds its place, if there is one.
   template <class Inside>
   void add_vertex(const Vec3& x, Index element, Index block, const std::map<Index, HeldCover>& held,
-                  Index& of_place, const Inside& inside) {
+                  Index& of_place, RowsApart& apart, const Inside& inside) {
     const Real resistance = reach_ * reach_ / 8 * stiffness(element);
     if (of_place != none) {
       result_.stiffness[of_place] += resistance;
@@ -452,7 +474,8 @@ class Fixer {
       row.weight.push_back(at.weight[i] / (1 - beyond));  // rock that moves as a whole moves so
     }
     of_place = static_cast<Index>(result_.points.size());
-    add_row(row, resistance);
+    const Real stiffer = fixed_->stiffness ? 1 : apart.stiffening(row.unknown, row.weight);
+    add_row(row, stiffer * resistance);
   }
 
   void add_cover(Index cover, const HeldCover& held) {
@@ -476,7 +499,7 @@ class Fixer {
       return std::abs(dot(region.normal, x - region.point)) <= tolerance;
     };
     // Faces that lie along it, and vertices beside them: a wider plane holds no less. Slivers of faces across are not such faces.
-    add_volume(inside, false, [&](const std::set<Index>&) {
+    add_volume(inside, false, [&](const auto&, const auto&) {
       HeldFaces faces(spacing_);
       add_surface(region, [&](const FacePolygon& polygon) {
         const bool along = std::abs(dot(polygon.normal, region.normal)) >= least_cosine;
@@ -493,7 +516,9 @@ class Fixer {
     const bool flat = thickness <= slack_;
     if (flat && add_surface(region)) return;
     add_volume([&](const Vec3& x, Index) { return is_in(region, x); }, !flat,
-               [&](const std::set<Index>& whole) { return hold_faces_in(region, whole); });
+               [&](const auto& whole, const auto& covers) {
+                 return hold_faces_in(region, whole, covers);
+               });
   }
 
   void add(const PointRegion& region) {
@@ -507,7 +532,7 @@ class Fixer {
     const Holder h = locator_.find(region.point);
     if (h.found())
       add_volume([&](const Vec3&, Index block) { return block == h.block; }, true,
-                 [&](const std::set<Index>&) { return HeldFaces(spacing_); });
+                 [&](const auto&, const auto&) { return HeldFaces(spacing_); });
   }
 
   const Cutting& cutting_;
