@@ -30,6 +30,8 @@ constexpr Real least_motion = 1e-10;
 /// Of the largest displacement: above it the answer differs visibly from that of points held exactly; and in analyses that close gaps,
 /// where it tells of supports that cannot all be kept.
 constexpr Real largest_support_gap = 1e-3, largest_gap_at_rest = 1e-5;
+/// Of the largest displacement: springs as stiff as Rockfold makes them give way by that much only where another support pulls at them.
+constexpr Real largest_share_off_place = 0.1;
 
 Purpose purpose_of(Command command) {
   if (command == Command::support) return Purpose::support;
@@ -239,6 +241,16 @@ void warn_of_support_gap(const Model& model, const RunResult& run, const FixedPo
         "fixed[{}] and fixed[{}] prescribe different displacements of the same points: neither "
         "can be kept (reactions and stress there mean nothing)",
         (*pair)[0] + 1, (*pair)[1] + 1));
+    return;
+  }
+  const Real motion = std::max(run.largest_displacement.length, run.off_place.distance);
+  if (run.off_place.other != none && motion > least_motion &&
+      run.off_place.distance > largest_share_off_place * motion) {
+    terminal.warn(
+        fmt::format("fixed[{}] is {:.2g} m off its place, on rock that fixed[{}] holds as well: "
+                    "they contradict "
+                    "each other (reactions and stress there mean nothing)",
+                    run.off_place.condition + 1, run.off_place.distance, run.off_place.other + 1));
     return;
   }
   const bool moving = model.analysis->type == AnalysisType::dynamic;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace rockfold {
@@ -37,7 +38,40 @@ bool differ(const FixedPoints& fixed, std::size_t a, std::size_t b, int d) {
   });
 }
 
+/// A condition other than that of row n that holds one of its unknowns; else none.
+Index other_holder(const FixedPoints& fixed, std::size_t n) {
+  const MaterialPoints& points = fixed.points;
+  const std::set<Index> own(points.unknown.begin() + points.begin[n],
+                            points.unknown.begin() + points.begin[n + 1]);
+  for (std::size_t m = 0; m < points.size(); ++m)
+    if (fixed.condition[m] != fixed.condition[n])
+      for (Index i = points.begin[m]; i < points.begin[m + 1]; ++i)
+        if (own.count(points.unknown[i]) > 0) return fixed.condition[m];
+  return none;
+}
+
 }  // namespace
+
+OffPlace find_farthest_off_place(const FixedPoints& fixed, const std::vector<Fixed>& conditions,
+                                 const std::vector<Vec3>& displacement, Real t) {
+  OffPlace farthest;
+  if (fixed.condition.empty()) return farthest;
+  std::size_t row = 0;
+  const MaterialPoints& points = fixed.points;
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    if (conditions[fixed.condition[n]].stiffness) continue;
+    for (int d = 0; d < 3; ++d) {
+      if (!fixed.component[n][d]) continue;
+      Real off = -value_at(fixed, n, d, t);
+      for (Index i = points.begin[n]; i < points.begin[n + 1]; ++i)
+        off += points.weight[i] * displacement[points.unknown[i]][d];
+      off = std::abs(off) * (fixed.reach.empty() ? 1 : fixed.reach[n]);
+      if (off > farthest.distance) farthest = {off, fixed.condition[row = n], none};
+    }
+  }
+  if (farthest.condition != none) farthest.other = other_holder(fixed, row);
+  return farthest;
+}
 
 std::optional<std::array<Index, 2>> find_contradiction(const FixedPoints& fixed) {
   if (fixed.condition.empty()) return {};

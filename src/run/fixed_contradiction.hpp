@@ -3,13 +3,26 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "src/arrays/cover_arrays.hpp"
+#include "src/model/model.hpp"
 
 namespace rockfold {
 
 /// Two conditions (into Model::fixed, ascending) that prescribe different displacements, at some time, of one point in one direction;
 /// nothing where there are none. Points are one whose weights agree to 1e-9.
 std::optional<std::array<Index, 2>> find_contradiction(const FixedPoints& fixed);
+
+/// Where a fixed point has come to lie.
+struct OffPlace {
+  Real distance = 0;       ///< m, from its place
+  Index condition = none;  ///< into Model::fixed
+  Index other = none;      ///< one that holds the same covers, if there is any
+};
+
+/// The point farthest off its place at time t (s), of those not on springs of given stiffness. `displacement`: [unknowns] m.
+OffPlace find_farthest_off_place(const FixedPoints& fixed, const std::vector<Fixed>& conditions,
+                                 const std::vector<Vec3>& displacement, Real t);
 
 }  // namespace rockfold

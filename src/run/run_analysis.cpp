@@ -268,6 +268,8 @@ RunResult run_analysis(const RunInput& input, const StoreState& store, Progress&
   result.conditions = sum_reactions(input.covers, input.fixed, result.reactions,
                                     large ? displacement : std::vector<Vec3>{},
                                     static_cast<Index>(input.model.fixed.size()));
+  result.off_place =
+      find_farthest_off_place(input.fixed, input.model.fixed, displacement, result.time);
   result.blocks =
       average_block_motion(input.covers, moments, displacement, input.blocks.block_count(), large);
   const std::vector<Stress> stress = motion.element_stress();

@@ -8,6 +8,7 @@
 
 #include "src/arrays/element_arrays.hpp"
 #include "src/base/types.hpp"
+#include "src/run/fixed_contradiction.hpp"
 
 namespace rockfold {
 
@@ -87,6 +88,8 @@ struct RunResult {
   std::vector<Energy> energies;      ///< J, likewise
   Real support_gap =
       0;  ///< distance of augmented fixed points from their places / largest displacement, last step
+
+  OffPlace off_place;  ///< the fixed point farthest off its place, at the end
 
   struct Iterations {
     std::int64_t pcg = 0;

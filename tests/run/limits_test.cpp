@@ -224,5 +224,20 @@ TEST(FixedFaces, ThatContradictEachOtherAreFound) {
   EXPECT_FALSE(contradiction(hold("zmin", "'z'")));
 }
 
+TEST(FixedFaces, ThatPointsContradictAreFoundByWhatTheyLeaveOffItsPlace) {
+  const auto off_place = [](const char* value, const char* method) {
+    return run_model(box("spacing = 0.5", "type = 'static'") + hold("zmin", "'x', 'y', 'z'") +
+                     "method = 'penalty'\n[[fixed]]\nwhere = {point = [0.3, 0.6, -2]}\nvalue = " +
+                     value + "\nmethod = " + method + "\n")
+        .result.off_place;
+  };
+  for (const char* method : {"'penalty'", "'augmented_lagrangian'"}) {
+    const OffPlace off = off_place("[0, 0, 0.01]", method);
+    EXPECT_GT(off.distance, 1e-3) << method;
+    EXPECT_EQ(off.condition + off.other, 1) << method;
+    EXPECT_LT(off_place("[0, 0, 0]", method).distance, 1e-7) << method;
+  }
+}
+
 }  // namespace
 }  // namespace rockfold
