@@ -116,12 +116,15 @@ void go_back(const HeldSystem& system, const Field& x) {
 }
 
 /// Whether a static system's factors cost next to nothing, while its functions depend on each other, or it has taken as long as they
-/// would by now: of two ways whose end is not known the other is then tried, and twice the time of the better one is lost at most.
+/// would by now: of two ways whose end is not known the other is then tried, and twice the time of the better one is lost at most. Steps
+/// in time are left to blocks as long as these do.
 bool factors_pay(HeldSystem& system) {
   Factors& factors = system.factors;
-  const bool small = system.op.functions > 1 && system.op.covers <= few_covers;
-  if (system.preconditioner != Preconditioner::automatic || system.combination.mass != 0 ||
-      !factors.possible() || !(small || system.spent >= least_spent) || !may_have_factors(system) ||
+  const bool in_time = system.combination.mass != 0,
+             small = !in_time && system.op.functions > 1 && system.op.covers <= few_covers;
+  if (system.preconditioner != Preconditioner::automatic ||
+      (in_time && !(system.slow && wants_grid(system))) || !factors.possible() ||
+      !(small || system.spent >= least_spent) || !may_have_factors(system) ||
       !analyse(factors, system.op, system.springs))
     return false;
   if (small && factors.solver->operations() <= few_operations) return true;
