@@ -30,7 +30,7 @@ constexpr Real least_motion = 1e-10;
 /// Of the largest displacement: above it the answer differs visibly from that of points held exactly; and in analyses that close gaps,
 /// where it tells of supports that cannot all be kept.
 constexpr Real largest_support_gap = 1e-3, largest_gap_at_rest = 1e-5;
-/// Of the largest displacement: springs as stiff as Rockfold makes them give way by that much only where another support pulls at them.
+/// Of the largest displacement prescribed: springs as stiff as Rockfold makes them give way by that much only where another support pulls at them.
 constexpr Real largest_share_off_place = 0.1;
 
 Purpose purpose_of(Command command) {
@@ -243,14 +243,14 @@ void warn_of_support_gap(const Model& model, const RunResult& run, const FixedPo
         (*pair)[0] + 1, (*pair)[1] + 1));
     return;
   }
-  const Real motion = std::max(run.largest_displacement.length, run.off_place.distance);
-  if (run.off_place.other != none && motion > least_motion &&
-      run.off_place.distance > largest_share_off_place * motion) {
+  const OffPlace& off = run.off_place;
+  if (off.other != none && off.prescribed > 0 &&
+      off.distance > largest_share_off_place * off.prescribed) {
     terminal.warn(
         fmt::format("fixed[{}] is {:.2g} m off its place, on rock that fixed[{}] holds as well: "
                     "they contradict "
                     "each other (reactions and stress there mean nothing)",
-                    run.off_place.condition + 1, run.off_place.distance, run.off_place.other + 1));
+                    off.condition + 1, off.distance, off.other + 1));
     return;
   }
   const bool moving = model.analysis->type == AnalysisType::dynamic;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "kernels/solve/ways_kernel.hpp"
 #include "src/base/interrupt.hpp"
@@ -92,9 +91,16 @@ constexpr Index few_covers = 1000;
 /// Iterations with factors: of an earlier matrix, of the present one.
 constexpr Index patience_with_old = 20, patience_with_new = 200;
 /// Pivots that count as none, in the order in which they are tried. What is left of functions that depend on each other is rounding, and
-/// an answer to it does harm; of slivers, of thin plates, and of rock that is soft beside its springs it is all that resists.
-constexpr Real least_pivots[] = {1e-12, 1e-14, 1e-10, 1e-8};
-constexpr int pivot_choices = static_cast<int>(std::size(least_pivots));
+/// an answer to it does harm; of slivers, of thin plates, and of rock that is soft beside its springs it is all that resists. In time steps
+/// inertia resists too, and what is known of such functions to a few digits only grows from step to step.
+constexpr int pivot_choices = 4;
+constexpr Real pivots_at_rest[pivot_choices] = {1e-12, 1e-14, 1e-10, 1e-8},
+               pivots_in_time[pivot_choices] = {1e-10, 1e-12, 1e-8, 1e-14};
+
+Real least_pivot_of(const HeldSystem& system) {
+  return (system.combination.mass != 0 ? pivots_in_time : pivots_at_rest)[system.factors.pivot];
+}
+
 /// Of the reference: what rounding may leave at most.
 constexpr Real most_left = 1e-4;
 /// Larger systems, which will hardly have factors, do not keep where they started.
@@ -115,6 +121,13 @@ void go_back(const HeldSystem& system, const Field& x) {
     Kokkos::deep_copy(x, 0.0);
 }
 
+/// Whether factors cost no more than so many iterations with blocks.
+bool cost_no_more(const Factors& factors, Index iterations) {
+  const double width = factors.pattern.width,
+               entries = width * width * static_cast<double>(factors.pattern.column.size());
+  return static_cast<double>(iterations) * cost_of_entry * entries >= factors.solver->operations();
+}
+
 /// Whether a static system's factors cost next to nothing, while its functions depend on each other, or it has taken as long as they
 /// would by now: of two ways whose end is not known the other is then tried, and twice the time of the better one is lost at most. Steps
 /// in time are left to blocks as long as these do.
@@ -128,11 +141,7 @@ bool factors_pay(HeldSystem& system) {
       !analyse(factors, system.op, system.springs))
     return false;
   if (small && factors.solver->operations() <= few_operations) return true;
-  if (system.spent < least_spent) return false;
-  const double width = factors.pattern.width,
-               entries = width * width * static_cast<double>(factors.pattern.column.size());
-  return static_cast<double>(system.spent) * cost_of_entry * entries >=
-         factors.solver->operations();
+  return system.spent >= least_spent && cost_no_more(factors, system.spent);
 }
 
 /// Whether the factors at hand may do for the present matrix.
@@ -170,7 +179,7 @@ bool solve_with_factors(HeldSystem& system, const Apply& a, const Field& load, c
   for (int tried = 0; tried < pivot_choices;) {
     if (!ready) {
       if (!factorise(factors, system.op, system.combination, system.springs, system.spring_factor,
-                     least_pivots[factors.pivot]))
+                     least_pivot_of(system)))
         return false;
       go_back(system, x);
     }
@@ -256,6 +265,28 @@ PcgReport solve_any_way(HeldSystem& system, const Apply& a, const Field& load, c
   }
   done.iterations = spent;
   return done;
+}
+
+PcgReport solve_as_before(HeldSystem& system, const Apply& a, const Field& load, const Field& x,
+                          const PcgOptions& pcg, Real enough, Preconditioning& m) {
+  Factors& factors = system.factors;
+  const auto ready = [&] {
+    return factors.current || alike(system) ||
+           factorise(factors, system.op, system.combination, system.springs, system.spring_factor,
+                     least_pivot_of(system));
+  };
+  if (factors.helped && !factors.failed && ready())
+    return solve_once_with_factors(system, a, load, x, pcg, 0, m);
+  m = choose(system, a);
+  const PcgReport done = solve_pcg(system.work, a, m, load, x, pcg);
+  if (done.residual <= enough || interrupt_signal || !factors.possible() ||
+      !may_have_factors(system) || !analyse(factors, system.op, system.springs) ||
+      !cost_no_more(factors, done.iterations) || !ready())
+    return done;
+  Kokkos::deep_copy(x, 0.0);
+  const PcgReport other = solve_once_with_factors(system, a, load, x, pcg, 0, m);
+  factors.helped = other.residual <= enough;
+  return other;
 }
 
 }  // namespace rockfold::solve

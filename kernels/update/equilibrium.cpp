@@ -196,6 +196,7 @@ SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
   const SpringsBefore springs = hold_by_multipliers(m, hold);
   const SolveReport report = set_in_motion(m, {hold, hold + m.gamma * dt * m.damping.stiffness});
   m.held.factors.helped = false;  // steps see for themselves
+  m.held.factors.pivot = 0;
   make_springs_again(m, springs);
   return report;
 }

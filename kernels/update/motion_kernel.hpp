@@ -55,8 +55,11 @@ struct Motion::Data {
   device::Field support_way;  ///< of the fixed points in the step
   device::Array<Real> partial, sums;
 
-  Real handed = 1;           ///< share of the velocity that the step now taken was handed
-  Index idle_left_out = -1;  ///< steps done when it was (idle_motion.cpp); −1: never
+  Real handed = 1;  ///< share of the velocity that the step now taken was handed
+  Index
+      idle_next = 0,
+      idle_wait =
+          1;  ///< steps done when idle motion is left out next; steps from the last attempt to it (idle_motion.cpp)
   Vec3 gravity{};
   Rayleigh damping;
   Real beta = 0.25, gamma = 0.5, dynamic_ratio = 1;

@@ -62,14 +62,19 @@ OffPlace find_farthest_off_place(const FixedPoints& fixed, const std::vector<Fix
     if (conditions[fixed.condition[n]].stiffness) continue;
     for (int d = 0; d < 3; ++d) {
       if (!fixed.component[n][d]) continue;
-      Real off = -value_at(fixed, n, d, t);
+      const Real place = value_at(fixed, n, d, t);
+      farthest.prescribed = std::max(farthest.prescribed, std::abs(place));
+      Real off = -place;
       for (Index i = points.begin[n]; i < points.begin[n + 1]; ++i)
         off += points.weight[i] * displacement[points.unknown[i]][d];
       off = std::abs(off) * (fixed.reach.empty() ? 1 : fixed.reach[n]);
-      if (off > farthest.distance) farthest = {off, fixed.condition[row = n], none};
+      if (off > farthest.distance) farthest.distance = off, row = n;
     }
   }
-  if (farthest.condition != none) farthest.other = other_holder(fixed, row);
+  if (farthest.distance > 0) {
+    farthest.condition = fixed.condition[row];
+    farthest.other = other_holder(fixed, row);
+  }
   return farthest;
 }
 

@@ -17,6 +17,7 @@ std::optional<std::array<Index, 2>> find_contradiction(const FixedPoints& fixed)
 /// Where a fixed point has come to lie.
 struct OffPlace {
   Real distance = 0;       ///< m, from its place
+  Real prescribed = 0;     ///< m, the largest displacement that any condition prescribes
   Index condition = none;  ///< into Model::fixed
   Index other = none;      ///< one that holds the same covers, if there is any
 };
