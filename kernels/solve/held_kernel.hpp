@@ -81,7 +81,8 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
                        const Field& base, const HeldOptions& options);
 
 /// y: of all fields that move the rock as x does the one without idle motion (idle_motion.cpp), which conjugate gradients find for
-/// A y = A x from nothing; it has converged with a residual of `enough`, and steps that follow are solved as it was.
+/// A y = A x from nothing; it has converged with a residual of pcg.tolerance, with factors of `enough`: what blocks leave
+/// is idle motion too. Steps that follow are solved as it was.
 SolveReport find_same_motion(HeldSystem& system, const Field& x, const Field& y,
                              const PcgOptions& pcg, Real enough);
 

@@ -392,7 +392,7 @@ SolveReport find_same_motion(HeldSystem& system, const Field& x, const Field& y,
   SolveReport report;
   report.iterations = done.iterations;
   report.residual = done.residual;
-  report.converged = done.residual <= enough;
+  report.converged = done.residual <= (m.factors ? enough : pcg.tolerance);
   report.preconditioner = kind_of(system, m);
   return report;
 }

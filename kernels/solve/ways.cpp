@@ -279,7 +279,7 @@ PcgReport solve_as_before(HeldSystem& system, const Apply& a, const Field& load,
     return solve_once_with_factors(system, a, load, x, pcg, 0, m);
   m = choose(system, a);
   const PcgReport done = solve_pcg(system.work, a, m, load, x, pcg);
-  if (done.residual <= enough || interrupt_signal || !factors.possible() ||
+  if (small_enough(done, pcg) || interrupt_signal || !factors.possible() ||
       !may_have_factors(system) || !analyse(factors, system.op, system.springs) ||
       !cost_no_more(factors, done.iterations) || !ready())
     return done;

@@ -26,8 +26,8 @@ bool small_enough(const PcgReport& done, const PcgOptions& pcg);
 PcgReport solve_any_way(HeldSystem& system, const Apply& a, const Field& load, const Field& x,
                         const PcgOptions& pcg, Preconditioning& m);
 
-/// Likewise from x = 0, to `enough` at least: the way that the last solve came to its end, or with factors, for later solves too, that cost
-/// no more than it has taken. It fails without a trace.
+/// Likewise from x = 0, the way that the last solve came to its end; where blocks do not, with factors that cost no more than they have taken, for
+/// later solves too if these come to `enough`. It fails without a trace.
 PcgReport solve_as_before(HeldSystem& system, const Apply& a, const Field& load, const Field& x,
                           const PcgOptions& pcg, Real enough, Preconditioning& m);
 

@@ -30,10 +30,6 @@ bool leave_out(Motion::Data& m, const Field& x) {
   if (!(pcg.reference > 0)) return true;
   const SolveReport done =
       solve::find_same_motion(m.held, x, m.correction, pcg, m.solver.tolerance);
-  fprintf(stderr, "idle step %d its %d res %g tol %g ref %g conv %d |x| %g |y| %g\n",
-          int(m.now.steps), int(done.iterations), done.residual, pcg.tolerance, pcg.reference,
-          done.converged, std::sqrt(solve::dot(m.held.work, x, x)),
-          std::sqrt(solve::dot(m.held.work, m.correction, m.correction)));
   if (!done.converged) return false;
   Kokkos::deep_copy(x, m.correction);
   return true;
@@ -43,13 +39,16 @@ bool leave_out(Motion::Data& m, const Field& x) {
 
 void leave_out_idle_motion(Motion::Data& m) {
   if (m.held.op.functions == 1 || m.dynamic_ratio == 0) return;
-  if (m.now.steps < m.idle_next) return;
+  const bool by_factors =
+      m.held.factors.helped;  // what these find without idle motion has some for blocks
+  if (m.now.steps < m.idle_next && by_factors == m.idle_by_factors) return;
   const bool still = m.now.steps == 0;
   bool done = leave_out(m, m.now.acceleration);
   if (!still) done = leave_out(m, m.now.velocity) && done;
   const Index most = m.large ? idle_large_steps : idle_steps;
   m.idle_wait = done ? most : std::min(most, still ? 1 : 2 * m.idle_wait);
   m.idle_next = m.now.steps + m.idle_wait;
+  m.idle_by_factors = by_factors;
 }
 
 }  // namespace rockfold::update
