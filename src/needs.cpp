@@ -30,7 +30,7 @@ constexpr Real least_motion = 1e-10;
 /// Of the largest displacement: above it the answer differs visibly from that of points held exactly; and in analyses that close gaps,
 /// where it tells of supports that cannot all be kept.
 constexpr Real largest_support_gap = 1e-3, largest_gap_at_rest = 1e-5;
-/// Of the largest displacement prescribed: springs as stiff as Rockfold makes them give way by that much only where another support pulls at them.
+/// Of the largest displacement, prescribed or found: springs as stiff as Rockfold makes them give way by that much only where another support pulls at them.
 constexpr Real largest_share_off_place = 0.1;
 
 Purpose purpose_of(Command command) {
@@ -244,12 +244,11 @@ void warn_of_support_gap(const Model& model, const RunResult& run, const FixedPo
     return;
   }
   const OffPlace& off = run.off_place;
-  if (off.other != none && off.prescribed > 0 &&
-      off.distance > largest_share_off_place * off.prescribed) {
+  const Real motion = std::max(off.prescribed, run.largest_displacement.length);
+  if (off.other != none && off.prescribed > 0 && off.distance > largest_share_off_place * motion) {
     terminal.warn(
         fmt::format("fixed[{}] is {:.2g} m off its place, on rock that fixed[{}] holds as well: "
-                    "they contradict "
-                    "each other (reactions and stress there mean nothing)",
+                    "they contradict each other (reactions and stress there mean nothing)",
                     off.condition + 1, off.distance, off.other + 1));
     return;
   }

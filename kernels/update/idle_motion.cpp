@@ -39,8 +39,8 @@ bool leave_out(Motion::Data& m, const Field& x) {
 
 void leave_out_idle_motion(Motion::Data& m) {
   if (m.held.op.functions == 1 || m.dynamic_ratio == 0) return;
-  const bool by_factors =
-      m.held.factors.helped;  // what these find without idle motion has some for blocks
+  // What factors find without idle motion has some for blocks, and the other way round.
+  const bool by_factors = m.held.factors.helped;
   if (m.now.steps < m.idle_next && by_factors == m.idle_by_factors) return;
   const bool still = m.now.steps == 0;
   bool done = leave_out(m, m.now.acceleration);

@@ -184,14 +184,21 @@ std::vector<Real> cut_volumes(const CoverArrays& covers, const PieceMoments& mom
   return volume;
 }
 
-/// m³ below which an element is a sliver beside a whole one, or beside the largest where there is none.
-Real sliver_volume(const CoverArrays& covers, const std::vector<Real>& volume) {
+/// [blocks] m³ below which an element is a sliver beside the largest of its block, or a whole one.
+std::vector<Real> sliver_volumes(const CoverArrays& covers, const std::vector<Real>& volume) {
   constexpr Real share = 1e-3;
   const auto& edge = covers.lattice.edge;
-  Real whole = std::abs(dot(edge[0], cross(edge[1], edge[2]))) / covers.parts_per_cell();
-  if (covers.regular_count() == 0 && !volume.empty())
-    whole = std::min(whole, *std::max_element(volume.begin(), volume.end()));
-  return share * whole;
+  const Real whole = std::abs(dot(edge[0], cross(edge[1], edge[2]))) / covers.parts_per_cell();
+  std::vector<Real> least;
+  const auto offer = [&](Index block, Real of_element) {
+    if (block >= static_cast<Index>(least.size())) least.resize(block + 1, 0);
+    least[block] = std::max(least[block], share * std::min(whole, of_element));
+  };
+  for (const Index block : covers.regular_block) offer(block, whole);
+  for (Index e = 0; e < covers.cut_count(); ++e)
+    for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
+      offer(covers.piece_block[q], volume[e]);
+  return least;
 }
 
 }  // namespace
@@ -227,7 +234,7 @@ LargestDisplacement find_largest_displacement(const CoverArrays& covers,
                                               const std::vector<Vec3>& displacement) {
   LargestDisplacement largest;
   const std::vector<Real> volume = cut_volumes(covers, moments);
-  const Real least = sliver_volume(covers, volume);
+  const std::vector<Real> least = sliver_volumes(covers, volume);
   const auto offer = [&](const Vec3& u, const Vec3& point, Index block) {
     if (largest.block == none || norm(u) > largest.length) largest = {norm(u), point, block};
   };
@@ -253,7 +260,7 @@ LargestDisplacement find_largest_displacement(const CoverArrays& covers,
   std::vector<FunctionValue> sampled(functions.width());
   const Index whole = covers.parts_per_cell() * covers.regular_count();
   for (Index e = 0; e < covers.cut_count(); ++e) {
-    if (volume[e] < least) continue;
+    if (volume[e] < least[covers.piece_block[covers.piece_begin[e]]]) continue;
     const Vec3 centre = covers.lattice.cell_centre(covers.element_cell[e]);
     const ElementNodes nodes = element_nodes(covers, whole + e);
     for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)

@@ -16,7 +16,7 @@ std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
                                               const std::vector<Vec3>& displacement, Index blocks,
                                               bool large = false);
 
-/// Over the lattice nodes of whole cells and the vertices of cut elements but slivers, whose corners hardly resist; the displacement is that
+/// Over the lattice nodes of whole cells and the vertices of cut elements but slivers beside others of their block, whose corners hardly resist; the displacement is that
 /// of the covers.
 LargestDisplacement find_largest_displacement(const CoverArrays& covers,
                                               const PieceMoments& moments,

@@ -50,5 +50,29 @@ TEST_P(BlockAverages, OfARigidMotionAreItsRotationAndTheDisplacementOfTheCentroi
   EXPECT_NEAR(largest.length, most, 1e-12);
 }
 
+/// A block of 1e-6 of its neighbour's volume is rock as well, not a sliver.
+TEST(LargestDisplacement, OfASmallBlockBesideALargeOneIsFound) {
+  for (const LatticeKind kind : {LatticeKind::block, LatticeKind::tet6}) {
+    Lattice lattice = reference::turned_lattice({-0.3, -0.3, -0.3}, 2, 0, 0, {0.5, 0.5, 0.5}, 0.9);
+    lattice.kind = kind;
+    if (kind == LatticeKind::block) {
+      lattice.cells = {0, 0, 0};
+      lattice.block_origin = {{0.5, 0.5, 0.5}, {1.005, 0.005, 0.005}};
+    }
+    auto covered =
+        reference::cover_regions(lattice, {reference::box({0, 0, 0}, {1, 1, 1}, 0, 0, 0),
+                                           reference::box({1, 0, 0}, {1.01, 0.01, 0.01}, 0, 1, 1)});
+    CoverArrays& a = covered.arrays;
+    std::vector<Vec3> d(a.unknown_count(), Vec3{});
+    for (Index e = 0; e < a.cut_count(); ++e)
+      if (a.piece_block[a.piece_begin[e]] == 1)
+        for (int k = 0; k < a.nodes_per_part(); ++k)
+          d[a.element_cover[a.nodes_per_part() * e + k]] = {0, 0, -2};
+    const LargestDisplacement largest = find_largest_displacement(a, piece_moments(a), d);
+    EXPECT_EQ(largest.block, 1);
+    EXPECT_NEAR(largest.length, 2, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace rockfold
