@@ -140,14 +140,19 @@ void warn_of_conditional_stability(const Model& model, Terminal& terminal) {
 }
 
 void warn_of_cutting(const IntentReport& intent, Terminal& terminal) {
-  if (intent.near_decisions == 0) return;
+  if (intent.doubts == 0) return;
   std::string names;
   for (const auto& name : intent.near_planes) names += (names.empty() ? "" : ", ") + name;
-  terminal.warn(fmt::format(
-      "{} distances of planes from each other or from corners are so small (about 1e-10 of the "
-      "model's size) that "
-      "another rounding of the input could give other blocks; planes: {}",
-      intent.near_decisions, names));
+  std::string narrowest;
+  if (intent.least_doubt > 0)
+    narrowest = fmt::format("; the narrowest cell, {:.2g} m wide, lies at ({:.6g}, {:.6g}, {:.6g})",
+                            intent.least_doubt, intent.doubt_at[0], intent.doubt_at[1],
+                            intent.doubt_at[2]);
+  terminal.warn(
+      fmt::format("{} cells or openings of the rock are about as wide as 1e-9 of the model's size, "
+                  "where what is narrower is no block and no connection: other digits of the input "
+                  "could give other blocks; they lie between: {}{}",
+                  intent.doubts, names, narrowest));
 }
 
 void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& model,

@@ -11,6 +11,7 @@
 #include "host/cover/piece_contacts.hpp"
 #include "host/cut/union_find.hpp"
 #include "src/base/error.hpp"
+#include "src/base/vector.hpp"
 
 namespace rockfold {
 
@@ -48,6 +49,10 @@ class Connector {
   }
 
  private:
+  // A piece, or a sliver, in the element that it belongs to.
+  struct Placed {
+    Index element, piece, sliver;
+  };
   // A regular lattice cell, or a piece.
   struct Spot {
     Index regular = none, piece = none;
@@ -57,6 +62,7 @@ class Connector {
   struct Link {
     Spot one, two;
     const PartFacet* facet;  // of the first; null = inside
+    bool over_sliver = false;  // their parts may be any: the nodes of both
   };
 
   // The nodes on a lattice cell's upper face along each axis, and the same among those of the next cell.
@@ -102,14 +108,62 @@ class Connector {
   void find_virtual_links() {
     const bool welded = model_.cover->joints == JointTreatment::welded;
     for (const Fragment& f : complex_.fragments) {
-      if (f.joint != none && !welded) continue;
-      if (complex_.zone(f.cell[0]).stage != 0 || complex_.zone(f.cell[1]).stage != 0) continue;
+      if ((f.joint != none && !welded) || f.narrow || complex_.touches_sliver(f)) continue;
+      if (!complex_.stays(f.cell[0]) || !complex_.stays(f.cell[1])) continue;
       const bool one_material = material(f.cell[0]) == material(f.cell[1]);
       glue_.visit(f, [&](const Contact& c) { add_links(c, one_material); });
     }
+    for (const Beam& b : complex_.beams)
+      if (b.cell[1] != none && (b.joint == none || welded) && complex_.stays(b.cell[0]) &&
+          complex_.stays(b.cell[1]))
+        add_beam_links(b);
+  }
+
+  // Both cells' pieces by the beam; where the lattice runs through the sliver between them, in neighbouring parts.
+  void add_beam_links(const Beam& beam) {
+    visit_parts_near(index_.lattice, index_.planes, beam.polygon,
+                     [&](const std::array<Index, 3>& ijk, int part) {
+                       const Index cell = covers_.lattice.cell_index(ijk[0], ijk[1], ijk[2]);
+                       const Holding one = holding(cell, part, beam.cell[0]);
+                       if (!one.any()) return;
+                       link_over_sliver(one, holding(cell, part, beam.cell[1]));
+                       for (const PartFacet& facet : form(cell).facet[part]) {
+                         auto next = ijk;
+                         if (facet.axis >= 0) {
+                           next[facet.axis] += facet.step;
+                           if (next[facet.axis] < 0 ||
+                               next[facet.axis] >= covers_.lattice.cells[facet.axis])
+                             continue;
+                         }
+                         if (lies_along(beam.polygon, index_.lattice.inside(ijk, facet)))
+                           link_over_sliver(
+                               one, holding(covers_.lattice.cell_index(next[0], next[1], next[2]),
+                                            facet.other, beam.cell[1]));
+                       }
+                     });
+  }
+
+  Holding holding(Index lattice_cell, int part, Index rock) const {
+    const Holding found = cells_.find(lattice_cell, part, rock);
+    return found.any() ? found : cells_.find_owner(lattice_cell, part, rock);
+  }
+
+  bool lies_along(const std::vector<Vec3>& polygon, HalfSpaceId facet) const {
+    const Vec3& n = index_.planes.normal(plane_of(facet));
+    const Real offset = index_.planes.offset(plane_of(facet));
+    return std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& x) {
+      return std::abs(dot(n, x) - offset) < index_.planes.width_tolerance();
+    });
+  }
+
+  void link_over_sliver(const Holding& one, const Holding& two) {
+    visit_spots(one, [&](const Spot& a) {
+      visit_spots(two, [&](const Spot& b) { links_.push_back({a, b, nullptr, true}); });
+    });
   }
 
   void add_links(const Contact& c, bool one_material) {
+    if (c.over_sliver) return link_over_sliver(c.one, c.two);
     if (c.facet == nullptr && (c.one.regular != none || c.two.regular != none)) return;
     visit_spots(c.one, [&](const Spot& one) {
       visit_spots(c.two, [&](const Spot& two) {
@@ -128,15 +182,23 @@ class Connector {
     for (Index i = h.piece_begin; i < h.piece_end; ++i) visit(Spot{none, i, h.part});
   }
 
-  // Elements in the order of their first piece, so by lattice cell and part; pieces regrouped to follow it.
+  // Elements in the order of their first piece, so by lattice cell and part; pieces regrouped to follow it, slivers behind
+  // the others.
   void number_elements() {
     element_of_piece_ = piece_parts_.components();
-    piece_order_.resize(element_of_piece_.size());
-    for (Index i = 0; i < static_cast<Index>(piece_order_.size()); ++i) piece_order_[i] = i;
-    std::stable_sort(piece_order_.begin(), piece_order_.end(),
-                     [&](Index a, Index b) { return element_of_piece_[a] < element_of_piece_[b]; });
+    const auto count = static_cast<Index>(pieces_.pieces.size());
     Index cut = 0;
-    for (const Index e : element_of_piece_) cut = std::max(cut, e + 1);
+    for (Index i = 0; i < count; ++i) {
+      piece_order_.push_back({element_of_piece_[i], i, none});
+      cut = std::max(cut, element_of_piece_[i] + 1);
+    }
+    for (Index s = 0; s < static_cast<Index>(pieces_.slivers.size()); ++s) {
+      const PieceKey& owner = pieces_.slivers[s].owner;
+      const Holding h = cells_.find(owner.lattice_cell, owner.part, owner.rock);
+      piece_order_.push_back({element_of_piece_[h.piece_begin], none, s});
+    }
+    std::stable_sort(piece_order_.begin(), piece_order_.end(),
+                     [](const Placed& a, const Placed& b) { return a.element < b.element; });
     refuse_too_many(cut);
   }
 
@@ -167,8 +229,8 @@ class Connector {
     covers_.element_faces = std::int64_t{covers_.parts_per_cell()} * (any_part.nodes == 8 ? 6 : 4) *
                             covers_.regular_count();
     for (std::size_t i = 0; i < piece_order_.size(); ++i) {
-      const PieceRecord& p = record(piece_order_[i]);
-      const Index e = element_of_piece_[piece_order_[i]];
+      const auto [e, piece, sliver] = piece_order_[i];
+      const PieceRecord& p = sliver != none ? pieces_.slivers[sliver].piece : record(piece);
       if (e == covers_.cut_count()) {
         covers_.element_cell.push_back(p.lattice_cell);
         covers_.element_part.push_back(static_cast<std::uint8_t>(p.part));
@@ -180,16 +242,23 @@ class Connector {
       index_.piece_element[i] = e;
       index_.piece_rock.push_back(p.rock);
       if (contacts_.any_cut()) index_.piece_cuts.push_back(p.cuts);
-      write_shape(p);
+      if (sliver != none)
+        index_.slivers.push_back({pieces_.slivers[sliver].key(), static_cast<Index>(i)});
+      write_shape(p, covers_.lattice.cell_centre(p.lattice_cell) -
+                         covers_.lattice.cell_centre(covers_.element_cell[e]));
     }
+    std::sort(index_.slivers.begin(), index_.slivers.end());
   }
 
-  void write_shape(const PieceRecord& p) {
+  // `shift`: m, of its own lattice cell from that of its element.
+  void write_shape(const PieceRecord& p, const Vec3& shift) {
     index_.face_inside.insert(index_.face_inside.end(), p.faces.begin(), p.faces.end());
     index_.face_begin.push_back(static_cast<std::int64_t>(index_.face_inside.size()));
     const auto first = static_cast<Index>(covers_.vertex_xyz.size() / 3);
-    for (const Vec3& x : p.vertices)
+    for (const Vec3& local : p.vertices) {
+      const Vec3 x = local + shift;
       covers_.vertex_xyz.insert(covers_.vertex_xyz.end(), x.begin(), x.end());
+    }
     for (const auto& t : p.triangles)
       for (const Index v : t) covers_.triangle_vertex.push_back(first + v);
     covers_.vertex_begin.push_back(static_cast<Index>(covers_.vertex_xyz.size() / 3));
@@ -235,12 +304,31 @@ class Connector {
   }
 
   void join_link(UnionFind& stars, const Link& l) const {
+    if (l.over_sliver) return join_common_nodes(stars, l.one, l.two);
     if (l.facet == nullptr) {
       for (int a = 0; a < part_nodes_; ++a)
         stars.join(piece_instance(l.one.piece) + a, piece_instance(l.two.piece) + a);
     } else {
       join_across(stars, l.one, l.two, *l.facet);
     }
+  }
+
+  const std::int8_t* nodes_of(const Spot& at, Index& cell, int& count) const {
+    cell = at.regular != none ? covers_.regular_cell[at.regular] : record(at.piece).lattice_cell;
+    const CellPart& part =
+        form(cell).split->part[at.regular != none ? at.part : record(at.piece).part];
+    count = part.nodes;
+    return part.node.data();
+  }
+
+  void join_common_nodes(UnionFind& stars, const Spot& one, const Spot& two) const {
+    Index cell = none, other = none;
+    int n = 0, m = 0;
+    const std::int8_t *a = nodes_of(one, cell, n), *b = nodes_of(two, other, m);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < m; ++j)
+        if (covers_.lattice.cell_node(cell, a[i]) == covers_.lattice.cell_node(other, b[j]))
+          stars.join(instance(one, i), instance(two, j));
   }
 
   // What a node's star has of a lattice cell is convex in every split (of two overlaid ones, the smaller star lies in the
@@ -388,7 +476,7 @@ class Connector {
   PieceContacts contacts_;
   std::vector<Link> links_;
   std::vector<Index> element_of_piece_;
-  std::vector<Index> piece_order_;
+  std::vector<Placed> piece_order_;
   std::vector<Index> star_of_;
   std::vector<FirstAt> first_at_;
 };

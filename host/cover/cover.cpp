@@ -8,6 +8,7 @@
 #include "host/cover/joint_tips.hpp"
 #include "host/cover/piece_index.hpp"
 #include "host/cover/pieces.hpp"
+#include "host/cover/slivers.hpp"
 #include "host/cut/complex.hpp"
 #include "src/arrays/shape_functions.hpp"
 #include "src/base/error.hpp"
@@ -36,7 +37,7 @@ std::vector<Vec3> rock_corners(const Complex& complex) {
 Real rock_volume(const Complex& complex) {
   Real volume = 0;
   for (Index c = 0; c < complex.cells.size(); ++c)
-    if (complex.zone(c).stage == 0) volume += complex.moments[c].volume;
+    if (complex.stays(c)) volume += complex.moments[c].volume;
   return volume;
 }
 
@@ -81,14 +82,15 @@ Covering build_covers(const Cutting& cutting, const Model& model, Progress& prog
   const Complex& complex = *cutting.complex;
   const CoverSpec& cover = *model.cover;
   check_cover_size(cover, rock_volume(complex));
-  CoverPlanes planes(complex.planes);
-  LatticePlanes lattice = lay_lattice(complex, cover, planes.table);
+  PlaneTable planes(complex.planes);
+  LatticePlanes lattice = lay_lattice(complex, cover, planes);
   Pieces pieces = cover.lattice == LatticeKind::block
                       ? block_pieces(complex, lattice)
-                      : cut_pieces(complex, cover, lattice, planes, progress);
+                      : cut_pieces(complex, lattice, planes, progress);
   if (cover.joint_tips == JointTips::extend && cover.joints == JointTreatment::separate &&
       cover.lattice != LatticeKind::block)
     extend_joint_tips(complex, model, lattice, planes, pieces);
+  give_slivers_owners(complex, lattice, planes, pieces);
   Covering covering;
   covering.arrays.lattice = lattice.lattice();
   covering.arrays.order = cover.order;

@@ -190,7 +190,7 @@ class Fixer {
         model_(model),
         locator_(covering),
         elements_(covering.arrays),
-        slack_(1e-9 * covering.pieces->planes.table.model_size()),
+        slack_(1e-9 * covering.pieces->planes.model_size()),
         spacing_(std::cbrt(
             dot(covering.arrays.lattice.edge[0],
                 cross(covering.arrays.lattice.edge[1], covering.arrays.lattice.edge[2])))),

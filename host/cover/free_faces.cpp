@@ -37,14 +37,14 @@ class Visitor {
         region_(region),
         visit_(visit),
         surface_(complex_, covering),
-        slack_(relative_slack * covering.pieces->planes.table.model_size()) {}
+        slack_(relative_slack * covering.pieces->planes.model_size()) {}
 
   void run() {
     for (const FreePart& part : complex_.free_parts)
       if (wanted(part.origin)) split(complex_.polygon_of(part), part.cell, part.face);
     for (const Fragment& fragment : complex_.fragments)
       for (int side = 0; side < 2; ++side)
-        if (complex_.zone(fragment.cell[1 - side]).stage != 0 && wanted(fragment.joint))
+        if (!complex_.stays(fragment.cell[1 - side]) && wanted(fragment.joint))
           split(complex_.polygon_of(fragment), fragment.cell[side], fragment.face[side]);
   }
 
@@ -62,7 +62,7 @@ class Visitor {
 
   /// Splits a face of a cell of the complex over the elements.
   void split(const Polygon& polygon, Index rock, Index local_face) {
-    if (complex_.zone(rock).stage != 0) return;
+    if (!complex_.stays(rock)) return;
     const HalfSpaceId inside = complex_.cells[rock].faces[local_face].inside;
     FacePolygon found;
     found.rock = rock;

@@ -14,19 +14,21 @@ struct Contact {
   Holding one, two;                  ///< below and above the fragment's plane
   const PartFacet* facet = nullptr;  ///< of one's part; null = inside the part
   const Polygon& polygon;            ///< about the table's centre
+  /// One of the two stands for a sliver that it owns: their parts may be any, and no facet need lie between them.
+  bool over_sliver = false;
 };
 
 class GlueFinder {
  public:
-  GlueFinder(const Complex& complex, const LatticePlanes& lattice, const CoverPlanes& planes,
+  GlueFinder(const Complex& complex, const LatticePlanes& lattice, const PlaneTable& planes,
              const OccupiedCells& cells)
       : complex_(complex),
         lattice_(lattice),
         planes_(planes),
         cells_(cells),
-        walker_(planes, [&](const PlaneTable& table) { return LatticeWalker(lattice, table); }) {}
+        walker_(lattice, planes) {}
 
-  /// Calls visit for each part of a fragment with rock on both sides.
+  /// Calls visit for each part of a fragment, wider than the tolerance, with rock on both sides.
   void visit(const Fragment& fragment, const std::function<void(const Contact&)>& visit);
 
  private:
@@ -35,9 +37,9 @@ class GlueFinder {
 
   const Complex& complex_;
   const LatticePlanes& lattice_;
-  const CoverPlanes& planes_;
+  const PlaneTable& planes_;
   const OccupiedCells& cells_;
-  ToolPair<LatticeWalker> walker_;
+  LatticeWalker walker_;
 };
 
 /// Whether a polygon has an area within all of the half-spaces, but for its own plane.

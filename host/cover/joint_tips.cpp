@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "host/cover/glue.hpp"
+#include "host/cover/slivers.hpp"
 #include "host/cut/union_find.hpp"
 
 namespace rockfold {
@@ -14,15 +15,15 @@ namespace {
 template <class Visit>
 void visit_contacts(const Complex& complex, GlueFinder& glue, bool joints, Visit visit) {
   for (const Fragment& f : complex.fragments) {
-    if ((f.joint != none) != joints) continue;
-    if (joints && complex.cell_block[f.cell[0]] != complex.cell_block[f.cell[1]]) continue;
-    if (complex.zone(f.cell[0]).stage != 0 || complex.zone(f.cell[1]).stage != 0) continue;
+    if ((f.joint != none) != joints || complex.touches_sliver(f) || f.narrow) continue;
+    if (joints && !f.dead_end) continue;
+    if (!complex.stays(f.cell[0]) || !complex.stays(f.cell[1])) continue;
     glue.visit(f, visit);
   }
 }
 
 // Regular lattice cells that joints within a block touch become pieces, which can have cuts.
-void split_regular(const Complex& complex, const LatticePlanes& lattice, const CoverPlanes& planes,
+void split_touched(const Complex& complex, const LatticePlanes& lattice, const PlaneTable& planes,
                    Pieces& pieces) {
   const OccupiedCells cells(lattice.lattice(), pieces);
   GlueFinder glue(complex, lattice, planes, cells);
@@ -31,29 +32,13 @@ void split_regular(const Complex& complex, const LatticePlanes& lattice, const C
     for (const Index r : {c.one.regular, c.two.regular})
       if (r != none) touched[r] = true;
   });
-  std::vector<Pieces::Regular> kept;
-  for (std::size_t r = 0; r < touched.size(); ++r) {
-    const auto [lattice_cell, rock] = pieces.regular[r];
-    if (!touched[r]) {
-      kept.push_back(pieces.regular[r]);
-      continue;
-    }
-    const int parts = lattice.lattice().split(lattice_cell).part_count();
-    PieceRecord p;
-    p.lattice_cell = lattice_cell;
-    p.rock = rock;
-    for (p.part = 0; p.part < parts; ++p.part)
-      pieces.pieces.push_back(make_record(lattice, planes.table, lattice_cell, p.part, rock,
-                                          clip_to_part(complex, lattice, planes, p)));
-  }
-  pieces.regular = std::move(kept);
-  sort_pieces(pieces.pieces);
+  split_regular(complex, lattice, planes, touched, pieces);
 }
 
 class TipExtender {
  public:
   TipExtender(const Complex& complex, const Model& model, const LatticePlanes& lattice,
-              const CoverPlanes& planes, Pieces& pieces)
+              const PlaneTable& planes, Pieces& pieces)
       : complex_(complex),
         model_(model),
         lattice_(lattice),
@@ -61,7 +46,7 @@ class TipExtender {
         pieces_(pieces),
         cells_(lattice.lattice(), pieces),
         glue_(complex, lattice, planes, cells_),
-        splitter_(planes.table) {}
+        splitter_(planes) {}
 
   void run() {
     find_elements();
@@ -76,7 +61,8 @@ class TipExtender {
     UnionFind parts(static_cast<Index>(pieces_.pieces.size()));
     visit_contacts(complex_, glue_, false, [&](const Contact& c) {
       const Index one = c.one.piece_begin, two = c.two.piece_begin;
-      if (c.facet != nullptr || c.one.regular != none || c.two.regular != none) return;
+      if (c.facet != nullptr || c.one.regular != none || c.two.regular != none || c.over_sliver)
+        return;
       if (material(pieces_.pieces[one].rock) == material(pieces_.pieces[two].rock))
         parts.join(one, two);
     });
@@ -86,6 +72,7 @@ class TipExtender {
   // No lattice cell with a joint on or in it is regular any more.
   void find_tips() {
     visit_contacts(complex_, glue_, true, [&](const Contact& c) {
+      if (c.over_sliver) return;
       const Index one = element_[c.one.piece_begin], two = element_[c.two.piece_begin];
       if (c.facet == nullptr && one != two) return;
       for (const Index element : {one, two}) tips_.emplace_back(element, c.polygon.plane);
@@ -116,9 +103,9 @@ class TipExtender {
            const std::vector<HalfSpaceId>& cuts, std::vector<PieceRecord>& result) {
     if (tip == end) {
       PieceRecord r =
-          make_record(lattice_, planes_.table, whole.lattice_cell, whole.part, whole.rock, cell);
+          make_record(lattice_, planes_, whole.lattice_cell, whole.part, whole.rock, cell);
       r.cuts = cuts;
-      if (has_volume(r)) result.push_back(std::move(r));
+      if (volume_of(r) > 0) result.push_back(std::move(r));
       return;
     }
     const Index plane = tip->second;
@@ -136,7 +123,7 @@ class TipExtender {
   const Complex& complex_;
   const Model& model_;
   const LatticePlanes& lattice_;
-  const CoverPlanes& planes_;
+  const PlaneTable& planes_;
   Pieces& pieces_;
   const OccupiedCells cells_;
   GlueFinder glue_;
@@ -148,8 +135,8 @@ class TipExtender {
 }  // namespace
 
 void extend_joint_tips(const Complex& complex, const Model& model, const LatticePlanes& lattice,
-                       const CoverPlanes& planes, Pieces& pieces) {
-  split_regular(complex, lattice, planes, pieces);
+                       const PlaneTable& planes, Pieces& pieces) {
+  split_touched(complex, lattice, planes, pieces);
   TipExtender(complex, model, lattice, planes, pieces).run();
 }
 

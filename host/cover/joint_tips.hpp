@@ -10,6 +10,6 @@ namespace rockfold {
 /// along the joint's plane. Elements with a part of a joint on a facet between them get its plane as a cut that only parts them; whole
 /// lattice cells become pieces for it. Joints whose covers are welded are no joints. O(n log n) in the pieces.
 void extend_joint_tips(const Complex& complex, const Model& model, const LatticePlanes& lattice,
-                       const CoverPlanes& planes, Pieces& pieces);
+                       const PlaneTable& planes, Pieces& pieces);
 
 }  // namespace rockfold

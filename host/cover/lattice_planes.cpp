@@ -173,7 +173,7 @@ void LatticePlanes::add_planes(PlaneTable& planes) {
       (c[d] < 0 ? low : high) += c[d] * lattice_.cells[d];
       shift += c[d] * first_[d];
       if (unit == 0) unit = spacing_[d];
-      const Exact share = Exact(c[d]) * (Exact(unit) / Exact(spacing_[d]));
+      const Exact share = Exact(c[d]) * (exact(unit) / exact(spacing_[d]));
       const ExactVec3 normal = exact(normal_[d]);
       for (int e = 0; e < 3; ++e) plane.n[e] += share * normal[e];
     }
@@ -182,7 +182,7 @@ void LatticePlanes::add_planes(PlaneTable& planes) {
     if (family.step == 2 && ((low & 1) != 0) != lattice_.odd_origin) ++family.first;
     const Exact at_node = rockfold::dot(plane.n, node);
     for (Index v = family.first; v <= high; v += family.step) {
-      plane.d = at_node + Exact(shift + v) * Exact(unit);
+      plane.d = at_node + Exact(shift + v) * exact(unit);
       family.upper.push_back(planes.find_or_add(plane));
     }
     families_.push_back(std::move(family));

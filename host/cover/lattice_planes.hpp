@@ -1,5 +1,5 @@
 // The lattice of the mathematical cover as exact planes: the three families of its cells' faces and those of the
-// parts inside. A lattice plane that coincides with a joint or a solid's face is that plane.
+// parts inside. A lattice plane that is equal to a joint's or a solid's is that plane.
 #pragma once
 
 #include <array>

@@ -1,6 +1,9 @@
 #include "host/cover/lattice_walk.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "src/base/vector.hpp"
 
 namespace rockfold {
 
@@ -96,13 +99,6 @@ void LatticeWalker::split_parts(std::size_t depth, const CellView& cell, const C
   visitor.piece(at, ~child, cell);
 }
 
-// A polygon all of whose corners are taken to lie on the plane goes where a cell does.
-void LatticeWalker::part(const Polygon& polygon, HalfSpaceId upper, Polygon& inside,
-                         Polygon& outside) {
-  clipper_.split(polygon, upper, inside, &outside);
-  if (inside.empty() && outside.empty()) (is_above(upper) ? inside : outside) = polygon;
-}
-
 void LatticeWalker::descend(const Polygon& polygon, HalfSpaceId side, const LatticeBox& box,
                             const PolygonVisitor& visitor) {
   if (box.single()) {
@@ -116,7 +112,7 @@ void LatticeWalker::descend(const Polygon& polygon, HalfSpaceId side, const Latt
   if (plane_of(upper) == polygon.plane)
     return descend(polygon, side, upper == side ? high : low, visitor);
   Polygon inside, outside;
-  part(polygon, upper, inside, outside);
+  clipper_.split(polygon, upper, inside, &outside);
   if (!outside.empty()) descend(outside, side, low, visitor);
   if (!inside.empty()) descend(inside, side, high, visitor);
 }
@@ -130,9 +126,76 @@ void LatticeWalker::split_parts(const Polygon& polygon, HalfSpaceId side, const 
     return split_parts(polygon, side, at, tree, upper == side ? branch.above : branch.below,
                        visitor);
   Polygon inside, outside;
-  part(polygon, upper, inside, outside);
+  clipper_.split(polygon, upper, inside, &outside);
   if (!outside.empty()) split_parts(outside, side, at, tree, branch.below, visitor);
   if (!inside.empty()) split_parts(inside, side, at, tree, branch.above, visitor);
+}
+
+namespace {
+
+class PartsNear {
+ public:
+  PartsNear(const LatticePlanes& lattice, const PlaneTable& planes, const Vec3& normal,
+            const std::function<void(const std::array<Index, 3>&, int)>& visit)
+      : lattice_(lattice), planes_(planes), normal_(normal), visit_(visit) {}
+
+  void descend(const std::vector<Vec3>& polygon, const LatticeBox& box) const {
+    if (width_in_plane(polygon, normal_) < planes_.width_tolerance()) return;
+    if (box.single()) return parts(polygon, box.low);
+    const Cut cut = middle(box);
+    const HalfSpaceId upper = lattice_.upper(cut.axis, cut.at);
+    const auto [low, high] = halves(box, cut);
+    descend(inside(polygon, upper ^ 1), low);
+    descend(inside(polygon, upper), high);
+  }
+
+ private:
+  void parts(const std::vector<Vec3>& polygon, const std::array<Index, 3>& ijk) const {
+    const auto& facets = lattice_.form(ijk).facet;
+    for (std::size_t part = 0; part < facets.size(); ++part) {
+      std::vector<Vec3> own = polygon;
+      for (const PartFacet& facet : facets[part]) own = inside(own, lattice_.inside(ijk, facet));
+      if (width_in_plane(own, normal_) >= planes_.width_tolerance())
+        visit_(ijk, static_cast<int>(part));
+    }
+  }
+
+  std::vector<Vec3> inside(const std::vector<Vec3>& polygon, HalfSpaceId h) const {
+    const Vec3 n = (is_above(h) ? 1.0 : -1.0) * planes_.normal(plane_of(h));
+    const Real offset = (is_above(h) ? 1.0 : -1.0) * planes_.offset(plane_of(h));
+    const auto depth = [&](const Vec3& x) { return dot(n, x) - offset; };
+    const bool along = std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& x) {
+      return std::abs(depth(x)) < planes_.width_tolerance();
+    });
+    if (along) return polygon;
+    std::vector<Vec3> part;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+      const Real dp = depth(p), dq = depth(q);
+      if (dp >= 0) part.push_back(p);
+      if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0)) part.push_back(p + (dp / (dp - dq)) * (q - p));
+    }
+    return part;
+  }
+
+  const LatticePlanes& lattice_;
+  const PlaneTable& planes_;
+  const Vec3 normal_;
+  const std::function<void(const std::array<Index, 3>&, int)>& visit_;
+};
+
+}  // namespace
+
+void visit_parts_near(const LatticePlanes& lattice, const PlaneTable& planes,
+                      const std::vector<Vec3>& polygon,
+                      const std::function<void(const std::array<Index, 3>&, int)>& visit) {
+  Vec3 area{};
+  std::vector<Vertex> corners(polygon.size());
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    corners[k].x = polygon[k];
+    area += cross(polygon[k] - polygon[0], polygon[(k + 1) % polygon.size()] - polygon[0]);
+  }
+  PartsNear(lattice, planes, normalized(area), visit).descend(polygon, lattice.range(corners));
 }
 
 }  // namespace rockfold

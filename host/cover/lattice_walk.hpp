@@ -27,9 +27,6 @@ class LatticeWalker {
   LatticeWalker(const LatticePlanes& lattice, const PlaneTable& planes)
       : lattice_(lattice), splitter_(planes), clipper_(planes) {}
 
-  /// Of all cells so far.
-  const IntentCount& cell_intent() const { return splitter_.intent; }
-
   /// Splits a convex cell into whole lattice cells and convex pieces of parts.
   void walk(const CellView& cell, const CellVisitor& visitor);
 
@@ -46,7 +43,6 @@ class LatticeWalker {
   void descend(std::size_t depth, const CellView& cell, LatticeBox box, const CellVisitor& visitor);
   void split_parts(std::size_t depth, const CellView& cell, const CellIjk& at, const PartTree& tree,
                    int child, const CellVisitor& visitor);
-  void part(const Polygon& polygon, HalfSpaceId upper, Polygon& inside, Polygon& outside);
   void descend(const Polygon& polygon, HalfSpaceId side, const LatticeBox& box,
                const PolygonVisitor& visitor);
   void split_parts(const Polygon& polygon, HalfSpaceId side, const CellIjk& at,
@@ -57,5 +53,11 @@ class LatticeWalker {
   PolygonClipper clipper_;
   std::vector<std::unique_ptr<Level>> levels_;
 };
+
+/// Calls visit(lattice_cell, part) for the parts that hold more of a convex polygon (m about the table's centre, corners in a row)
+/// than a strip as narrow as the tolerance; where it lies along a facet, for those on both sides. In doubles.
+void visit_parts_near(const LatticePlanes& lattice, const PlaneTable& planes,
+                      const std::vector<Vec3>& polygon,
+                      const std::function<void(const std::array<Index, 3>&, int)>& visit);
 
 }  // namespace rockfold

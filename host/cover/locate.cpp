@@ -49,7 +49,7 @@ bool share_cover(const ElementNodes& one, const ElementNodes& other, int nodes) 
 
 // By the planes of the faces: the triangles of a sliver have no directions that could be trusted.
 Real Locator::piece_violation(const Vec3& x, Index piece) const {
-  const Vec3 r = x - index_.planes.table.centre();
+  const Vec3 r = x - index_.planes.centre();
   Real worst = -std::numeric_limits<Real>::infinity();
   for (auto f = index_.face_begin[piece]; f < index_.face_begin[piece + 1]; ++f)
     worst = std::max(worst, outside(index_.face_inside[f], r));
@@ -58,7 +58,7 @@ Real Locator::piece_violation(const Vec3& x, Index piece) const {
 
 // m, how far outside the half-space r lies, from the table's centre.
 Real Locator::outside(HalfSpaceId h, const Vec3& r) const {
-  const PlaneTable& planes = index_.planes.table;
+  const PlaneTable& planes = index_.planes;
   const Real above = dot(planes.normal(plane_of(h)), r) - planes.offset(plane_of(h));
   return is_above(h) ? -above : above;
 }
@@ -117,14 +117,14 @@ Locator::Found Locator::near(const Vec3& x, Real by) const {
     Box point;
     point.add(x);
     for (Index e = 0; e < covers_.cut_count(); ++e)
-      if (element_box_[e].meets(point, relative_slack * index_.planes.table.model_size()))
+      if (element_box_[e].meets(point, relative_slack * index_.planes.model_size()))
         try_element(x, e, found);
     return found;
   }
   std::array<Vertex, 8> around;
   const int corners = by > 0 ? 8 : 1;
   for (int c = 0; c < corners; ++c) {
-    around[c].x = x - index_.planes.table.centre();
+    around[c].x = x - index_.planes.centre();
     for (int d = 0; d < 3; ++d)
       around[c].x += ((c >> d & 1) != 0 ? by : -by) * covers_.lattice.edge[d];
   }
@@ -168,7 +168,7 @@ Holder Locator::firm_for(const Vec3& x, const Holder& own) const {
 }
 
 Holder Locator::holding(const Vec3& x, Index block) const {
-  const Real slack = relative_slack * index_.planes.table.model_size();
+  const Real slack = relative_slack * index_.planes.model_size();
   const int first_split = covers_.first_split_parts();
   Holder best;
   for (const Holder& h : near(x)) {
@@ -196,8 +196,8 @@ Holder Locator::nearest_within(const Vec3& x, Real reach, const Accept& accept) 
 }
 
 bool Locator::is_in_rock(const Vec3& x, Index rock) const {
-  const Vec3 r = x - index_.planes.table.centre();
-  const Real slack = relative_slack * index_.planes.table.model_size();
+  const Vec3 r = x - index_.planes.centre();
+  const Real slack = relative_slack * index_.planes.model_size();
   for (const ConvexCell::Face& face : index_.complex->cells[rock].faces)
     if (outside(face.inside, r) > slack) return false;
   return true;

@@ -1,5 +1,7 @@
 #include "host/cover/occupied_cells.hpp"
 
+#include "host/cover/slivers.hpp"
+
 #include <tuple>
 
 namespace rockfold {
@@ -30,6 +32,12 @@ Holding OccupiedCells::find(Index lattice_cell, int part, Index rock) const {
                        [](const CellContent& c, Index wanted) { return c.lattice_cell < wanted; });
   if (cell == cells_.end() || cell->lattice_cell != lattice_cell) return {};
   return find_in(*cell, part, rock);
+}
+
+Holding OccupiedCells::find_owner(Index lattice_cell, int part, Index rock) const {
+  const Sliver* sliver = find_sliver(pieces_.slivers, lattice_cell, part, rock);
+  if (sliver == nullptr) return {};
+  return find(sliver->owner.lattice_cell, sliver->owner.part, sliver->owner.rock);
 }
 
 Holding OccupiedCells::find_in(const CellContent& cell, int part, Index rock) const {

@@ -34,6 +34,8 @@ class OccupiedCells {
   /// What a cell of the complex has of a part. O(log n)
   Holding find(Index lattice_cell, int part, Index rock) const;
   Holding find_in(const CellContent& cell, int part, Index rock) const;
+  /// What owns a sliver that a cell of the complex has there (Pieces::slivers). O(log n)
+  Holding find_owner(Index lattice_cell, int part, Index rock) const;
 
   /// Calls visit(cell, next) for all occupied cells that are neighbours along an axis. O(n)
   template <class Visit>

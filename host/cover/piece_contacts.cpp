@@ -62,7 +62,7 @@ bool PieceContacts::touch_inside_cell(Index one, Index two) {
   if (apart(p.cuts, q.cuts)) return false;
   std::vector<HalfSpaceId> inside = q.cuts;
   for (const PartFacet& facet : form.facet[q.part]) inside.push_back(lattice_.inside(ijk, facet));
-  return !clip(planes_.of(p.rock), clip_to_part(complex_, lattice_, planes_, p), inside)
+  return !clip(planes_, clip_to_part(complex_, lattice_, planes_, p), inside)
               .faces.empty();
 }
 

@@ -8,13 +8,13 @@ namespace rockfold {
 
 class PieceContacts {
  public:
-  PieceContacts(const Complex& complex, const LatticePlanes& lattice, const CoverPlanes& planes,
+  PieceContacts(const Complex& complex, const LatticePlanes& lattice, const PlaneTable& planes,
                 const Pieces& pieces)
       : complex_(complex),
         lattice_(lattice),
         planes_(planes),
         pieces_(pieces),
-        area_(planes.table) {
+        area_(planes) {
     for (const PieceRecord& p : pieces.pieces) any_cut_ = any_cut_ || !p.cuts.empty();
   }
 
@@ -43,7 +43,7 @@ class PieceContacts {
 
   const Complex& complex_;
   const LatticePlanes& lattice_;
-  const CoverPlanes& planes_;
+  const PlaneTable& planes_;
   const Pieces& pieces_;
   AreaWithin area_;
   const std::vector<HalfSpaceId> no_cuts_;

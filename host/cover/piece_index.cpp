@@ -23,6 +23,10 @@ std::vector<Index> PieceIndex::find_pieces(const CoverArrays& covers, Index latt
     for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
       if (piece_rock[q] == rock) pieces.push_back(q);
   }
+  const PieceKey key{lattice_cell, part, rock};
+  const auto sliver = std::lower_bound(slivers.begin(), slivers.end(), std::pair{key, Index{0}});
+  if (pieces.empty() && sliver != slivers.end() && sliver->first == key)
+    pieces.push_back(sliver->second);
   return pieces;
 }
 

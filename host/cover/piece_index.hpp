@@ -5,18 +5,18 @@
 #include <memory>
 #include <vector>
 
-#include "host/cover/cover_planes.hpp"
 #include "host/cover/lattice_planes.hpp"
+#include "host/cover/pieces.hpp"
 #include "host/cut/complex.hpp"
 #include "src/arrays/cover_arrays.hpp"
 
 namespace rockfold {
 
 struct PieceIndex {
-  PieceIndex(CoverPlanes cover_planes, LatticePlanes lattice_planes)
-      : planes(std::move(cover_planes)), lattice(std::move(lattice_planes)) {}
+  PieceIndex(PlaneTable all_planes, LatticePlanes lattice_planes)
+      : planes(std::move(all_planes)), lattice(std::move(lattice_planes)) {}
 
-  CoverPlanes planes;  ///< of the cutting, and of the lattice
+  PlaneTable planes;  ///< of the cutting, and of the lattice
   std::shared_ptr<const Complex> complex;
   LatticePlanes lattice;
   std::vector<Index> regular_rock;  ///< [R] cell of the complex that holds the regular lattice cell
@@ -24,6 +24,7 @@ struct PieceIndex {
   std::vector<Index> piece_element;      ///< [Q] cut element
   std::vector<std::int64_t> face_begin;  ///< [Q + 1] into face_inside
   std::vector<HalfSpaceId> face_inside;  ///< of each face of each piece, the side that holds it
+  std::vector<std::pair<PieceKey, Index>> slivers;  ///< where each sliver is, and its piece; sorted
   std::vector<std::vector<HalfSpaceId>>
       piece_cuts;  ///< [Q] PieceRecord::cuts; empty if no joint is prolonged
 

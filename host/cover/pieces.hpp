@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/cover/cover_planes.hpp"
 #include "host/cover/lattice_walk.hpp"
 #include "host/cut/complex.hpp"
 #include "src/base/progress.hpp"
@@ -25,18 +24,34 @@ struct PieceRecord {
   std::vector<std::array<Index, 3>> triangles;  ///< outward
 };
 
+/// Where a piece is.
+struct PieceKey {
+  Index lattice_cell = none;
+  int part = 0;
+  Index rock = none;
+  auto operator<=>(const PieceKey&) const = default;
+};
+
+/// A piece narrower than the tolerance has no functions of its own: those of its owner, continued, move it.
+struct Sliver {
+  PieceRecord piece;
+  std::vector<std::pair<int, Real>> facet_area;  ///< m², on the facets of its part
+  PieceKey owner;  ///< of a piece that is no sliver
+  PieceKey key() const { return {piece.lattice_cell, piece.part, piece.rock}; }
+};
+
 struct Pieces {
   struct Regular {
     Index lattice_cell, rock;
   };
   std::vector<Regular> regular;     ///< ordered by lattice cell
   std::vector<PieceRecord> pieces;  ///< ordered by lattice cell, part, rock, cuts
+  std::vector<Sliver> slivers;      ///< ordered by lattice cell, part, rock
 };
 
-/// Cuts the cells of a complex by the lattice, in parallel over cells. Says in `planes` which cells arithmetic decides.
-/// Throws Error(model) where neither the rules of intent nor arithmetic make pieces that have the volume of a cell.
-Pieces cut_pieces(const Complex& complex, const CoverSpec& cover, const LatticePlanes& lattice,
-                  CoverPlanes& planes, Progress& progress);
+/// Cuts the cells of a complex by the lattice, in parallel over cells. Slivers have no owners yet.
+Pieces cut_pieces(const Complex& complex, const LatticePlanes& lattice,
+                  const PlaneTable& planes, Progress& progress);
 
 /// Kind `block`: the cells of the complex as they are.
 Pieces block_pieces(const Complex& complex, const LatticePlanes& lattice);
@@ -45,13 +60,11 @@ void sort_pieces(std::vector<PieceRecord>& pieces);  ///< in the order of Pieces
 
 PieceRecord make_record(const LatticePlanes& lattice, const PlaneTable& planes, Index lattice_cell,
                         int part, Index rock, const CellView& cell);
-/// Thinner than rounding, a piece has no volume to integrate; the rock it stands for is below 1e-15 of a lattice cell.
-bool has_volume(const PieceRecord& piece);
 /// m³
 Real volume_of(const PieceRecord& piece);
 
 /// What a cell of the complex has of a part of a lattice cell, within the cuts.
 ConvexCell clip_to_part(const Complex& complex, const LatticePlanes& lattice,
-                        const CoverPlanes& planes, const PieceRecord& piece);
+                        const PlaneTable& planes, const PieceRecord& piece);
 
 }  // namespace rockfold

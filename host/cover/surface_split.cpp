@@ -31,12 +31,10 @@ void SurfaceSplitter::split(const Polygon& polygon, Index cell, Index face, cons
   const Lattice& lattice = covering_.arrays.lattice;
   if (lattice.kind == LatticeKind::block)
     return visit_part(complex_.cell_block[cell], 0, cell, polygon, visit);
-  const bool by_arithmetic = covering_.pieces->planes.by_arithmetic(cell);
-  walker_.get(by_arithmetic)
-      .walk(polygon, complex_.cells[cell].faces[face].inside,
-            [&](const std::array<Index, 3>& ijk, int part, const Polygon& piece) {
-              visit_part(lattice.cell_index(ijk[0], ijk[1], ijk[2]), part, cell, piece, visit);
-            });
+  walker_.walk(polygon, complex_.cells[cell].faces[face].inside,
+               [&](const std::array<Index, 3>& ijk, int part, const Polygon& piece) {
+                 visit_part(lattice.cell_index(ijk[0], ijk[1], ijk[2]), part, cell, piece, visit);
+               });
 }
 
 void SurfaceSplitter::visit_part(Index lattice_cell, int part, Index rock, const Polygon& polygon,
@@ -50,8 +48,7 @@ void SurfaceSplitter::visit_part(Index lattice_cell, int part, Index rock, const
     } else {
       std::vector<HalfSpaceId> cuts = index.piece_cuts[q];
       std::erase_if(cuts, [&](HalfSpaceId h) { return plane_of(h) == polygon.plane; });
-      const Polygon own =
-          clipper_.get(index.planes.by_arithmetic(rock)).intersection(polygon, cuts);
+      const Polygon own = clipper_.intersection(polygon, cuts);
       if (!own.empty()) visit(piece_holder(covering_, q), own);
     }
   }
@@ -65,7 +62,7 @@ void SurfaceSplitter::visit_part(Index lattice_cell, int part, Index rock, const
 // On a piece that was left out for want of volume: the next one holds its surface.
 void SurfaceSplitter::visit_left_out(int part, Index rock, const Polygon& polygon,
                                      const Visit& visit) {
-  const Vec3 x = polygon_moments(polygon).centroid + covering_.pieces->planes.table.centre();
+  const Vec3 x = polygon_moments(polygon).centroid + covering_.pieces->planes.centre();
   const Holder h = locator_.nearest(x, rock, part >= covering_.arrays.first_split_parts());
   if (h.found()) visit(h, polygon);
 }

@@ -19,12 +19,8 @@ class SurfaceSplitter {
       : complex_(complex),
         covering_(covering),
         locator_(covering),
-        walker_(covering.pieces->planes,
-                [&](const PlaneTable& planes) {
-                  return LatticeWalker(covering.pieces->lattice, planes);
-                }),
-        clipper_(covering.pieces->planes,
-                 [](const PlaneTable& planes) { return PolygonClipper(planes); }) {}
+        walker_(covering.pieces->lattice, covering.pieces->planes),
+        clipper_(covering.pieces->planes) {}
 
   using Visit = std::function<void(const Holder&, const Polygon&)>;
 
@@ -42,8 +38,8 @@ class SurfaceSplitter {
   const Complex& complex_;
   const Covering& covering_;
   const Locator locator_;
-  ToolPair<LatticeWalker> walker_;
-  ToolPair<PolygonClipper> clipper_;
+  LatticeWalker walker_;
+  PolygonClipper clipper_;
 };
 
 }  // namespace rockfold

@@ -17,8 +17,8 @@ namespace {
 struct PlaneResult {
   std::vector<Fragment> fragments;
   std::vector<FreePart> free_parts;
+  std::vector<Fragment> gaps;
   std::vector<Polygon> polygons;
-  IntentCount intent;
 };
 
 bool have_common(const std::vector<Index>& a, const std::vector<Index>& b) {
@@ -35,9 +35,10 @@ Box box_of(const Polygon& polygon) {
 // Labels the areas of one plane.
 class PlaneLabeller {
  public:
-  PlaneLabeller(const Complex& complex, Index plane)
+  PlaneLabeller(const Complex& complex, Index plane, Index rock_count)
       : complex_(complex),
         plane_(plane),
+        rock_count_(rock_count),
         clipper_(complex.planes),
         joints_(complex.joints_by_plane.on(plane), complex.planes.normal(plane),
                 [&](Index j) { return complex.joints[j].patch.box; }),
@@ -54,20 +55,26 @@ class PlaneLabeller {
 
   PlaneResult run(PlaneContacts& contacts) {
     result_.fragments.reserve(contacts.shared.size());
-    for (SharedArea& shared : contacts.shared) label(shared);
-    for (OpenArea& open : contacts.open) label(open);
-    result_.intent = std::move(contacts.intent);
-    result_.intent.add(clipper_.intent);
+    for (SharedArea& shared : contacts.shared) {
+      if (is_rock(shared.cell[0]) && is_rock(shared.cell[1]))
+        label(shared);
+      else
+        label_gap(shared);
+    }
+    for (OpenArea& open : contacts.open)
+      if (is_rock(open.cell)) label(open, none);
     return std::move(result_);
   }
 
  private:
+  bool is_rock(Index cell) const { return cell < rock_count_; }
   const Zone& zone(Index cell) const { return complex_.zone(cell); }
   const ConvexCell::Face& face(Index cell, Index f) const { return complex_.cells[cell].faces[f]; }
 
   bool applies(const JointPatch& joint, const SharedArea& shared) const {
     if (joint.within == none) return true;
     const auto inside = [&](Index cell) {
+      if (!is_rock(cell)) return false;
       const auto& solids = zone(cell).within;
       return std::binary_search(solids.begin(), solids.end(), joint.within);
     };
@@ -80,7 +87,11 @@ class PlaneLabeller {
     const Zone &below = zone(shared.cell[0]), &above = zone(shared.cell[1]);
     if (below.stage != above.stage) return add_whole(shared, excavation_origin(shared), none);
     if (have_common(below.merges, above.merges)) return add_whole(shared, none, none);
-    const Index rest = interface_between(below, above);
+    label_joints(shared, interface_between(complex_, below, above));
+  }
+
+  // `rest`: what no joint covers.
+  void label_joints(SharedArea& shared, Index rest) {
     usable_.clear();
     for (const Index j : joints_near(shared))
       if (applies(complex_.joints[j], shared)) usable_.push_back(j);
@@ -90,11 +101,23 @@ class PlaneLabeller {
     divide_by_joints(shared, rest);
   }
 
+  // Rock before a narrow void has a free face there; whether rock is behind, beams will tell.
+  void label_gap(SharedArea& shared) {
+    for (int side = 0; side < 2; ++side)
+      if (is_rock(shared.cell[side])) {
+        OpenArea open{shared.cell[side], shared.face[side], polygon_of(shared)};
+        label(open, shared.cell[1 - side]);
+      }
+    add_to_ = &result_.gaps;
+    label_joints(shared, none);
+    add_to_ = &result_.fragments;
+  }
+
   // Of few joints all: divide_by_joints() looks at their boxes.
   std::span<const Index> joints_near(const SharedArea& shared) {
     const auto on_plane = complex_.joints_by_plane.on(plane_);
     if (on_plane.size() <= 16) return on_plane;
-    joints_.near(box_of(polygon_of(shared)), complex_.planes.tolerance(), near_);
+    joints_.near(box_of(polygon_of(shared)), complex_.planes.width_tolerance(), near_);
     return near_;
   }
 
@@ -110,7 +133,7 @@ class PlaneLabeller {
     bool whole = true;
     for (const Index j : usable_) {
       const JointPatch& joint = complex_.joints[j];
-      if (!joint.patch.box.meets(box, complex_.planes.tolerance())) continue;
+      if (!joint.patch.box.meets(box, complex_.planes.width_tolerance())) continue;
       std::vector<Polygon> next;
       for (Polygon& p : left) {
         const auto share = clipper_.share(p, joint.patch.edges);
@@ -136,20 +159,12 @@ class PlaneLabeller {
     for (Polygon& p : left) add_part(shared, std::move(p), rest, none);
   }
 
-  Index interface_between(const Zone& below, const Zone& above) const {
-    if (below.solid == above.solid) return none;
-    // The later solid made the boundary.
-    const auto [first, last] = std::minmax(below.solid, above.solid);
-    const Index origin = complex_.interface_of_solid[last];
-    return origin != none ? origin : complex_.interface_of_solid[first];
-  }
-
   // The excavation's face that covers most of an area between two stages.
   Index excavation_origin(const SharedArea& shared) {
     const Polygon polygon = polygon_of(shared);
     Index best = none;
     Real most = 0;
-    facets_.near(box_of(polygon), complex_.planes.tolerance(), near_);
+    facets_.near(box_of(polygon), complex_.planes.width_tolerance(), near_);
     for (const Index f : near_) {
       const Facet& facet = complex_.facets[f];
       if (complex_.bodies[facet.body].role != Body::Role::excavation || facet.origin == none)
@@ -164,23 +179,22 @@ class PlaneLabeller {
     if (!shared.polygon.empty())
       return add_part(shared, std::move(shared.polygon), joint, instance);
     const CellView cell = complex_.cells[shared.cell[0]];
-    result_.fragments.push_back({{shared.cell[0], shared.cell[1]},
-                                 {shared.face[0], shared.face[1]},
-                                 joint,
-                                 instance,
-                                 none,
-                                 face_area(cell, cell.faces[shared.face[0]])});
+    add_to_->push_back({{shared.cell[0], shared.cell[1]},
+                        {shared.face[0], shared.face[1]},
+                        joint,
+                        instance,
+                        none,
+                        face_area(cell, cell.faces[shared.face[0]])});
   }
 
   void add_part(const SharedArea& shared, Polygon polygon, Index joint, Index instance) {
-    if (!has_area(polygon, complex_.planes)) return;
     const Real area = polygon_moments(polygon).area;
-    result_.fragments.push_back({{shared.cell[0], shared.cell[1]},
-                                 {shared.face[0], shared.face[1]},
-                                 joint,
-                                 instance,
-                                 static_cast<Index>(result_.polygons.size()),
-                                 area});
+    add_to_->push_back({{shared.cell[0], shared.cell[1]},
+                        {shared.face[0], shared.face[1]},
+                        joint,
+                        instance,
+                        static_cast<Index>(result_.polygons.size()),
+                        area});
     result_.polygons.push_back(std::move(polygon));
   }
 
@@ -189,28 +203,20 @@ class PlaneLabeller {
     Index origin;
   };
 
-  void label(OpenArea& open) {
+  // `gap`: the narrow void that the area faces, or none.
+  void label(OpenArea& open, Index gap) {
     const bool whole_face = open.polygon.empty();
     const CellView cell = complex_.cells[open.cell];
     std::vector<Part> parts = divide_by_facets(
         whole_face ? face_polygon(cell, cell.faces[open.face]) : std::move(open.polygon));
+    const bool whole = whole_face && parts.size() == 1;
     for (Part& part : parts) {
       const Real area = polygon_moments(part.polygon).area;
-      const bool whole = whole_face && parts.size() == 1;
-      // Where no solid ends, the rules of intent have moved the neighbours of a joint's face aside by up to the tolerance:
-      // a whole face stays the joint's, a sliver beside fragments is nothing.
-      if (part.origin == none && whole) part.origin = first_joint();
-      if (part.origin == none || !has_area(part.polygon, complex_.planes)) continue;
       result_.free_parts.push_back({open.cell, open.face, part.origin,
-                                    whole ? none : static_cast<Index>(result_.polygons.size()),
-                                    area});
+                                    whole ? none : static_cast<Index>(result_.polygons.size()), area,
+                                    gap});
       if (!whole) result_.polygons.push_back(std::move(part.polygon));
     }
-  }
-
-  Index first_joint() const {
-    const auto joints = complex_.joints_by_plane.on(plane_);
-    return joints.empty() ? none : complex_.joints[joints.front()].origin;
   }
 
   bool names_rock(const Facet& facet) const {
@@ -220,7 +226,7 @@ class PlaneLabeller {
   // The faces of solids that a free area lies on: of the solid that was added or taken away there last.
   std::vector<Part> divide_by_facets(Polygon polygon) {
     if (only_origin_ != none) return {{std::move(polygon), only_origin_}};
-    facets_.near(box_of(polygon), complex_.planes.tolerance(), near_);
+    facets_.near(box_of(polygon), complex_.planes.width_tolerance(), near_);
     usable_.clear();
     for (std::size_t i = near_.size(); i-- > 0;)
       if (names_rock(complex_.facets[near_[i]])) usable_.push_back(near_[i]);
@@ -232,9 +238,18 @@ class PlaneLabeller {
       if (first_listed == none) first_listed = complex_.facets[f].origin;
       left = take(complex_.facets[f], std::move(left), parts);
     }
-    // Rounding may leave a trace beside the parts.
+    if (first_listed == none) first_listed = nearest_face();
     for (Polygon& p : left) parts.push_back({std::move(p), first_listed});
     return parts;
+  }
+
+  // Where nothing names an area: a convex part's plane that was taken for another one ends beside its facets by rounding.
+  Index nearest_face() const {
+    for (const Index f : complex_.facets_by_plane.on(plane_))
+      if (names_rock(complex_.facets[f])) return complex_.facets[f].origin;
+    for (const Facet& facet : complex_.facets)
+      if (names_rock(facet)) return facet.origin;
+    return none;
   }
 
   // What the facet does not cover; the rest becomes its parts.
@@ -261,9 +276,10 @@ class PlaneLabeller {
   }
 
   const Complex& complex_;
-  const Index plane_;
+  const Index plane_, rock_count_;
   PolygonClipper clipper_;
   PlaneResult result_;
+  std::vector<Fragment>* add_to_ = &result_.fragments;
   PatchFinder joints_, facets_;
   Index only_origin_ = none;          // of all the plane's faces of solids
   std::vector<Index> near_, usable_;  // joints or facets that count for the area at hand
@@ -271,42 +287,49 @@ class PlaneLabeller {
 
 }  // namespace
 
-IntentCount find_adjacency(Complex& complex) {
+Index interface_between(const Complex& complex, const Zone& one, const Zone& two) {
+  if (one.solid == two.solid) return none;
+  // The later solid made the boundary.
+  const auto [first, last] = std::minmax(one.solid, two.solid);
+  const Index origin = complex.interface_of_solid[last];
+  return origin != none ? origin : complex.interface_of_solid[first];
+}
+
+std::vector<Fragment> find_adjacency(Complex& complex, Index rock_count) {
   std::vector<PlaneResult> results(complex.planes.size());
   for_each_plane(complex.planes, complex.cells, [&](Index plane, PlaneContacts& contacts) {
-    results[plane] = PlaneLabeller(complex, plane).run(contacts);
+    results[plane] = PlaneLabeller(complex, plane, rock_count).run(contacts);
   });
 
   // Joined in the order of planes, on all threads.
-  std::vector<std::array<std::size_t, 3>> begin(results.size() + 1);
-  IntentCount intent;
-  for (std::size_t p = 0; p < results.size(); ++p) {
+  std::vector<std::array<std::size_t, 4>> begin(results.size() + 1);
+  for (std::size_t p = 0; p < results.size(); ++p)
     begin[p + 1] = {begin[p][0] + results[p].fragments.size(),
                     begin[p][1] + results[p].free_parts.size(),
-                    begin[p][2] + results[p].polygons.size()};
-    intent.add(results[p].intent);
-  }
+                    begin[p][2] + results[p].polygons.size(), begin[p][3] + results[p].gaps.size()};
+  std::vector<Fragment> gaps(begin.back()[3]);
   complex.fragments.resize(begin.back()[0]);
   complex.free_parts.resize(begin.back()[1]);
   complex.polygons.resize(begin.back()[2]);
   const auto take = [&](std::int64_t p) {
     PlaneResult& r = results[p];
     const auto shift = static_cast<Index>(begin[p][2]);
-    for (std::size_t i = 0; i < r.fragments.size(); ++i) {
-      if (r.fragments[i].polygon != none) r.fragments[i].polygon += shift;
-      complex.fragments[begin[p][0] + i] = r.fragments[i];
-    }
-    for (std::size_t i = 0; i < r.free_parts.size(); ++i) {
-      if (r.free_parts[i].polygon != none) r.free_parts[i].polygon += shift;
-      complex.free_parts[begin[p][1] + i] = r.free_parts[i];
-    }
+    const auto append = [&](auto& from, auto& to, std::size_t at) {
+      for (auto& item : from) {
+        if (item.polygon != none) item.polygon += shift;
+        to[at++] = item;
+      }
+    };
+    append(r.fragments, complex.fragments, begin[p][0]);
+    append(r.free_parts, complex.free_parts, begin[p][1]);
+    append(r.gaps, gaps, begin[p][3]);
     std::move(r.polygons.begin(), r.polygons.end(),
               complex.polygons.begin() + static_cast<std::ptrdiff_t>(begin[p][2]));
     r = {};
   };
   parallel_for(static_cast<std::int64_t>(results.size()), 16, take,
                complex.fragments.size() > 2000);
-  return intent;
+  return gaps;
 }
 
 }  // namespace rockfold

@@ -32,13 +32,11 @@ struct AuxTree::Builder {
 
   const Box& box(Index i) const { return patches[i]->corners; }
 
-  // The half-space above the split. One of the model's own planes serves, whatever its sense: a second plane there would
-  // hide what lies on the first.
+  // The half-space above the split, whose plane may be one of the model's own in either sense.
   HalfSpaceId above_split(const Split& split) const {
     Vec3 normal{};
     normal[split.axis] = 1;
-    const ExactPlane plane{exact(normal), Exact(split.at)};
-    return planes.find_or_add(plane, Known::exactly);
+    return planes.find_or_add({exact(normal), exact(split.at)});
   }
 
   bool is_below(Index i, const Split& s) const { return box(i).low[s.axis] < s.at; }

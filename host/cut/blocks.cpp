@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "host/cut/connectivity.hpp"
 #include "host/cut/union_find.hpp"
 #include "host/refuse.hpp"
 #include "src/base/vector.hpp"
@@ -15,19 +16,12 @@ namespace rockfold {
 
 namespace {
 
-std::vector<Index> components(const Complex& complex) {
-  UnionFind parts(complex.cells.size());
-  for (const Fragment& f : complex.fragments)
-    if (f.joint == none) parts.join(f.cell[0], f.cell[1]);
-  return parts.components();
-}
-
 // The cell that holds a point of a merge, deepest inside if it lies on a boundary. Throws Error(model) outside of all.
 Index cell_at(const CellStore& cells, const PlaneTable& planes, const Vec3& point,
               const Place& place) {
   const Vec3 x = point - planes.centre();
   Index best = none;
-  Real deepest = -planes.tolerance();
+  Real deepest = -planes.width_tolerance();
   for (Index c = 0; c < cells.size(); ++c) {
     Real depth = Box::infinity;
     for (const auto& face : cells[c].faces) {
@@ -44,10 +38,10 @@ Index cell_at(const CellStore& cells, const PlaneTable& planes, const Vec3& poin
   return best;
 }
 
-// Joints between and inside the blocks that hold the points become virtual. Throws Error(model) where that leaves the blocks
+// Joints between and inside the parts that hold the points become virtual. Throws Error(model) where that leaves the parts
 // apart.
-void merge_blocks(Complex& complex, const Merge::Blocks& merge, const Place& place) {
-  const std::vector<Index> part = components(complex);
+void merge_parts(Complex& complex, const Merge::Blocks& merge, const Place& place,
+                 std::vector<Index>& part) {
   std::vector<bool> joined(complex.cells.size(), false);  // [parts]
   std::vector<Index> part_of_point;
   for (const Vec3& point : merge.points) {
@@ -55,17 +49,20 @@ void merge_blocks(Complex& complex, const Merge::Blocks& merge, const Place& pla
     joined[part[cell]] = true;
     part_of_point.push_back(part[cell]);
   }
-  UnionFind blocks(complex.cells.size());
-  for (Fragment& f : complex.fragments) {
-    const Index one = part[f.cell[0]], two = part[f.cell[1]];
-    if (f.joint == none || !joined[one] || !joined[two] ||
-        complex.zone(f.cell[0]).stage != complex.zone(f.cell[1]).stage)
-      continue;
-    f.joint = f.instance = none;
-    blocks.join(one, two);
-  }
+  UnionFind parts(complex.cells.size());
+  const auto join = [&](auto& area) {
+    const Index one = part[area.cell[0]], two = part[area.cell[1]];
+    if (area.joint == none || !joined[one] || !joined[two] ||
+        complex.zone(area.cell[0]).stage != complex.zone(area.cell[1]).stage)
+      return;
+    area.joint = area.instance = none;
+    parts.join(one, two);
+  };
+  for (Fragment& f : complex.fragments) join(f);
+  for (Beam& b : complex.beams)
+    if (b.cell[1] != none) join(b);
   for (std::size_t i = 1; i < part_of_point.size(); ++i)
-    if (blocks.find(part_of_point[i]) != blocks.find(part_of_point[0])) {
+    if (parts.find(part_of_point[i]) != parts.find(part_of_point[0])) {
       const Vec3 &a = merge.points[0], &b = merge.points[i];
       refuse(place, place.key + ".points",
              fmt::format(
@@ -73,32 +70,41 @@ void merge_blocks(Complex& complex, const Merge::Blocks& merge, const Place& pla
                  "joint between the blocks of the points leads from one to the other",
                  a[0], a[1], a[2], b[0], b[1], b[2]));
     }
+  for (Index& p : part) p = parts.find(p);
 }
 
-}  // namespace
-
-void check_merge_points(const CellStore& cells, const PlaneTable& planes, const Model& model) {
-  for (const Merge& merge : model.merges)
-    if (const auto* blocks = std::get_if<Merge::Blocks>(&merge.region))
-      for (const Vec3& point : blocks->points) cell_at(cells, planes, point, merge.place);
+// Rock all of which is narrower than the tolerance, with none wider beside it, is a block all the same.
+void keep_lone_slivers(Complex& complex, std::vector<Index>& part) {
+  if (std::find(part.begin(), part.end(), none) == part.end()) return;
+  UnionFind parts(complex.cells.size());
+  for (const Fragment& f : complex.fragments)
+    if (f.joint == none && part[f.cell[0]] == none && part[f.cell[1]] == none)
+      parts.join(f.cell[0], f.cell[1]);
+  for (Index c = 0; c < complex.cells.size(); ++c)
+    if (part[c] == none) {
+      part[c] = parts.find(c);
+      complex.is_sliver[c] = 0;
+      complex.moments[c] = cell_moments(complex.cells[c], complex.planes);
+    }
 }
 
 // Coordinates are compared in units of 1e-9 of the model's size, so that rounding does not shuffle a regular pattern.
-void find_blocks(Complex& complex, const Model& model) {
-  for (const Merge& merge : model.merges)
-    if (const auto* blocks = std::get_if<Merge::Blocks>(&merge.region))
-      merge_blocks(complex, *blocks, merge.place);
-  complex.cell_block = components(complex);
+void number_blocks(Complex& complex, const std::vector<Index>& part) {
   const Index n = complex.cells.size();
-  complex.block_count =
-      n == 0 ? 0 : 1 + *std::max_element(complex.cell_block.begin(), complex.cell_block.end());
-
+  std::vector<Index> number(n, none);  // [parts]
+  complex.cell_block.resize(n);
+  complex.block_count = 0;
+  for (Index c = 0; c < n; ++c) {
+    Index& block = number[part[c]];
+    if (block == none) block = complex.block_count++;
+    complex.cell_block[c] = block;
+  }
   std::vector<CellMoments> sum(complex.block_count);
   for (Index c = 0; c < n; ++c) {
     sum[complex.cell_block[c]].volume += complex.moments[c].volume;
     sum[complex.cell_block[c]].first += complex.moments[c].first;
   }
-  const Real unit = 1e-9 * complex.planes.model_size();
+  const Real unit = complex.planes.width_tolerance();
   struct Placed {
     std::array<Real, 3> key;
     Index block;
@@ -116,6 +122,41 @@ void find_blocks(Complex& complex, const Model& model) {
   std::vector<Index> rank(sum.size());
   for (std::size_t i = 0; i < order.size(); ++i) rank[order[i].block] = static_cast<Index>(i);
   for (Index& b : complex.cell_block) b = rank[b];
+  complex.block_stage.assign(complex.block_count, 0);
+  for (Index c = 0; c < n; ++c)
+    if (complex.is_sliver[c] == 0) complex.block_stage[complex.cell_block[c]] = complex.zone(c).stage;
+}
+
+// A joint beside a sliver divides what beams through it meet, not the sliver from the block that owns it.
+void find_dead_ends(Complex& complex) {
+  std::vector<Real> dividing(complex.beams.empty() ? 0 : complex.fragments.size(), 0);  // m², twice
+  for (const Beam& b : complex.beams)
+    if (b.cell[1] == none || complex.cell_block[b.cell[0]] != complex.cell_block[b.cell[1]])
+      for (const Index f : b.fragments) dividing[f] += b.cell[1] == none ? 2 * b.area : b.area;
+  for (std::size_t i = 0; i < complex.fragments.size(); ++i) {
+    Fragment& f = complex.fragments[i];
+    f.dead_end = f.joint != none && complex.cell_block[f.cell[0]] == complex.cell_block[f.cell[1]] &&
+                 !(complex.touches_sliver(f) && dividing[i] > f.area);
+  }
+}
+
+}  // namespace
+
+void check_merge_points(const CellStore& cells, const PlaneTable& planes, const Model& model) {
+  for (const Merge& merge : model.merges)
+    if (const auto* blocks = std::get_if<Merge::Blocks>(&merge.region))
+      for (const Vec3& point : blocks->points) cell_at(cells, planes, point, merge.place);
+}
+
+void find_blocks(Complex& complex, const Model& model) {
+  std::vector<Index> part = wide_parts(complex);
+  give_slivers(complex, part);
+  keep_lone_slivers(complex, part);
+  for (const Merge& merge : model.merges)
+    if (const auto* blocks = std::get_if<Merge::Blocks>(&merge.region))
+      merge_parts(complex, *blocks, merge.place, part);
+  number_blocks(complex, part);
+  find_dead_ends(complex);
 }
 
 }  // namespace rockfold

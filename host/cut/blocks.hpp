@@ -1,4 +1,4 @@
-// Blocks: the components of cells over virtual fragments.
+// Blocks: the components of wide cells over glue, with the slivers that they own.
 #pragma once
 
 #include "host/cut/complex.hpp"
@@ -6,8 +6,8 @@
 
 namespace rockfold {
 
-/// Fills cell_block and block_count; blocks are ordered by centroid (z, then y, then x). Joints inside what a [[merge]] by
-/// points joins become virtual. Throws Error(model) for such a point outside of the rock.
+/// Fills cell_block, block_count, block_stage and the fragments' dead ends; blocks are ordered by centroid (z, then y, then x).
+/// Joints inside what a [[merge]] by points joins become virtual. Throws Error(model) for such a point outside of the rock.
 void find_blocks(Complex& complex, const Model& model);
 
 /// Throws the same for points outside of all cells.

@@ -25,6 +25,14 @@ void CellStore::append(const CellView& cell) {
   copy(corners_, corner_begin_, cell.corners);
 }
 
+void CellStore::truncate(Index count) {
+  vertices_.resize(vertex_begin_[count]);
+  faces_.resize(face_begin_[count]);
+  corners_.resize(corner_begin_[count]);
+  for (auto* begin : {&vertex_begin_, &face_begin_, &corner_begin_})
+    begin->resize(static_cast<std::size_t>(count) + 1);
+}
+
 CellStore CellStore::join(const std::vector<const CellStore*>& stores,
                           const std::vector<std::vector<Index>>& chosen) {
   // Where each store's part begins in the result: cells, then vertices, faces, corners.

@@ -38,6 +38,8 @@ class CellStore {
   Index size() const { return static_cast<Index>(face_begin_.size()) - 1; }
   CellView operator[](Index cell) const;
   void append(const CellView& cell);
+  /// Keeps the first `count` cells.
+  void truncate(Index count);
   /// The chosen cells of several stores, one store after another, copied on all threads.
   /// chosen[s] lists cells of *stores[s], ascending.
   static CellStore join(const std::vector<const CellStore*>& stores,
@@ -61,6 +63,8 @@ struct Fragment {
   Index instance = none;  ///< JointPatch::instance of the joint; none = virtual or no joint's
   Index polygon = none;   ///< into Complex::polygons; none = the whole face of both cells
   Real area = 0;          ///< m²
+  bool narrow = false;    ///< glue narrower than the tolerance: it joins nothing
+  bool dead_end = false;  ///< of a joint that has one block on both sides
 };
 
 /// A convex part of a cell's face with no rock on the other side.
@@ -69,7 +73,21 @@ struct FreePart {
   Index face = none;     ///< local
   Index origin = none;   ///< into Complex::origins
   Index polygon = none;  ///< into Complex::polygons; none = the whole face
-  Real area = 0;
+  Real area = 0;         ///< m²
+  Index gap = none;      ///< none = nothing behind; else a void narrower than the tolerance: beams tell what is
+};
+
+/// What a face of a wide cell meets straight through slivers: cells, or voids, narrower than the tolerance. A beam that no
+/// joint crosses joins its two cells; else it is their contact. Each is there twice, once from either cell.
+struct Beam {
+  Index cell[2] = {none, none};  ///< where it starts and ends; cell[1] = none: it ends where rock does
+  Index face[2] = {none, none};  ///< local face of each
+  Index joint = none;     ///< into Complex::origins, the first that it crosses; none = the cells are one body
+  Index instance = none;  ///< JointPatch::instance of that joint
+  Index origin = none;    ///< into Complex::origins: the free face where it ends, if it reaches no cell
+  std::vector<Vec3> polygon;    ///< m about the table's centre, on the first cell's face, counter-clockwise from outside
+  Real area = 0;                ///< m²
+  std::vector<Index> fragments;  ///< of joints, that it crosses
 };
 
 /// A convex part of a shape, or a shape with one closed surface.
@@ -111,13 +129,21 @@ struct Complex {
   std::vector<Index> cell_zone;      ///< [cells] into zones
   std::vector<Index> cell_block;     ///< [cells] blocks ordered by centroid
   std::vector<CellMoments> moments;  ///< [cells]
+  std::vector<std::uint8_t> is_sliver;  ///< [cells] narrower than the tolerance: part of a block, never one
   Index block_count = 0;
+  std::vector<Index> block_stage;  ///< [blocks] at which it is excavated; 0 = it stays
 
   std::vector<Fragment> fragments;   ///< ordered by plane
   std::vector<FreePart> free_parts;  ///< ordered by plane
   std::vector<Polygon> polygons;     ///< of the fragments and free parts that are no whole face
+  std::vector<Beam> beams;           ///< ordered by where they start
 
   const Zone& zone(Index cell) const { return zones[cell_zone[cell]]; }
+  /// Whether no stage removes the block of a cell.
+  bool stays(Index cell) const { return block_stage[cell_block[cell]] == 0; }
+  bool touches_sliver(const Fragment& f) const {
+    return is_sliver[f.cell[0]] != 0 || is_sliver[f.cell[1]] != 0;
+  }
   Polygon polygon_of(const Fragment& f) const;
   Polygon polygon_of(const FreePart& f) const;
 };

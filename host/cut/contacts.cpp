@@ -52,7 +52,6 @@ class PlaneMatcher {
     std::sort(above.begin(), above.end(), order);
     match_equal(below, above);
     overlap_rest();
-    result_.intent = clipper_.intent;
     return std::move(result_);
   }
 
@@ -128,7 +127,7 @@ class PlaneMatcher {
     };
     std::sort(loose_below_.begin(), loose_below_.end(), by_low);
     std::sort(loose_above_.begin(), loose_above_.end(), by_low);
-    const Real slack = planes_.tolerance();
+    const Real slack = planes_.width_tolerance();
     std::vector<std::size_t> active;
     std::size_t next = 0;
     for (Loose& b : loose_below_) {
@@ -145,7 +144,7 @@ class PlaneMatcher {
 
   void overlap(Loose& below, Loose& above) {
     Polygon common = clipper_.intersection(below.polygon, above.polygon.edge);
-    if (!has_area(common, planes_)) return;
+    if (common.empty()) return;
     for (Loose* side : {&below, &above}) {
       if (!side->touched) side->rest = {side->polygon};
       side->touched = true;

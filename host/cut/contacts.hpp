@@ -24,7 +24,6 @@ struct OpenArea {
 struct PlaneContacts {
   std::vector<SharedArea> shared;
   std::vector<OpenArea> open;
-  IntentCount intent;
 };
 
 /// Calls use(plane, contacts) once for each plane that carries a face, on all threads, in any order. Faces bounded by the

@@ -62,31 +62,24 @@ class CellSplitter {
   explicit CellSplitter(const PlaneTable& planes) : planes_(planes) {}
 
   /// Finds the side of each vertex; `split` if some lie strictly above and some strictly below.
-  /// Vertices that earlier decisions of intent moved by up to the tolerance can look as if the
-  /// plane cut a face twice: then those nearest to the plane are all put on one side of it.
   CellSide classify(const CellView& cell, Index plane);
 
-  /// After classify() returned `split`: writes the two parts. Either pointer may be null.
-  /// O(corners). Throws std::logic_error if the sides found are not those of a convex cell.
+  /// After classify() returned `split`: writes the two parts. Either pointer may be null. O(corners).
   void split(const CellView& cell, Index plane, ConvexCell* below, ConvexCell* above);
-
-  IntentCount intent;
 
  private:
   struct CutEdge {
     std::int32_t low, high;  // vertices of the edge, low < high
     std::int32_t vertex;     // the new vertex, numbered after the cell's own
   };
-  CellSide summary() const;
-  bool is_convex_split(const CellView& cell) const;
-  CellSide repair(const CellView& cell, Index plane);
   void make_cut_vertices(const CellView& cell, Index plane);
   std::int32_t find_cut_vertex(std::int32_t u, std::int32_t v) const;
   void write_part(const CellView& cell, HalfSpaceId inside, ConvexCell& part);
   void write_face(const CellView& cell, const ConvexCell::Face& face, HalfSpaceId inside,
                   ConvexCell& part);
   void write_cap(HalfSpaceId inside, ConvexCell& part);
-  std::int32_t part_vertex(const CellView& cell, std::int32_t vertex, ConvexCell& part);
+  std::int32_t part_vertex(const CellView& cell, std::int32_t vertex, HalfSpaceId inside,
+                           ConvexCell& part);
 
   const PlaneTable& planes_;
   std::vector<std::int8_t> side_;  // of each vertex
@@ -100,13 +93,17 @@ class CellSplitter {
   std::vector<CapEdge> cap_edges_;
 };
 
-/// Volume and first moment of a convex cell; exact arithmetic where doubles might lose more than 1e-9 of
-/// the volume (slivers).
+/// Volume and first moment of a convex cell.
 struct CellMoments {
   Real volume = 0;  ///< m³
   Vec3 first{};     ///< ∫x dV about the table's centre, m⁴
 };
-CellMoments cell_moments(const CellView& cell, const PlaneTable& planes);
+/// In exact arithmetic where doubles might lose more than 1e-9 of the volume; with `in_doubles` never, off by some 1e-15·L of
+/// the surface, and not below 0.
+CellMoments cell_moments(const CellView& cell, const PlaneTable& planes, bool in_doubles = false);
+
+/// m²
+Real surface_area(const CellView& cell);
 
 /// The part of a cell inside all of the half-spaces. Empty if nothing is left.
 ConvexCell clip(const PlaneTable& planes, const CellView& cell,

@@ -2,19 +2,24 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <set>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "host/cut/adjacency.hpp"
+#include "host/cut/beams.hpp"
 #include "host/cut/blocks.hpp"
+#include "host/cut/connectivity.hpp"
 #include "host/cut/subdivide.hpp"
 #include "host/cut/surfaces.hpp"
+#include "host/cut/width.hpp"
 #include "host/cut/zones.hpp"
 #include "host/parallel.hpp"
 #include "host/refuse.hpp"
 #include "src/base/sum.hpp"
+#include "src/base/vector.hpp"
 
 namespace rockfold {
 
@@ -48,15 +53,17 @@ std::vector<CuttingSurface> joint_surfaces(const Complex& complex) {
   std::erase_if(through, [&](const JointPatch* j) { return !seen.insert(j->patch.plane).second; });
   std::erase_if(finite, [&](const JointPatch* j) { return seen.count(j->patch.plane) != 0; });
   std::vector<CuttingSurface> surfaces;
+  // A tenth of what counts as narrow (rule 7): harmless, and halves the cells of noisy networks.
+  const Real least_width = 0.1 * complex.planes.width_tolerance();
   for (const auto* list : {&through, &finite})
     for (const Index i : bisecting_order(static_cast<Index>(list->size())))
-      surfaces.push_back({&(*list)[i]->patch, (*list)[i]->within});
+      surfaces.push_back({&(*list)[i]->patch, (*list)[i]->within, least_width});
   return surfaces;
 }
 
 std::vector<CuttingSurface> facet_surfaces(const Complex& complex) {
   std::vector<CuttingSurface> surfaces;
-  for (const Facet& facet : complex.facets) surfaces.push_back({&facet.patch, none});
+  for (const Facet& facet : complex.facets) surfaces.push_back({&facet.patch, none, 0});
   return surfaces;
 }
 
@@ -67,11 +74,13 @@ AuxTree make_tree(PlaneTable& planes, const std::vector<CuttingSurface>& surface
   return {planes, patches, space};
 }
 
+constexpr std::size_t most_names = 20;  // in reports
+
 // More than that many beyond the limit are not even counted.
 constexpr std::int64_t counted_beyond = 100'000;
 
 // Everything inside the enclosing box, rock and void, cut by the boundaries of all shapes.
-CellStore cut_by_shapes(CuttingInput& input, const Model& model, IntentCount& intent) {
+CellStore cut_by_shapes(CuttingInput& input, const Model& model) {
   Complex& complex = input.complex;
   auto surfaces = facet_surfaces(complex);
   Box space;
@@ -89,7 +98,6 @@ CellStore cut_by_shapes(CuttingInput& input, const Model& model, IntentCount& in
                                     "use simpler shapes or a larger cut.max_cells",
                                     most));
   }
-  intent.add(cut.intent);
   std::vector<const CellStore*> stores;
   std::vector<std::vector<Index>> all;
   for (const CellStore& part : cut.parts) {
@@ -101,92 +109,102 @@ CellStore cut_by_shapes(CuttingInput& input, const Model& model, IntentCount& in
 }
 
 struct Rock {
-  CellStore cells;                   // with the void
-  std::vector<Index> zone;           // [cells] none = void
-  std::vector<Index> of_rock;        // cells that are rock
-  std::vector<CellMoments> moments;  // [of_rock]
+  CellStore cells;                    // with the void
+  std::vector<Index> zone;            // [cells] none = void
+  std::vector<Index> of_rock;         // cells that are rock
+  std::vector<CellMeasure> measures;  // [of_rock]
+  std::vector<Index> gaps;            // void cells so narrow that rock on their two sides may touch
   Real volume = 0;
 };
 
 Rock find_rock(CellStore cells, Complex& complex, const Model& model) {
   ZonedCells zoned = find_zones(complex, cells, model);
   complex.zones = std::move(zoned.zones);
-  Rock rock{std::move(cells), std::move(zoned.cell_zone), {}, {}, 0};
-  for (Index c = 0; c < rock.cells.size(); ++c)
-    if (rock.zone[c] != none) rock.of_rock.push_back(c);
-  if (rock.of_rock.empty())
-    refuse(model.solids.back().place, "solid", "the block operations leave no rock");
-  rock.moments.resize(rock.of_rock.size());
-  parallel_for(static_cast<std::int64_t>(rock.moments.size()), 256, [&](std::int64_t i) {
-    rock.moments[i] = cell_moments(rock.cells[rock.of_rock[i]], complex.planes);
+  Rock rock;
+  rock.cells = std::move(cells);
+  rock.zone = std::move(zoned.cell_zone);
+  std::vector<CellMeasure> all(rock.cells.size());
+  parallel_for(rock.cells.size(), 256, [&](std::int64_t c) {
+    all[c] = measure_cell(rock.cells[static_cast<Index>(c)], complex.planes);
   });
   Sum sum;
-  for (const CellMoments& m : rock.moments) sum += m.volume;
+  for (Index c = 0; c < rock.cells.size(); ++c) {
+    if (rock.zone[c] != none) {
+      rock.of_rock.push_back(c);
+      rock.measures.push_back(all[c]);
+      sum += all[c].moments.volume;
+    } else if (all[c].width < complex.planes.width_tolerance()) {
+      rock.gaps.push_back(c);
+    }
+  }
+  if (rock.of_rock.empty())
+    refuse(model.solids.back().place, "solid", "the block operations leave no rock");
   rock.volume = sum.value();
   return rock;
 }
 
-// Takes over the cells with their moments. A cell without positive volume is a trace of planes that nearly meet in one
-// point, within the tolerance; it is left out and counted as a near decision.
-Index take_cells(const Subdivision& cut, const Rock& rock, Complex& complex) {
+// The cells that joints made of the rock, then those of the narrow voids. Returns how many are rock.
+Index take_cells(const Subdivision& cut, const Rock& rock, Complex& complex,
+                 std::vector<CellMeasure>& measures) {
   const std::size_t n = cut.parts.size();
-  std::vector<std::vector<CellMoments>> moments(n);
-  std::vector<std::vector<Index>> kept(n);
   // What no joint has cut is measured already.
   std::vector<Index> parts_of(rock.cells.size(), 0), measured(rock.cells.size(), none);
   for (const auto& parents : cut.parents)
     for (const Index c : parents) ++parts_of[c];
   for (std::size_t i = 0; i < rock.of_rock.size(); ++i)
     if (parts_of[rock.of_rock[i]] == 1) measured[rock.of_rock[i]] = static_cast<Index>(i);
+  std::vector<std::vector<CellMeasure>> of_part(n);
+  std::vector<std::vector<Index>> chosen(2 * n);  // rock, then void
   const auto measure = [&](std::int64_t p) {
     const CellStore& part = cut.parts[p];
     for (Index c = 0; c < part.size(); ++c) {
-      const Index known = measured[cut.parents[p][c]];
-      const CellMoments m =
-          known != none ? rock.moments[known] : cell_moments(part[c], complex.planes);
-      if (!(m.volume > 0)) continue;
-      moments[p].push_back(m);
-      kept[p].push_back(c);
+      const Index parent = cut.parents[p][c], known = measured[parent];
+      const bool is_rock = rock.zone[parent] != none;
+      chosen[is_rock ? p : p + n].push_back(c);
+      if (is_rock)
+        of_part[p].push_back(known != none ? rock.measures[known]
+                                           : measure_cell(part[c], complex.planes));
     }
   };
-  const bool many = rock.of_rock.size() > 256 || n >= 256;
-  parallel_for(static_cast<std::int64_t>(n), 1, measure, many);
+  parallel_for(static_cast<std::int64_t>(n), 1, measure, rock.of_rock.size() > 256 || n >= 256);
   std::vector<const CellStore*> stores;
-  Index dropped = 0;
+  for (std::size_t p = 0; p < 2 * n; ++p) stores.push_back(&cut.parts[p % n]);
   for (std::size_t p = 0; p < n; ++p) {
-    stores.push_back(&cut.parts[p]);
-    dropped += cut.parts[p].size() - static_cast<Index>(kept[p].size());
-    complex.moments.insert(complex.moments.end(), moments[p].begin(), moments[p].end());
-    for (const Index c : kept[p]) complex.cell_zone.push_back(rock.zone[cut.parents[p][c]]);
+    measures.insert(measures.end(), of_part[p].begin(), of_part[p].end());
+    for (const Index c : chosen[p]) complex.cell_zone.push_back(rock.zone[cut.parents[p][c]]);
   }
-  complex.cells = CellStore::join(stores, kept);
-  return dropped;
+  complex.cells = CellStore::join(stores, chosen);
+  return static_cast<Index>(measures.size());
 }
 
-IntentCount cut_by_joints(const Rock& rock, const Model& model, Complex& complex,
-                          Progress& progress) {
+// Returns the measures of the cells of rock; narrow voids follow these.
+std::vector<CellMeasure> cut_by_joints(const Rock& rock, const Model& model, Complex& complex,
+                                       Progress& progress) {
   auto surfaces = joint_surfaces(complex);
   Box space;
   for (const Index c : rock.of_rock)
     for (const Vertex& v : rock.cells[c].vertices) space.add(v.x);
   const AuxTree tree = make_tree(complex.planes, surfaces, space);
   const auto applies = [&](Index cell, Index within) {
+    if (rock.zone[cell] == none) return true;
     const auto& solids = complex.zones[rock.zone[cell]].within;
     return std::binary_search(solids.begin(), solids.end(), within);
   };
   const std::int64_t most = model.cut.max_cells + counted_beyond;
+  std::vector<Index> which = rock.of_rock;
+  which.insert(which.end(), rock.gaps.begin(), rock.gaps.end());
   Subdivision cut;
   try {
-    cut = subdivide(
-        {complex.planes, rock.cells, rock.of_rock, std::move(surfaces), tree, applies, most},
-        progress);
+    cut = subdivide({complex.planes, rock.cells, std::move(which), std::move(surfaces), tree,
+                     applies, most},
+                    progress);
   } catch (const TooManyCells&) {
     refuse_cell_count(model, fmt::format("more than {}", most));
   }
-  cut.intent.near_decisions += take_cells(cut, rock, complex);
-  if (complex.cells.size() > model.cut.max_cells)
-    refuse_cell_count(model, fmt::format("{}", complex.cells.size()));
-  return std::move(cut.intent);
+  std::vector<CellMeasure> measures;
+  const Index cells = take_cells(cut, rock, complex, measures);
+  if (cells > model.cut.max_cells) refuse_cell_count(model, fmt::format("{}", cells));
+  return measures;
 }
 
 // What can be told before joints cut the rock, which may take long.
@@ -208,42 +226,80 @@ void refuse_hopeless(const CuttingInput& input, const Rock& rock, const Complex&
 struct Uncut {
   std::shared_ptr<Complex> complex;
   Rock rock;
-  IntentCount intent;
-  Index planes_identified = 0;
+  GivenIntent intent;
 };
 
 Uncut shape_rock(const Model& model) {
   CuttingInput input = make_surfaces(model);
   Uncut uncut;
   uncut.intent = std::move(input.intent);
-  uncut.planes_identified = input.planes_identified;
-  CellStore cells = cut_by_shapes(input, model, uncut.intent);
+  CellStore cells = cut_by_shapes(input, model);
   uncut.complex = std::make_shared<Complex>(std::move(input.complex));
   uncut.rock = find_rock(std::move(cells), *uncut.complex, model);
   refuse_hopeless(input, uncut.rock, *uncut.complex, model);
   return uncut;
 }
 
-IntentReport intent_report(const Complex& complex, const IntentCount& count,
-                           Index planes_identified) {
-  IntentReport report;
-  report.planes_identified = planes_identified;
-  report.vertices_identified = count.vertices_identified;
-  report.near_decisions = count.near_decisions;
-  const std::set<Index> near(count.near_planes.begin(), count.near_planes.end());
+// Names of joints and faces on the planes, or with edges on them: at most 20, sorted.
+std::vector<std::string> names_on(const Complex& complex, const std::vector<Index>& planes) {
+  const std::set<Index> wanted(planes.begin(), planes.end());
   std::set<std::string> names;
   const auto name_all = [&](const auto& things) {
     for (const auto& thing : things) {
       if (thing.origin == none) continue;
-      bool is_near = near.count(thing.patch.plane) != 0;
+      bool found = wanted.count(thing.patch.plane) != 0;
       for (const HalfSpaceId edge : thing.patch.edges)
-        is_near = is_near || near.count(plane_of(edge)) != 0;
-      if (is_near) names.insert(complex.origins[thing.origin].name);
+        found = found || wanted.count(plane_of(edge)) != 0;
+      if (found) names.insert(complex.origins[thing.origin].name);
     }
   };
-  if (!near.empty()) name_all(complex.joints), name_all(complex.facets);
-  report.near_planes.assign(names.begin(), names.end());
-  if (report.near_planes.size() > 20) report.near_planes.resize(20);
+  if (!wanted.empty()) name_all(complex.joints), name_all(complex.facets);
+  std::vector<std::string> result(names.begin(), names.end());
+  if (result.size() > most_names) result.resize(most_names);
+  return result;
+}
+
+// The planes between which a cell is as narrow as it is: those that lie along its width, or all of a speck's.
+std::vector<Index> planes_about(const CellView& cell, const PlaneTable& planes) {
+  const Vec3& axis = planes.normal(plane_of(cell.faces[cell_width(cell, planes).face].inside));
+  std::vector<Index> along, all;
+  for (const auto& face : cell.faces) {
+    const Index plane = plane_of(face.inside);
+    all.push_back(plane);
+    if (std::abs(dot(planes.normal(plane), axis)) > 0.5) along.push_back(plane);
+  }
+  return along.size() > 1 ? along : all;
+}
+
+IntentReport intent_report(const Complex& complex, const GivenIntent& given,
+                           const std::vector<CellMeasure>& measures,
+                           const std::vector<Index>& doubtful_glue) {
+  IntentReport report;
+  report.planes_identified = static_cast<Index>(given.planes.size());
+  report.edges_identified = given.edges;
+  report.corners_identified = given.corners;
+  report.identified = names_on(complex, given.planes);
+  const Real tolerance = complex.planes.width_tolerance();
+  std::vector<Index> near;
+  report.doubts = static_cast<Index>(doubtful_glue.size());
+  for (const Index f : doubtful_glue)
+    for (const HalfSpaceId edge : complex.polygon_of(complex.fragments[f]).edge)
+      near.push_back(plane_of(edge));
+  for (std::size_t c = 0; c < measures.size(); ++c) {
+    const Real width = measures[c].width;
+    if (width < tolerance) ++report.slivers;
+    if (!is_doubtful(width, tolerance)) continue;
+    ++report.doubts;
+    const CellView cell = complex.cells[static_cast<Index>(c)];
+    const auto about = planes_about(cell, complex.planes);
+    near.insert(near.end(), about.begin(), about.end());
+    if (report.least_doubt > 0 && report.least_doubt <= width) continue;
+    report.least_doubt = width;
+    report.doubt_at = bounding_ball(cell).centre + complex.planes.centre();
+  }
+  for (const Fragment& f : complex.fragments)
+    if (f.narrow && !complex.touches_sliver(f)) ++report.openings_closed;
+  report.near_planes = names_on(complex, near);
   return report;
 }
 
@@ -255,8 +311,7 @@ CutTotals totals_of(const Complex& complex, const Rock& rock) {
   for (const Fragment& f : complex.fragments) {
     if (f.joint == none || complex.origins[f.joint].kind != FaceOrigin::Kind::joint) continue;
     joint_area += f.area;
-    if (complex.cell_block[f.cell[0]] == complex.cell_block[f.cell[1]])
-      dangling_joint_area += f.area;
+    if (f.dead_end) dangling_joint_area += f.area;
   }
   totals.joint_area = joint_area.value();
   totals.dangling_joint_area = dangling_joint_area.value();
@@ -271,7 +326,7 @@ Real check_cutting(const Model& model) {
   Sum volume;
   for (std::size_t i = 0; i < rock.of_rock.size(); ++i)
     if (uncut.complex->zones[rock.zone[rock.of_rock[i]]].stage == 0)
-      volume += rock.moments[i].volume;
+      volume += rock.measures[i].moments.volume;
   return volume.value();
 }
 
@@ -279,15 +334,20 @@ Cutting cut_blocks(const Model& model, Progress& progress) {
   Cutting cutting;
   Uncut uncut = shape_rock(model);
   const auto complex = std::move(uncut.complex);
-  IntentCount intent = std::move(uncut.intent);
-  {
-    const Rock rock = std::move(uncut.rock);
-    intent.add(cut_by_joints(rock, model, *complex, progress));
-    intent.add(find_adjacency(*complex));
-    find_blocks(*complex, model);
-    cutting.totals = totals_of(*complex, rock);
+  const Rock rock = std::move(uncut.rock);
+  const std::vector<CellMeasure> measures = cut_by_joints(rock, model, *complex, progress);
+  const auto rock_count = static_cast<Index>(measures.size());
+  for (const CellMeasure& m : measures) {
+    complex->moments.push_back(m.moments);
+    complex->is_sliver.push_back(m.width < complex->planes.width_tolerance() ? 1 : 0);
   }
-  cutting.totals.intent = intent_report(*complex, intent, uncut.planes_identified);
+  const std::vector<Fragment> gaps = find_adjacency(*complex, rock_count);
+  complex->beams = find_beams(*complex, rock_count, gaps);
+  complex->cells.truncate(rock_count);
+  const std::vector<Index> doubtful_glue = mark_narrow_glue(*complex);
+  find_blocks(*complex, model);
+  cutting.totals = totals_of(*complex, rock);
+  cutting.totals.intent = intent_report(*complex, uncut.intent, measures, doubtful_glue);
   cutting.complex = complex;
   return cutting;
 }

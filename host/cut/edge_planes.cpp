@@ -12,15 +12,14 @@ namespace rockfold {
 namespace {
 
 constexpr Real guard_sine = 1e-3;  // DESIGN.md, rule 3
-// Of planes that meet in the edge itself, as those of a mesh's triangles do.
-constexpr Real exact_guard_sine = 1e-8;
 
 struct Edge {
   Index polygon, side;
   Vec3 a, b;
   Real length;
-  Index plane = none;  // found so far
-  Real sine = 0;       // of its angle with the polygon's plane
+  Index plane = none;    // found so far
+  Real sine = 0;         // of its angle with the polygon's plane
+  bool exactly = false;  // whether it lies on the plane found exactly
 };
 
 Box box_of(const Edge& e) {
@@ -29,9 +28,13 @@ Box box_of(const Edge& e) {
   return box;
 }
 
-class EdgePlanes {
+Real distance(const PlaneTable& planes, const Vec3& x, Index plane) {
+  return dot(planes.normal(plane), x - planes.centre()) - planes.offset(plane);
+}
+
+class EdgeFinder {
  public:
-  EdgePlanes(PlaneTable& planes, const std::vector<FlatPolygon>& polygons)
+  EdgeFinder(PlaneTable& planes, const std::vector<FlatPolygon>& polygons)
       : planes_(planes), polygons_(polygons) {
     for (std::size_t p = 0; p < polygons.size(); ++p) {
       const auto& c = polygons[p].corner;
@@ -42,22 +45,29 @@ class EdgePlanes {
     }
   }
 
-  // Rule 3.
-  void take_given_planes(const std::vector<Index>& unbounded) {
-    for (Edge& e : edges_)
-      for (const Index plane : unbounded) offer(e, plane);
+  void take_given_planes(const std::vector<GivenFace>& given) {
     std::vector<Box> boxes, faces;
+    std::vector<Index> plane;
     for (const Edge& e : edges_) boxes.push_back(box_of(e));
+    for (const GivenFace& face : given) {
+      if (face.box.low[0] == -Box::infinity) {
+        for (Edge& e : edges_) offer(e, face.plane);
+      } else {
+        faces.push_back(face.box);
+        plane.push_back(face.plane);
+      }
+    }
     for (const FlatPolygon& polygon : polygons_) {
       faces.emplace_back();
       for (const Vec3& x : polygon.corner) faces.back().add(x);
+      plane.push_back(polygon.plane);
     }
-    const auto near = near_boxes(boxes, faces, planes_.tolerance());
+    const auto near = near_boxes(boxes, faces, planes_.identity_tolerance());
     for (std::size_t i = 0; i < edges_.size(); ++i)
-      for (const Index p : near[i]) offer(edges_[i], polygons_[p].plane);
+      for (const Index p : near[i]) offer(edges_[i], plane[p]);
   }
 
-  // Rule 4: long edges first, since they define a plane best.
+  // Long edges first, since they define a plane best.
   void take_edge_planes() {
     std::vector<Index> open;
     for (std::size_t i = 0; i < edges_.size(); ++i)
@@ -66,40 +76,36 @@ class EdgePlanes {
 
     std::vector<Box> boxes;
     for (const Index i : open) boxes.push_back(box_of(edges_[i]));
-    const auto longer = earlier_near_boxes(boxes, 2 * planes_.tolerance());
+    const auto longer = earlier_near_boxes(boxes, 2 * planes_.identity_tolerance());
     for (std::size_t r = 0; r < open.size(); ++r) {
       Edge& e = edges_[open[r]];
       for (const Index other : longer[r]) {
         offer(e, edges_[open[other]].plane);
         if (e.plane != none) break;
       }
-      if (e.plane == none) e.plane = own_plane(e);
+      if (e.plane != none) continue;
+      e.plane = plane_across(planes_, e.a, e.b, polygons_[e.polygon].plane);
+      e.exactly = true;
     }
   }
 
-  std::vector<std::vector<HalfSpaceId>> result() const {
-    std::vector<std::vector<HalfSpaceId>> edges(polygons_.size());
-    std::vector<bool> on_a_line(polygons_.size(), false);
+  EdgePlanes result() const {
+    EdgePlanes result;
+    result.edges.resize(polygons_.size());
+    std::vector<bool> without_area(polygons_.size(), false);
     for (const Edge& e : edges_) {
-      const FlatPolygon& polygon = polygons_[e.polygon];
-      Real farthest = 0;  // the side that holds the polygon
-      const Vec3* far = nullptr;
-      for (const Vec3& x : polygon.corner)
-        if (const Real d = distance(x, e.plane); std::abs(d) > std::abs(farthest))
-          farthest = d, far = &x;
-      bool above = farthest > 0;
-      if (std::abs(farthest) <= planes_.tolerance()) {
-        if (planes_.exactly_known(e.plane) && planes_.exactly_known(polygon.plane))
-          above = planes_.exact_side(far ? *far : polygon.corner.front(), e.plane) > 0;
-        else
-          on_a_line[e.polygon] = true;
+      result.identified += e.exactly ? 0 : 1;
+      HalfSpaceId h = side_of_corners(planes_, e.plane, polygons_[e.polygon].corner);
+      if (h == none) {
+        without_area[e.polygon] = true;
+        h = half_space(e.plane, true);
       }
-      edges[e.polygon].push_back(half_space(e.plane, above));
+      result.edges[e.polygon].push_back(h);
     }
     // Nothing is on both sides of an edge: such a polygon cuts nothing.
-    for (std::size_t p = 0; p < edges.size(); ++p)
-      if (on_a_line[p]) edges[p] = {edges[p].front(), edges[p].front() ^ 1};
-    return edges;
+    for (std::size_t p = 0; p < polygons_.size(); ++p)
+      if (without_area[p]) result.edges[p] = {result.edges[p].front(), result.edges[p].front() ^ 1};
+    return result;
   }
 
  private:
@@ -113,35 +119,22 @@ class EdgePlanes {
     return p != q ? p < q : i < j;
   }
 
-  Real distance(const Vec3& x, Index plane) const {
-    return dot(planes_.normal(plane), x - planes_.centre()) - planes_.offset(plane);
-  }
-
   void offer(Edge& e, Index plane) const {
     const Index own = polygons_[e.polygon].plane;
     if (plane == own || plane == e.plane) return;
-    const Real tolerance = planes_.tolerance();
-    if (std::abs(distance(e.a, plane)) > tolerance || std::abs(distance(e.b, plane)) > tolerance)
+    const Real tolerance = planes_.identity_tolerance();
+    if (std::abs(distance(planes_, e.a, plane)) > tolerance ||
+        std::abs(distance(planes_, e.b, plane)) > tolerance)
       return;
     const bool exactly = planes_.exact_side(e.a, plane) == 0 && planes_.exact_side(e.b, plane) == 0;
-    if (!exactly && planes_.exactly_known(own) && planes_.exactly_known(plane)) return;
     const Real sine = norm(cross(planes_.normal(plane), planes_.normal(own)));
-    if (sine <= (exactly ? exact_guard_sine : guard_sine)) return;
+    if (!exactly && sine <= guard_sine) return;
     // The steeper plane crosses the polygon's better; of equally steep ones the first.
     if (e.plane != none && (sine < e.sine - 1e-9 || (sine <= e.sine + 1e-9 && plane > e.plane)))
       return;
     e.plane = plane;
     e.sine = sine;
-  }
-
-  Index own_plane(const Edge& e) const {
-    const ExactVec3 a = exact(e.a), b = exact(e.b);
-    const Index own = polygons_[e.polygon].plane;
-    const ExactPlane plane =
-        plane_along(a, {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, exact(planes_.normal(own)));
-    // Edges of a needle lie on planes that nearly coincide and are not one.
-    if (planes_.exactly_known(own)) return planes_.add(plane, Known::exactly);
-    return plane_of(planes_.find_or_add(plane));
+    e.exactly = exactly;
   }
 
   PlaneTable& planes_;
@@ -151,11 +144,28 @@ class EdgePlanes {
 
 }  // namespace
 
-std::vector<std::vector<HalfSpaceId>> edge_planes(PlaneTable& planes,
-                                                  const std::vector<FlatPolygon>& polygons,
-                                                  const std::vector<Index>& unbounded) {
-  EdgePlanes edges(planes, polygons);
-  edges.take_given_planes(unbounded);
+Index plane_across(PlaneTable& planes, const Vec3& a, const Vec3& b, Index perpendicular_to) {
+  const ExactVec3 from = exact(a), to = exact(b);
+  return plane_of(planes.find_or_add(plane_along(
+      from, {to[0] - from[0], to[1] - from[1], to[2] - from[2]}, exact(planes.normal(perpendicular_to)))));
+}
+
+HalfSpaceId side_of_corners(const PlaneTable& planes, Index edge_plane,
+                            const std::vector<Vec3>& corners) {
+  Real farthest = 0;
+  const Vec3* far = &corners.front();
+  for (const Vec3& x : corners)
+    if (const Real d = distance(planes, x, edge_plane); std::abs(d) > std::abs(farthest))
+      farthest = d, far = &x;
+  if (std::abs(farthest) > planes.identity_tolerance()) return half_space(edge_plane, farthest > 0);
+  const int side = planes.exact_side(*far, edge_plane);
+  return side == 0 ? none : half_space(edge_plane, side > 0);
+}
+
+EdgePlanes edge_planes(PlaneTable& planes, const std::vector<FlatPolygon>& polygons,
+                       const std::vector<GivenFace>& given) {
+  EdgeFinder edges(planes, polygons);
+  edges.take_given_planes(given);
   edges.take_edge_planes();
   return edges.result();
 }

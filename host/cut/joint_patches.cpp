@@ -4,6 +4,7 @@
 #include <map>
 
 #include "host/cut/joint_patches_exact.hpp"
+#include "host/cut/near_boxes.hpp"
 #include "host/refuse.hpp"
 #include "host/shapes/convex_pieces_exact.hpp"
 #include "src/base/vector.hpp"
@@ -24,10 +25,8 @@ OrderedJoint with_key(const PlacedJoint& joint, const Vec3& centre) {
   OrderedJoint k{&joint, joint.plane, {}, joint.polygon};
   const auto& n = k.plane.n;
   if (n[2] < 0 || (n[2] == 0 && (n[1] < 0 || (n[1] == 0 && n[0] < 0)))) k.plane = opposite(k.plane);
-  PlaneTable rounding(centre, 1);
-  const Index id = rounding.add(k.plane);
-  const Vec3& unit = rounding.normal(id);
-  k.key = {unit[0], unit[1], unit[2], rounding.offset(id)};
+  const auto [unit, offset] = rounded(k.plane, centre);
+  k.key = {unit[0], unit[1], unit[2], offset};
   // The same corner first, whichever the user began with.
   std::rotate(k.corner.begin(), std::min_element(k.corner.begin(), k.corner.end()), k.corner.end());
   return k;
@@ -44,41 +43,40 @@ std::vector<OrderedJoint> in_order(const PlacedJoints& placed, const Vec3& centr
   return joints;
 }
 
-// Corners nearer to each other than the tolerance are one corner: the first of them in the order of coordinates.
-void join_corners(std::vector<OrderedJoint>& joints, Real tolerance) {
+// Corners nearer to each other than the tolerance are one corner: the first of them in the order of coordinates. Returns how
+// many were another one.
+Index join_corners(std::vector<OrderedJoint>& joints, Real tolerance) {
   std::vector<Vec3> corners;
   for (const OrderedJoint& j : joints)
     corners.insert(corners.end(), j.corner.begin(), j.corner.end());
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  std::vector<Box> boxes(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) boxes[i].add(corners[i]);
+  const auto near = earlier_near_boxes(boxes, tolerance);
   std::map<Vec3, Vec3> moved;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    while (corners[begin][0] < corners[i][0] - tolerance) ++begin;
-    for (std::size_t j = begin; j < i; ++j)
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    for (const Index j : near[i])
       if (moved.count(corners[j]) == 0 && norm(corners[j] - corners[i]) <= tolerance) {
         moved.emplace(corners[i], corners[j]);
         break;
       }
-  }
-  for (OrderedJoint& joint : joints)
+  if (moved.empty()) return 0;
+  for (OrderedJoint& joint : joints) {
     for (Vec3& x : joint.corner)
       if (const auto found = moved.find(x); found != moved.end()) x = found->second;
+    auto& c = joint.corner;
+    c.erase(std::unique(c.begin(), c.end()), c.end());
+    while (c.size() > 1 && c.front() == c.back()) c.pop_back();
+  }
+  return static_cast<Index>(moved.size());
 }
 
-bool holds(const PlaneTable& planes, Index plane, const OrderedJoint& joint) {
-  return std::all_of(joint.corner.begin(), joint.corner.end(), [&](const Vec3& x) {
-    const Real d = dot(planes.normal(plane), x - planes.centre()) - planes.offset(plane);
-    return std::abs(d) <= planes.tolerance();
-  });
-}
-
-// Finds the plane of each joint: first through-going ones, then polygons, the larger the earlier. A polygon all of whose
-// corners lie on a plane that is there takes it.
+// Finds the plane of each joint: first through-going ones, then polygons, the larger the earlier.
 class JointPlanes {
  public:
   JointPlanes(const std::vector<OrderedJoint>& joints, CuttingInput& input)
-      : joints_(joints), planes_(input.complex.planes), identified_(input.planes_identified) {}
+      : joints_(joints), planes_(input.complex.planes), identified_(input.intent.planes) {}
 
   std::vector<Index> run() {
     std::vector<Index> order;
@@ -92,26 +90,20 @@ class JointPlanes {
     std::stable_sort(order.begin(), order.end(),
                      [&](Index a, Index b) { return size[a] > size[b]; });
     std::vector<Index> plane(joints_.size(), none);
-    for (const Index i : order) plane[i] = find_or_add(joints_[i]);
+    for (const Index i : order) {
+      const Index before = planes_.size();
+      plane[i] = plane_of(planes_.identify_or_add(own_plane(joints_[i])));
+      if (planes_.size() == before) identified_.push_back(plane[i]);
+    }
     return plane;
   }
 
  private:
-  Index find_or_add(const OrderedJoint& joint) {
-    std::vector<Vec3> corners = joint.corner;
-    for (Vec3& x : corners) x = x - planes_.centre();
-    const Index before = planes_.size();
-    const HalfSpaceId found = planes_.find_or_add(own_plane(joint), corners);
-    if (planes_.size() == before) ++identified_;
-    return plane_of(found);
-  }
-
-  // A triangle's plane passes exactly through its corners (DESIGN.md, rule 1), unless it was given by another one.
-  ExactPlane own_plane(const OrderedJoint& joint) const {
+  // A triangle's plane passes exactly through its corners (DESIGN.md, rule 1).
+  static ExactPlane own_plane(const OrderedJoint& joint) {
     if (joint.corner.size() != 3) return joint.plane;
-    PlaneTable given(planes_.centre(), planes_.model_size());
-    if (!holds(given, given.add(joint.plane), joint)) return joint.plane;
-    ExactPlane plane = plane_through_points(joint.corner[0], joint.corner[1], joint.corner[2]);
+    ExactPlane plane = plane_through_points(exact(joint.corner[0]), exact(joint.corner[1]),
+                                            exact(joint.corner[2]));
     const bool has_area = std::any_of(plane.n.begin(), plane.n.end(),
                                       [](const Exact& component) { return component != 0; });
     return has_area ? plane : joint.plane;
@@ -119,8 +111,25 @@ class JointPlanes {
 
   const std::vector<OrderedJoint>& joints_;
   PlaneTable& planes_;
-  Index& identified_;
+  std::vector<Index>& identified_;
 };
+
+// A polygon seen along an axis: its convex pieces, and its signed area.
+struct FlatPieces {
+  std::vector<ConvexPiece> pieces;
+  Real area = 0;
+};
+FlatPieces flat_pieces(const std::vector<Vec3>& c, int u, int v) {
+  ExactPolygon flat;
+  FlatPieces result;
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    const Vec3 &a = c[k], &b = c[(k + 1) % c.size()];
+    flat.push_back({exact(a[u]), exact(a[v])});
+    result.area += (a[u] - c[0][u]) * (b[v] - c[0][v]) - (b[u] - c[0][u]) * (a[v] - c[0][v]);
+  }
+  result.pieces = convex_pieces(flat);
+  return result;
+}
 
 void add_polygon(const OrderedJoint& joint, JointPatch patch, Complex& complex,
                  JointPolygons& result) {
@@ -129,16 +138,12 @@ void add_polygon(const OrderedJoint& joint, JointPatch patch, Complex& complex,
   for (int d = 1; d < 3; ++d)
     if (std::abs(normal[d]) > std::abs(normal[drop])) drop = d;
   const int u = (drop + 1) % 3, v = (drop + 2) % 3;
-  ExactPolygon flat;
-  Real area = 0;
-  const auto& c = joint.corner;
-  for (std::size_t k = 0; k < c.size(); ++k) {
-    const Vec3 &a = c[k], &b = c[(k + 1) % c.size()];
-    flat.push_back({Exact(a[u]), Exact(a[v])});
-    area += (a[u] - c[0][u]) * (b[v] - c[0][v]) - (b[u] - c[0][u]) * (a[v] - c[0][v]);
-  }
-  const auto pieces = convex_pieces(flat);
-  for (const ConvexPiece& piece : pieces) {
+  // Corners that were made one may pinch a polygon: then it stays as it was given.
+  FlatPieces flat = flat_pieces(joint.corner, u, v);
+  const bool pinched = flat.pieces.empty();
+  const std::vector<Vec3>& c = pinched ? joint.joint->polygon : joint.corner;
+  if (pinched) flat = flat_pieces(c, u, v);
+  for (const ConvexPiece& piece : flat.pieces) {
     FlatPolygon polygon;
     polygon.plane = patch.patch.plane;
     patch.patch.box = patch.patch.corners = {};
@@ -148,7 +153,7 @@ void add_polygon(const OrderedJoint& joint, JointPatch patch, Complex& complex,
       patch.patch.corners.add(c[edge.from]);
     }
     // A convex polygon stays in its given sense, pieces run counter-clockwise in (u, v).
-    const bool counter_clockwise = pieces.size() > 1 || area > 0;
+    const bool counter_clockwise = flat.pieces.size() > 1 || flat.area > 0;
     if (counter_clockwise != (normal[drop] > 0))
       std::reverse(polygon.corner.begin(), polygon.corner.end());
     result.polygons.push_back(std::move(polygon));
@@ -162,7 +167,7 @@ void add_polygon(const OrderedJoint& joint, JointPatch patch, Complex& complex,
 JointPolygons add_joints(const PlacedJoints& placed, CuttingInput& input) {
   Complex& complex = input.complex;
   std::vector<OrderedJoint> joints = in_order(placed, complex.planes.centre());
-  join_corners(joints, complex.planes.tolerance());
+  input.intent.corners = join_corners(joints, complex.planes.identity_tolerance());
   const std::vector<Index> plane = JointPlanes(joints, input).run();
 
   std::vector<Index> by_precedence(joints.size());

@@ -13,8 +13,7 @@ namespace {
 
 struct PartFace {
   std::size_t part, face;
-  Real size = 0;             // m, diagonal of its box; 0 for a plane that bounds nothing
-  std::vector<Vec3> corner;  // m, about the table's centre
+  Real size = 0;  // m, diagonal of its box; 0 for a plane that bounds nothing
   Vec3 normal;
   Real offset;
 };
@@ -26,20 +25,17 @@ void add_faces(const ConvexPart& part, std::size_t number, const Vec3& reach,
   const ConvexCell box = make_box(own, -reach, reach);
   std::vector<HalfSpaceId> inside;
   for (const FacePlane& f : part.faces) {
-    const HalfSpaceId up = own.find_or_add(f.plane);
+    const HalfSpaceId up = own.identify_or_add(f.plane);
     inside.push_back(f.inside_above ? up : up ^ 1);
   }
   const ConvexCell cell = clip(own, box, inside);
   for (std::size_t f = 0; f < inside.size(); ++f) {
     const Index plane = plane_of(inside[f]);
-    faces.push_back({number, f, 0, {}, own.normal(plane), own.offset(plane)});
+    faces.push_back({number, f, 0, own.normal(plane), own.offset(plane)});
     for (const auto& face : cell.faces) {
       if (face.inside != inside[f]) continue;
       Box extent;
-      for (const Vertex& v : face_polygon(cell, face).corner) {
-        faces.back().corner.push_back(v.x);
-        extent.add(v.x);
-      }
+      for (const Vertex& v : face_polygon(cell, face).corner) extent.add(v.x);
       faces.back().size = norm(extent.high - extent.low);
     }
   }
@@ -60,7 +56,7 @@ std::vector<std::vector<HalfSpaceId>> part_half_spaces(const std::vector<const C
   });
   for (const PartFace& f : faces) {
     const FacePlane& given = parts[f.part]->faces[f.face];
-    const HalfSpaceId up = planes.find_or_add(given.plane, f.corner);
+    const HalfSpaceId up = planes.identify_or_add(given.plane);
     half_spaces[f.part][f.face] = given.inside_above ? up : up ^ 1;
   }
   return half_spaces;

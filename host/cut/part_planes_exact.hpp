@@ -9,8 +9,7 @@
 namespace rockfold {
 
 /// For each part the half-space of each of its faces, inside. Faces get their planes in the order of their size in the box
-/// ±reach about the table's centre, the largest first, whatever the order of the parts; a face all of whose corners lie on a
-/// plane that is there takes that plane (docs/decisions/0006-polygons.md).
+/// ±reach about the table's centre, the largest first, whatever the order of the parts; planes that coincide are one (rule 2).
 std::vector<std::vector<HalfSpaceId>> part_half_spaces(const std::vector<const ConvexPart*>& parts,
                                                        const Vec3& reach, PlaneTable& planes);
 

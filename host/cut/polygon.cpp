@@ -1,6 +1,8 @@
 #include "host/cut/polygon.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "src/base/vector.hpp"
 
@@ -48,12 +50,20 @@ PolygonMoments polygon_moments(const Polygon& polygon) {
   return m;
 }
 
-bool has_area(const Polygon& polygon, const PlaneTable& planes) {
-  if (polygon.empty()) return false;
-  if (polygon_moments(polygon).area > 0) return true;
-  return planes.exactly_known(polygon.plane) &&
-         std::all_of(polygon.edge.begin(), polygon.edge.end(),
-                     [&](HalfSpaceId h) { return planes.exactly_known(plane_of(h)); });
+Real width_in_plane(std::span<const Vec3> corner, const Vec3& normal) {
+  const std::size_t n = corner.size();
+  if (n < 3) return 0;
+  Real least = std::numeric_limits<Real>::infinity();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec3 along = corner[(k + 1) % n] - corner[k];
+    const Vec3 across = cross(normal, along);
+    const Real length = norm(across);
+    if (!(length > 0)) continue;
+    Real most = 0;
+    for (const Vec3& x : corner) most = std::max(most, std::abs(dot(across, x - corner[k])));
+    least = std::min(least, most / length);
+  }
+  return std::isfinite(least) ? least : 0;
 }
 
 void PolygonClipper::write_part(const Polygon& polygon, HalfSpaceId h, Polygon& part) const {
@@ -70,6 +80,7 @@ void PolygonClipper::write_part(const Polygon& polygon, HalfSpaceId h, Polygon& 
     };
     if (su > 0 || (su == 0 && sv > 0)) {
       part.corner.push_back(polygon.corner[k]);
+      if (su == 0) part.corner.back().note(plane_of(h));
       part.edge.push_back(polygon.edge[k]);
       if (sv < 0) {
         part.corner.push_back(cut());
@@ -77,6 +88,7 @@ void PolygonClipper::write_part(const Polygon& polygon, HalfSpaceId h, Polygon& 
       }
     } else if (su == 0) {
       part.corner.push_back(polygon.corner[k]);
+      part.corner.back().note(plane_of(h));
       part.edge.push_back(h);
     } else if (sv > 0) {
       part.corner.push_back(cut());
@@ -89,7 +101,7 @@ PolygonClipper::Extent PolygonClipper::classify(const Polygon& polygon, HalfSpac
   side_.resize(polygon.corner.size());
   bool above = false, below = false;
   for (std::size_t k = 0; k < polygon.corner.size(); ++k) {
-    side_[k] = static_cast<std::int8_t>(planes_.side(polygon.corner[k], plane_of(h), intent));
+    side_[k] = static_cast<std::int8_t>(planes_.side(polygon.corner[k], plane_of(h)));
     above = above || side_[k] > 0;
     below = below || side_[k] < 0;
   }
@@ -119,7 +131,7 @@ PolygonClipper::Share PolygonClipper::share(const Polygon& polygon,
   for (const HalfSpaceId h : inside) {
     bool any_inside = false;
     for (const Vertex& v : polygon.corner) {
-      const int side = planes_.side(v, plane_of(h), intent) * (is_above(h) ? 1 : -1);
+      const int side = planes_.side(v, plane_of(h)) * (is_above(h) ? 1 : -1);
       any_inside = any_inside || side > 0;
       all = all && side >= 0;
     }

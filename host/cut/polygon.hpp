@@ -32,8 +32,8 @@ struct PolygonMoments {
 };
 PolygonMoments polygon_moments(const Polygon& polygon);
 
-/// Whether a polygon is more than a trace of planes that nearly meet: its area says so, or all of its planes are known exactly.
-bool has_area(const Polygon& polygon, const PlaneTable& planes);
+/// m: the least width of a convex polygon in its plane, corners in a row; 0 for fewer than three.
+Real width_in_plane(std::span<const Vec3> corner, const Vec3& normal);
 
 /// Clips polygons; keeps its workspace.
 class PolygonClipper {
@@ -53,8 +53,6 @@ class PolygonClipper {
 
   /// What is left of `a` without that part, as convex polygons appended to `rest`.
   void subtract(const Polygon& a, std::span<const HalfSpaceId> inside, std::vector<Polygon>& rest);
-
-  IntentCount intent;
 
  private:
   struct Extent {

@@ -5,9 +5,6 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "host/parallel.hpp"
 #include "src/base/error.hpp"
@@ -72,7 +69,7 @@ class Cutter {
       const AuxTree::Node& at = job_.tree[node];
       const CellSide side = splitter_.classify(cell, at.plane);
       if (side == CellSide::split) {
-        split(cell, at.plane, below, above);
+        splitter_.split(cell, at.plane, &below, &above);
         child_node[0] = at.child[0], child_node[1] = at.child[1];
         keep_near(extent, list, 0, rest);
         return true;
@@ -83,8 +80,8 @@ class Cutter {
       const Patch& patch = *job_.surfaces[list[i]].patch;
       if (!may_meet(extent, patch)) continue;
       if (splitter_.classify(cell, patch.plane) != CellSide::split) continue;
-      split(cell, patch.plane, below, above);
-      if (!section_meets(below, patch)) continue;
+      splitter_.split(cell, patch.plane, &below, &above);
+      if (!section_meets(below, job_.surfaces[list[i]])) continue;
       child_node[0] = child_node[1] = node;
       keep_near(extent, list, i + 1, rest);
       return true;
@@ -136,7 +133,7 @@ class Cutter {
         box.add(boxes[*it]);
       }
       for (const Index s : task.surfaces)
-        if (job_.surfaces[s].patch->box.meets(box, planes_.tolerance()))
+        if (job_.surfaces[s].patch->box.meets(box, slack()))
           halves[h].surfaces.push_back(s);
     }
     task = {};
@@ -150,23 +147,20 @@ class Cutter {
     return mine;
   }
 
-  IntentCount take_intent() {
-    IntentCount sum = splitter_.intent;
-    sum.add(clipper_.intent);
-    return sum;
-  }
-
  private:
   struct Level {
     ConvexCell below, above;
     SurfaceList rest;
   };
 
+  // m, far above what positions and boxes are off by.
+  Real slack() const { return planes_.width_tolerance(); }
+
   bool may_meet(const Extent& extent, const Patch& patch) const {
     const Vec3& n = planes_.normal(patch.plane);
     const Real distance = dot(n, extent.ball.centre) - planes_.offset(patch.plane);
-    return std::abs(distance) <= extent.ball.radius + 100 * planes_.tolerance() &&
-           (!patch.bounded() || patch.box.meets(extent.box, planes_.tolerance()));
+    return std::abs(distance) <= extent.ball.radius + slack() &&
+           (!patch.bounded() || patch.box.meets(extent.box, slack()));
   }
 
   void keep_near(const Extent& extent, const SurfaceList& list, std::size_t from,
@@ -176,22 +170,16 @@ class Cutter {
       if (may_meet(extent, *job_.surfaces[list[i]].patch)) rest.push_back(list[i]);
   }
 
-  void split(const CellView& cell, Index plane, ConvexCell& below, ConvexCell& above) {
-    try {
-      splitter_.split(cell, plane, &below, &above);
-    } catch (const std::logic_error& error) {
-      const Vec3 x = bounding_ball(cell).centre + planes_.centre();
-      throw Error(ErrorKind::analysis, fmt::format("cutting failed near ({:.6g}, {:.6g}, {:.6g}): "
-                                                   "{}; planes that nearly coincide there are "
-                                                   "neither one plane nor clearly two",
-                                                   x[0], x[1], x[2], error.what()));
-    }
-  }
-
   // Whether the polygon's interior meets the section, which is the last face of the part below.
-  bool section_meets(const ConvexCell& below, const Patch& patch) {
+  bool section_meets(const ConvexCell& below, const CuttingSurface& surface) {
+    const Patch& patch = *surface.patch;
     if (!patch.bounded()) return true;
-    return !clipper_.intersection(face_polygon(below, below.faces.back()), patch.edges).empty();
+    const Polygon common =
+        clipper_.intersection(face_polygon(below, below.faces.back()), patch.edges);
+    if (common.empty() || surface.least_width == 0) return !common.empty();
+    corners_.clear();
+    for (const Vertex& v : common.corner) corners_.push_back(v.x);
+    return width_in_plane(corners_, planes_.normal(patch.plane)) >= surface.least_width;
   }
 
   void descend(std::size_t depth, const CellView& cell, Index node, const SurfaceList& list,
@@ -221,6 +209,7 @@ class Cutter {
   const PlaneTable& planes_;
   CellSplitter splitter_;
   PolygonClipper clipper_;
+  std::vector<Vec3> corners_;
   std::vector<std::unique_ptr<Level>> levels_;
 };
 
@@ -286,13 +275,11 @@ Subdivision subdivide(const CuttingJob& job, Progress& progress) {
   Subdivision result;
   result.parts.resize(tasks.size());
   result.parents.resize(tasks.size());
-  std::vector<IntentCount> intent(tasks.size());
   std::atomic<std::int64_t> made{0};
   progress.begin("cutting", 0, "cells");
   const auto run = [&](std::int64_t i) {
     Cutter cutter(job);
     cutter.run(tasks[i], result.parts[i], result.parents[i], made);
-    intent[i] = cutter.take_intent();
     tasks[i] = {};
 #pragma omp critical(rockfold_progress)
     progress.done(made.load(std::memory_order_relaxed));
@@ -300,8 +287,6 @@ Subdivision subdivide(const CuttingJob& job, Progress& progress) {
   const bool unfinished = tasks.size() >= subtree_count;
   parallel_for(static_cast<std::int64_t>(tasks.size()), 1, run, unfinished);
   progress.end();
-  result.intent = first.take_intent();
-  for (const IntentCount& more : intent) result.intent.add(more);
   return result;
 }
 

@@ -13,6 +13,8 @@ namespace rockfold {
 struct CuttingSurface {
   const Patch* patch = nullptr;
   Index within = none;  ///< cuts only cells for which `applies` says so; none = all
+  /// m: a section whose part inside the patch is narrower is not cut (rule 7); 0 cuts all that has an area.
+  Real least_width = 0;
 };
 
 struct CuttingJob {
@@ -31,7 +33,6 @@ struct TooManyCells {};
 struct Subdivision {
   std::vector<CellStore> parts;             ///< of independent subtrees, in a fixed order
   std::vector<std::vector<Index>> parents;  ///< likewise: the given cell that each is part of
-  IntentCount intent;
 };
 
 /// Cuts each of the cells by the surfaces whose interior meets its section. The order of the result depends on the

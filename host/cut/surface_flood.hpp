@@ -1,4 +1,5 @@
-// The cells inside closed surfaces: from the cells on the inner side of a surface through all areas that are no part of it.
+// The cells inside closed surfaces: a walk from the outside through all cells, which enters or leaves a body at each area of
+// its surface. Cells meet exactly, so that nothing leaks.
 #pragma once
 
 #include <vector>
@@ -7,14 +8,7 @@
 
 namespace rockfold {
 
-/// What is thrown where a way leads from the inner to the outer side of a body's surface.
-struct LeakingSurface {
-  Index body;
-  Vec3 near;  ///< m, model coordinates
-};
-
-/// [bodies] the cells inside each body that is a closed surface, ascending; empty for the others. Throws LeakingSurface.
-std::vector<std::vector<Index>> cells_inside_surfaces(const Complex& complex,
-                                                      const CellStore& cells);
+/// [cells] the bodies with closed surfaces that hold each cell, ascending. O(areas shared).
+std::vector<std::vector<Index>> surfaces_around_cells(const Complex& complex, const CellStore& cells);
 
 }  // namespace rockfold

@@ -1,7 +1,10 @@
 #include "host/cut/surfaces.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <list>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -150,92 +153,146 @@ void add_convex(const ShapeRegion& region, const ConvexPart& part,
   complex.bodies.push_back(std::move(body));
 }
 
-// The plane of a polygon of the surface, through the three corners that make the largest triangle with the first.
-ExactPlane plane_of_polygon(const ClosedSurface& surface, Index begin, Index end) {
-  const auto corner = [&](Index k) { return surface.vertices[surface.corner[k]]; };
-  Index widest = begin + 1;
-  Real largest = 0;
-  for (Index k = begin + 1; k + 1 < end; ++k) {
-    const Real area = norm(cross(corner(k) - corner(begin), corner(k + 1) - corner(begin)));
-    if (area > largest) largest = area, widest = k;
+// A closed surface with its corners as exact numbers, and what lies across its edges.
+class SurfaceFacets {
+ public:
+  SurfaceFacets(const ClosedSurface& surface, PlaneTable& planes)
+      : surface_(surface), planes_(planes) {
+    for (const Vec3& x : surface.vertices) exact_.push_back(exact(x));
+    const auto count = static_cast<Index>(surface.face.size());
+    outward_.resize(count, none);
+    for (Index i = 0; i < count; ++i) outward_[i] = plane_of_polygon(i);
+    for (Index i = 0; i < count; ++i)
+      if (outward_[i] != none) add_edges(i);
+    std::sort(edges_.begin(), edges_.end());
   }
-  return plane_through_points(corner(begin), corner(widest), corner(widest + 1));
-}
 
-bool holds_corners(const ExactPlane& plane, const ClosedSurface& surface, Index begin, Index end) {
-  if (end - begin == 3) return true;
-  for (Index k = begin; k < end; ++k)
-    if (dot(plane.n, exact(surface.vertices[surface.corner[k]])) != plane.d) return false;
-  return true;
-}
+  Index size() const { return static_cast<Index>(outward_.size()); }
+  /// The half-space outside, none for a polygon without area, which bounds nothing.
+  HalfSpaceId outward(Index polygon) const { return outward_[polygon]; }
 
-// A closed surface; its facets get their edges together with the joints'.
-void add_surface(const ShapeRegion& region, bool alone, Complex& complex,
-                 std::vector<FlatPolygon>& polygons, std::vector<Index>& facet_of_polygon) {
-  const ClosedSurface& surface = region.geometry.surface;
+  std::vector<Vec3> corners(Index polygon) const {
+    std::vector<Vec3> corners;
+    for (Index k = begin(polygon); k < end(polygon); ++k)
+      corners.push_back(surface_.vertices[surface_.corner[k]]);
+    return corners;
+  }
+
+  /// The half-spaces of a polygon's edges: bounded by the plane of the polygon across the edge, which passes through it
+  /// exactly, or by a plane of their own. Corners run counter-clockwise seen from outside.
+  std::vector<HalfSpaceId> edges(Index polygon) const {
+    const std::vector<Vec3> corner = corners(polygon);
+    std::vector<HalfSpaceId> result;
+    for (Index k = begin(polygon); k < end(polygon); ++k) {
+      const Index from = surface_.corner[k], to = next_corner(polygon, k);
+      HalfSpaceId inside = none;
+      if (const Index other = across(from, to); other != none)
+        inside = side_of_corners(planes_, plane_of(outward_[other]), corner);
+      if (inside == none)
+        inside = side_of_corners(planes_,
+                                 plane_across(planes_, surface_.vertices[from],
+                                              surface_.vertices[to], plane_of(outward_[polygon])),
+                                 corner);
+      result.push_back(inside);
+    }
+    return result;
+  }
+
+ private:
+  struct DirectedEdge {
+    Index from, to, polygon;
+    bool operator<(const DirectedEdge& o) const {
+      return std::tie(from, to, polygon) < std::tie(o.from, o.to, o.polygon);
+    }
+  };
+
+  Index begin(Index polygon) const { return surface_.polygon_begin[polygon]; }
+  Index end(Index polygon) const { return surface_.polygon_begin[polygon + 1]; }
+  Index next_corner(Index polygon, Index k) const {
+    return surface_.corner[k + 1 < end(polygon) ? k + 1 : begin(polygon)];
+  }
+
+  void add_edges(Index polygon) {
+    for (Index k = begin(polygon); k < end(polygon); ++k)
+      edges_.push_back({surface_.corner[k], next_corner(polygon, k), polygon});
+  }
+
+  // Another plane that runs through the edge the other way, none where there is none.
+  Index across(Index from, Index to) const {
+    const auto found = std::lower_bound(edges_.begin(), edges_.end(), DirectedEdge{to, from, none});
+    return found != edges_.end() && found->from == to && found->to == from ? found->polygon : none;
+  }
+
+  // Through the three corners that make the largest triangle with the first.
+  HalfSpaceId plane_of_polygon(Index polygon) {
+    const Index first = begin(polygon);
+    const auto corner = [&](Index k) { return surface_.vertices[surface_.corner[k]]; };
+    Index widest = first + 1;
+    Real largest = 0;
+    for (Index k = first + 1; k + 1 < end(polygon); ++k) {
+      const Real area = norm(cross(corner(k) - corner(first), corner(k + 1) - corner(first)));
+      if (area > largest) largest = area, widest = k;
+    }
+    const ExactPlane plane =
+        plane_through_points(exact_[surface_.corner[first]], exact_[surface_.corner[widest]],
+                             exact_[surface_.corner[widest + 1]]);
+    if (plane.n[0] == 0 && plane.n[1] == 0 && plane.n[2] == 0) return none;
+    return planes_.find_or_add(plane);
+  }
+
+  const ClosedSurface& surface_;
+  PlaneTable& planes_;
+  std::vector<ExactVec3> exact_;
+  std::vector<HalfSpaceId> outward_;
+  std::vector<DirectedEdge> edges_;
+};
+
+void add_surface(const ShapeRegion& region, const SurfaceFacets& facets, Complex& complex) {
   Body body;
   body.role = region.role;
   body.owner = region.owner;
   body.facet_begin = static_cast<Index>(complex.facets.size());
-  const auto count = static_cast<Index>(surface.face.size());
-  for (Index i = 0; i < count; ++i) {
-    const Index begin = surface.polygon_begin[i], end = surface.polygon_begin[i + 1];
-    const ExactPlane plane = plane_of_polygon(surface, begin, end);
-    std::vector<Vec3> corners;  // about the centre
-    for (Index k = begin; k < end; ++k)
-      corners.push_back(surface.vertices[surface.corner[k]] - complex.planes.centre());
-    const Known known = holds_corners(plane, surface, begin, end) ? Known::exactly : Known::nearly;
-    const HalfSpaceId outward = alone ? complex.planes.find_or_add(plane, known)
-                                      : complex.planes.find_or_add(plane, corners, known);
-    FlatPolygon polygon;
-    polygon.plane = plane_of(outward);
+  for (Index i = 0; i < facets.size(); ++i) {
+    if (facets.outward(i) == none) continue;
     Facet facet;
-    facet.patch.plane = polygon.plane;
+    facet.patch.plane = plane_of(facets.outward(i));
+    facet.patch.edges = facets.edges(i);
     facet.patch.box = facet.patch.corners = {};
-    for (Index k = begin; k < end; ++k) {
-      polygon.corner.push_back(surface.vertices[surface.corner[k]]);
-      facet.patch.box.add(polygon.corner.back() - complex.planes.centre());
-      facet.patch.corners.add(polygon.corner.back());
+    for (const Vec3& x : facets.corners(i)) {
+      facet.patch.box.add(x - complex.planes.centre());
+      facet.patch.corners.add(x);
     }
-    if (!is_above(outward)) std::reverse(polygon.corner.begin(), polygon.corner.end());
-    facet.inside = outward ^ 1;
-    facet.origin = origin_of(region, surface.face[i]);
+    facet.inside = facets.outward(i) ^ 1;
+    facet.origin = origin_of(region, region.geometry.surface.face[i]);
     facet.body = static_cast<Index>(complex.bodies.size());
     body.box.add(facet.patch.box);
-    facet_of_polygon.push_back(static_cast<Index>(complex.facets.size()));
     complex.facets.push_back(std::move(facet));
-    polygons.push_back(std::move(polygon));
   }
   body.facet_end = static_cast<Index>(complex.facets.size());
   complex.bodies.push_back(std::move(body));
 }
 
-// Edges of the facets of closed surfaces and of the joints' polygons.
-void add_edges(const std::vector<Index>& facet_of_polygon, std::vector<FlatPolygon> polygons,
-               const JointPolygons& joints, Complex& complex) {
-  std::vector<Index> unbounded;  // planes of convex bodies and of through-going joints
-  for (const Body& body : complex.bodies)
-    for (const HalfSpaceId h : body.inside) unbounded.push_back(plane_of(h));
-  unbounded.insert(unbounded.end(), joints.through_going.begin(), joints.through_going.end());
-  std::sort(unbounded.begin(), unbounded.end());
-  unbounded.erase(std::unique(unbounded.begin(), unbounded.end()), unbounded.end());
-
-  const std::size_t facets = polygons.size();
-  polygons.insert(polygons.end(), joints.polygons.begin(), joints.polygons.end());
-  auto edges = edge_planes(complex.planes, polygons, unbounded);
-  for (std::size_t i = 0; i < facets; ++i)
-    complex.facets[facet_of_polygon[i]].patch.edges = std::move(edges[i]);
-  for (std::size_t i = facets; i < polygons.size(); ++i)
-    complex.joints[joints.patch[i - facets]].patch.edges = std::move(edges[i]);
+// The planes that the edges of finite joints may lie on.
+std::vector<GivenFace> given_faces(const Complex& complex, const JointPolygons& joints) {
+  std::vector<Index> everywhere = joints.through_going;
+  std::vector<GivenFace> faces;
+  for (const Body& body : complex.bodies) {
+    for (const HalfSpaceId h : body.inside) everywhere.push_back(plane_of(h));
+    for (Index f = body.facet_begin; f < body.facet_end && body.inside.empty(); ++f)
+      faces.push_back({complex.facets[f].patch.plane, complex.facets[f].patch.corners});
+  }
+  std::sort(everywhere.begin(), everywhere.end());
+  everywhere.erase(std::unique(everywhere.begin(), everywhere.end()), everywhere.end());
+  for (const Index plane : everywhere) faces.push_back({plane});
+  return faces;
 }
 
-// Of planes that the user gave; triangles of one surface may be as nearly coplanar as they like.
-void count_near_planes(const PlaneTable& planes, IntentCount& intent) {
-  for (Index p = 0; p < planes.size(); ++p) {
-    if (planes.exactly_known(p) || !planes.is_near_another(p)) continue;
-    ++intent.near_decisions;
-    intent.near_planes.push_back(p);
-  }
+void add_joint_edges(const JointPolygons& joints, Complex& complex, GivenIntent& intent) {
+  if (joints.polygons.empty()) return;
+  EdgePlanes found = edge_planes(complex.planes, joints.polygons, given_faces(complex, joints));
+  for (std::size_t i = 0; i < joints.polygons.size(); ++i)
+    complex.joints[joints.patch[i]].patch.edges = std::move(found.edges[i]);
+  intent.edges = found.identified;
 }
 
 }  // namespace
@@ -249,31 +306,31 @@ CuttingInput make_surfaces(const Model& model) {
   for (const Vec3& x : rock.corners) box.add(x);
   const Vec3 centre = 0.5 * (box.low + box.high);
   const Real size = norm(box.high - box.low);
-  CuttingInput input{Complex(PlaneTable(centre, size)), {}, 0, {}, std::move(placed.plane_sets)};
+  CuttingInput input{Complex(PlaneTable(centre, size)), {}, {}, std::move(placed.plane_sets)};
   Complex& complex = input.complex;
   const Vec3 reach = 0.5 * (box.high - box.low) + 0.125 * size * Vec3{1, 1, 1};
   const ConvexCell start = make_box(complex.planes, -reach, reach);
   input.start.append(start);
 
   add_origins(model, placed, regions, complex);
-  std::vector<FlatPolygon> polygons;
-  std::vector<Index> facet_of_polygon;
+  // Closed surfaces first: their triangles are one plane only where they are equal, and what is given otherwise may coincide
+  // with them (rule 2).
+  std::list<SurfaceFacets> surfaces;
   std::vector<const ConvexPart*> parts;
-  for (const ShapeRegion& region : regions)
+  for (const ShapeRegion& region : regions) {
+    if (!region.geometry.surface.face.empty())
+      surfaces.emplace_back(region.geometry.surface, complex.planes);
     for (const ConvexPart& part : region.geometry.parts) parts.push_back(&part);
+  }
   auto half_spaces = part_half_spaces(parts, reach, complex.planes);
   auto next = half_spaces.begin();
-  // Closed surfaces with nothing beside them that meets them to a tolerance: docs/decisions/0005-near-planes.md.
-  const bool alone = parts.empty() && placed.joints.empty();
+  auto surface = surfaces.begin();
   for (const ShapeRegion& region : regions) {
     for (const ConvexPart& part : region.geometry.parts)
       add_convex(region, part, std::move(*next++), start, complex);
-    if (!region.geometry.surface.face.empty())
-      add_surface(region, alone, complex, polygons, facet_of_polygon);
+    if (!region.geometry.surface.face.empty()) add_surface(region, *surface++, complex);
   }
-  const JointPolygons joints = add_joints(placed, input);
-  count_near_planes(complex.planes, input.intent);
-  add_edges(facet_of_polygon, std::move(polygons), joints, complex);
+  add_joint_edges(add_joints(placed, input), complex, input.intent);
   complex.facets_by_plane = ByPlane::sort(complex.facets, complex.planes.size());
   complex.joints_by_plane = ByPlane::sort(complex.joints, complex.planes.size());
   return input;

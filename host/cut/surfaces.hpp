@@ -1,5 +1,5 @@
 // What cuts: the model's shapes and joints as exact planes with polygons, with the rules of intent applied (DESIGN.md,
-// "Intent is kept at the door", rules 1 to 4).
+// "Exact inside, intent outside", rules 1 to 3).
 #pragma once
 
 #include "host/cut/complex.hpp"
@@ -8,11 +8,16 @@
 
 namespace rockfold {
 
+/// Where numbers were taken for what the user meant, before anything was cut (rules 2 and 3).
+struct GivenIntent {
+  std::vector<Index> planes;  ///< that given planes coincide with, one entry for each of those
+  Index edges = 0, corners = 0;
+};
+
 struct CuttingInput {
   Complex complex;  ///< planes, origins, bodies, facets and joints; no cells yet
-  CellStore start;  ///< one box around all rock, none of whose planes is one of the model's
-  Index planes_identified = 0;
-  IntentCount intent;  ///< planes nearly coincident
+  CellStore start;  ///< one box around all rock
+  GivenIntent intent;
   std::vector<PlaneSet> plane_sets;
 };
 

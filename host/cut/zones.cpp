@@ -3,57 +3,25 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "host/cut/surface_flood.hpp"
 #include "host/parallel.hpp"
-#include "host/refuse.hpp"
 
 namespace rockfold {
 
 namespace {
 
 bool lies_inside(const CellView& cell, const Box& box, const Body& body, const PlaneTable& planes) {
-  if (!body.box.meets(box, planes.tolerance())) return false;
-  IntentCount ignored;  // counted when the faces cut
+  if (!body.box.meets(box, planes.width_tolerance())) return false;
   for (const HalfSpaceId h : body.inside)
     for (const Vertex& v : cell.vertices)
-      if (planes.side(v, plane_of(h), ignored) == (is_above(h) ? -1 : 1)) return false;
+      if (planes.side(v, plane_of(h)) == (is_above(h) ? -1 : 1)) return false;
   return true;
 }
 
-// At the entry whose surface the body is.
-[[noreturn]] void refuse_surface(const Body& body, const Model& model, const std::string& where) {
-  const bool is_solid = body.role == Body::Role::solid;
-  const Place& place = is_solid                              ? model.solids[body.owner].place
-                       : body.role == Body::Role::excavation ? model.excavations[body.owner].place
-                                                             : model.merges[body.owner].place;
-  refuse(place, place.key,
-         fmt::format("the surface does not separate inside from outside{}: it has triangles that "
-                     "nearly coincide, or that are too small beside the model",
-                     where));
-}
-
 // The bodies that hold each cell, ascending.
-std::vector<std::vector<Index>> bodies_of_cells(const Complex& complex, const CellStore& cells,
-                                                const Model& model) {
-  std::vector<std::vector<Index>> bodies(cells.size());
-  std::vector<std::vector<Index>> inside;
-  try {
-    inside = cells_inside_surfaces(complex, cells);
-  } catch (const LeakingSurface& leak) {
-    refuse_surface(
-        complex.bodies[leak.body], model,
-        fmt::format(" near ({:.6g}, {:.6g}, {:.6g})", leak.near[0], leak.near[1], leak.near[2]));
-  } catch (const std::logic_error&) {  // areas whose edges do not meet: smaller than the tolerance
-    for (const Body& body : complex.bodies)
-      if (body.inside.empty()) refuse_surface(body, model, "");
-    throw;
-  }
-  for (std::size_t b = 0; b < inside.size(); ++b)
-    for (const Index c : inside[b]) bodies[c].push_back(static_cast<Index>(b));
+std::vector<std::vector<Index>> bodies_of_cells(const Complex& complex, const CellStore& cells) {
+  std::vector<std::vector<Index>> bodies = surfaces_around_cells(complex, cells);
   parallel_for(cells.size(), 64, [&](std::int64_t c) {
     const CellView cell = cells[static_cast<Index>(c)];
     Box box;
@@ -105,7 +73,7 @@ Zone zone_of(const std::vector<Index>& bodies, const Complex& complex, const Mod
 }  // namespace
 
 ZonedCells find_zones(const Complex& complex, const CellStore& cells, const Model& model) {
-  const auto bodies = bodies_of_cells(complex, cells, model);
+  const auto bodies = bodies_of_cells(complex, cells);
   const auto named = solids_named_by_joints(complex);
   std::map<Zone, Index> number;
   std::vector<std::map<Zone, Index>::iterator> of_cell(cells.size(), number.end());

@@ -12,8 +12,7 @@ struct ZonedCells {
   std::vector<Index> cell_zone;  ///< [cells given] into zones; none = void
 };
 
-/// Each cell lies wholly inside or outside of every body. Throws Error(model) for a closed surface that does not separate
-/// inside from outside.
+/// Each cell lies wholly inside or outside of every body.
 ZonedCells find_zones(const Complex& complex, const CellStore& cells, const Model& model);
 
 }  // namespace rockfold

@@ -1,8 +1,8 @@
 // All planes of a cutting, the vertices they define, and the one predicate of the program: on which side of a
-// plane lies the meeting point of three others.
+// plane lies the meeting point of three others. It is the exact sign: a double filter with an error bound decides
+// nearly always, integer arithmetic the rest (docs/decisions/0005-exact-inside.md).
 //
-// Positions are relative to the table's centre. Exactness: a double filter with an error bound decides nearly
-// always; where it cannot, exact rational arithmetic does. Near-concurrency is concurrency (DESIGN.md, rule 5).
+// Positions are relative to the table's centre.
 #pragma once
 
 #include <array>
@@ -31,28 +31,27 @@ constexpr bool is_above(HalfSpaceId h) {
 
 /// The meeting of three planes. Its position is a function of their ids alone.
 struct Vertex {
-  std::array<Index, 3> plane{};  ///< ascending
-  float error = 0;               ///< m, bound on |x − the exact point|
-  Vec3 x{};                      ///< m, relative to the table's centre
-};
+  std::array<Index, 3> plane{};           ///< ascending
+  std::array<Index, 2> also{none, none};  ///< others that are known to pass through it
+  float error = 0;                        ///< m, bound on |x − the exact point|
+  Vec3 x{};                               ///< m, relative to the table's centre
 
-/// How well a plane is known: by numbers that stand for what the user meant, or exactly, as a plane through corners that
-/// other such planes share. Among exact planes near-concurrency is an accident, not meant.
-enum class Known { nearly, exactly };
-
-/// How often intent, not arithmetic, decided; kept by each task and added up.
-struct IntentCount {
-  Index vertices_identified = 0;
-  Index near_decisions = 0;
-  Index close_calls = 0;           ///< near decisions, between planes that are nearly parallel too
-  std::vector<Index> near_planes;  ///< planes of near decisions, with repeats
-
-  void add(const IntentCount& other);
+  bool is_on(Index p) const {
+    return p == plane[0] || p == plane[1] || p == plane[2] || p == also[0] || p == also[1];
+  }
+  /// Remembers a plane that passes through it, as far as there is room: the next question needs no arithmetic.
+  void note(Index p) {
+    if (is_on(p)) return;
+    if (also[0] == none)
+      also[0] = p;
+    else if (also[1] == none)
+      also[1] = p;
+  }
 };
 
 class PlaneTable {
  public:
-  /// `size` is the model's size L (m): tolerances are 1e-10·L.
+  /// `size` is the model's size L (m).
   PlaneTable(const Vec3& centre, Real size);
   ~PlaneTable();
   PlaneTable(PlaneTable&&) noexcept;
@@ -61,51 +60,47 @@ class PlaneTable {
   PlaneTable& operator=(const PlaneTable&) = delete;
 
   /// Adds a plane and returns its id.
-  Index add(const ExactPlane& plane, Known known = Known::nearly);
+  Index add(const ExactPlane& plane);
 
-  /// The plane that coincides with `plane` to the tolerance, on either orientation, or none. O(log n).
-  HalfSpaceId find(const ExactPlane& plane) const;
+  /// The half-space above `plane`, bounded by the plane of the table that is equal to it, or by itself, added. O(log n).
+  HalfSpaceId find_or_add(const ExactPlane& plane);
 
-  /// The half-space above `plane`, bounded by the plane that coincides with it to the tolerance, or that is turned by less than
-  /// 1e-9 and passes all of `corners` (m, about the centre) within the tolerance, or else by itself, added. What stands for
-  /// two planes that are not equal is known nearly from then on.
-  HalfSpaceId find_or_add(const ExactPlane& plane, const std::vector<Vec3>& corners,
-                          Known known = Known::nearly);
+  /// The same, but that a plane which coincides with it to 1e-10 (angle, and distance over L) counts as equal; of several the
+  /// one that was added first.
+  HalfSpaceId identify_or_add(const ExactPlane& plane);
 
-  /// The same without corners, but that two planes known exactly coincide only where they are equal.
-  HalfSpaceId find_or_add(const ExactPlane& plane, Known known = Known::nearly);
-
-  bool exactly_known(Index plane) const { return known_[plane] == Known::exactly; }
   /// −1, 0, +1: on which side of the plane the point (m, model coordinates) lies, exactly.
   int exact_side(const Vec3& x, Index plane) const;
-  /// From now on the plane stands for points that lie on it only nearly.
-  void loosen(Index plane) { known_[plane] = Known::nearly; }
-
-  /// From now on arithmetic alone decides among the planes that are in the table.
-  void know_exactly() { known_.assign(known_.size(), Known::exactly); }
-
-  /// Whether another plane is within a factor 100 of coinciding with this one. O(log n).
-  bool is_near_another(Index plane) const;
 
   Index size() const { return static_cast<Index>(normal_.size()); }
   const Vec3& normal(Index plane) const { return normal_[plane]; }  ///< unit
   Real offset(Index plane) const { return offset_[plane]; }  ///< m, n·x of the centred plane
   const Vec3& centre() const { return centre_; }
   Real model_size() const { return size_; }
-  Real tolerance() const { return tolerance_; }
+  /// m, 1e-10·L: given planes, lines and corners that are nearer are one (rules 2 and 3).
+  Real identity_tolerance() const { return 1e-10 * size_; }
+  /// m, 1e-9·L: what is narrower connects and divides nothing (rules 4 to 6).
+  Real width_tolerance() const { return 1e-9 * size_; }
 
   /// The meeting of three planes that no line is parallel to. Throws std::logic_error if they have none.
   Vertex vertex(Index p, Index q, Index r) const;
 
-  /// −1 below, 0 on, +1 above. On, too, where the four planes miss a common point by at most the tolerance,
-  /// measured by the least of their four distances (docs/decisions/0005-near-planes.md), unless all four are known exactly.
-  int side(const Vertex& vertex, Index plane, IntentCount& intent) const;
+  /// −1 below, 0 on, +1 above: exactly.
+  int side(const Vertex& vertex, Index plane) const {
+    if (vertex.is_on(plane)) return 0;
+    const Real d = distance(vertex, plane);
+    const Real error = rounding(vertex, plane);
+    return d > error ? 1 : d < -error ? -1 : exact_side(vertex, plane);
+  }
 
   /// Signed distance of a vertex from a plane in double precision, m.
-  Real distance(const Vertex& vertex, Index plane) const;
+  Real distance(const Vertex& vertex, Index plane) const {
+    const Vec3& n = normal_[plane];
+    return n[0] * vertex.x[0] + n[1] * vertex.x[1] + n[2] * vertex.x[2] - offset_[plane];
+  }
 
-  /// Volume and first moment of a convex cell from its triangulated boundary, for slivers that doubles cannot measure:
-  /// vertices rounded once to 2^-224 of the model's size, all else exact. 0 for a cell without volume.
+  /// Volume and first moment of a convex cell from its triangulated boundary, for cells so thin that doubles cannot measure
+  /// them: vertices rounded once to 2^-224 of the model's size, all else exact.
   struct ExactMoments {
     Real volume;  ///< m³
     Vec3 first;   ///< about the table's centre
@@ -115,20 +110,21 @@ class PlaneTable {
 
  private:
   struct Store;  // exact coefficients
-  template <class Visit>
-  void visit_near(const Vec3& normal, Real offset, Real times, Visit visit) const;
-  HalfSpaceId find_exactly(const ExactPlane& plane) const;
-  Real guarded_sine(const Vertex& vertex, Index s) const;
-  Real least_share(const Vertex& vertex, Index s) const;
-  Real exact_distance(const Vertex& vertex, Index plane) const;
+
+  /// Bound on what rounding does to distance(): of the unit normal (2 ε a component), of the products and of the offset.
+  Real rounding(const Vertex& vertex, Index plane) const {
+    constexpr Real eight_epsilon = 8 * 2.220446049250313e-16;
+    const auto size = [](Real a) { return a < 0 ? -a : a; };
+    return vertex.error +
+           eight_epsilon * (size(vertex.x[0]) + size(vertex.x[1]) + size(vertex.x[2]) + size(offset_[plane]));
+  }
+  int exact_side(const Vertex& vertex, Index plane) const;
   Vec3 exact_position(const std::array<Index, 3>& p) const;
 
   Vec3 centre_;
   Real size_;
-  Real tolerance_;
   std::vector<Vec3> normal_;
   std::vector<Real> offset_;
-  std::vector<Known> known_;
   std::unique_ptr<Store> store_;
 };
 

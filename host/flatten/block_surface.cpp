@@ -1,51 +1,40 @@
 #include "host/flatten/block_surface.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
-#include <stdexcept>
+#include <numeric>
+#include <tuple>
 #include <unordered_map>
 
-#include <fmt/format.h>
-
 #include "host/cut/union_find.hpp"
-#include "host/flatten/vertex_merge.hpp"
-#include "src/base/error.hpp"
+#include "host/flatten/near_vertices.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
 
 namespace {
 
-// One directed edge of an area, split at the vertices that lie on it.
-struct DirectedEdge {
-  Index from, to;  // vertices
-  Index area;
-  Index group;  // plane, side and origin
-  Vec3
-      along;  // the direction, whose length says nothing: that of the planes, since the ends may be as near as rounding
-  Index face = none;
-  bool operator<(const DirectedEdge& o) const {
-    return std::tie(group, from, to, area) < std::tie(o.group, o.from, o.to, o.area);
-  }
-};
+constexpr Real full_turn = 6.283185307179586;
+// Of the model's size: what the position of a vertex may be off by (PlaneTable::vertex).
+constexpr Real rounding = 5e-13;
 
-// Where the surface of a block does not close.
-struct NotClosed : std::logic_error {
-  NotClosed(const char* what, const Vertex& at) : std::logic_error(what), x(at.x) {}
-  Vec3 x;  // m, relative to the centre
+// One directed edge of an area, between vertices that lie next to each other on its line.
+struct DirectedEdge {
+  Index from, to;
+  Index area;
 };
 
 class SurfaceMerger {
  public:
   SurfaceMerger(const Complex& complex, const std::vector<BoundaryArea>& areas)
-      : complex_(complex), areas_(areas), area_parts_(static_cast<Index>(areas.size())) {}
+      : complex_(complex), areas_(areas), tolerance_(complex.planes.width_tolerance()) {}
 
   BlockSurface run() {
-    number_groups();
     collect_edges();
+    grow_faces();
     cancel_inner_edges();
-    number_faces();
     chain_loops();
     pair_edges();
     count_and_simplify();
@@ -55,127 +44,183 @@ class SurfaceMerger {
  private:
   struct Loop {
     std::vector<Index> vertex;  // corner k is vertex[k]; edge k runs to corner k + 1
-    std::vector<Vec3> along;    // of edge k
     Index face;
   };
   struct EdgeUse {
     Index loop, corner;
   };
 
-  HalfSpaceId inside(const BoundaryArea& a) const {
-    return complex_.cells[a.cell].faces[a.face].inside;
+  HalfSpaceId inside(Index area) const {
+    return complex_.cells[areas_[area].cell].faces[areas_[area].face].inside;
   }
-
   Vec3 outward(HalfSpaceId inside) const {
     const Vec3& n = complex_.planes.normal(plane_of(inside));
     return is_above(inside) ? -n : n;
   }
   Vec3 outward_of_face(Index face) const { return outward(surface_.faces[face].inside); }
+  const Vec3& place(Index vertex) const { return vertices_[vertex]; }
 
-  // The polygon of an area, counter-clockwise seen from outside.
-  Polygon polygon(const BoundaryArea& a) const {
-    Polygon p = a.fragment != none ? complex_.polygon_of(complex_.fragments[a.fragment])
-                                   : complex_.polygon_of(complex_.free_parts[a.free_part]);
-    if (!is_above(inside(a))) return p;
-    std::reverse(p.corner.begin(), p.corner.end());
-    // Edge i of the reversed loop runs from old corner n−1−i to old corner n−2−i: the old edge n−2−i.
-    std::reverse(p.edge.begin(), p.edge.end());
-    std::rotate(p.edge.begin(), p.edge.begin() + 1, p.edge.end());
-    return p;
-  }
-
-  void number_groups() {
-    std::map<std::pair<HalfSpaceId, Index>, Index> number;
-    for (const BoundaryArea& a : areas_) number.try_emplace({inside(a), a.origin}, 0);
-    Index n = 0;
-    for (auto& [key, id] : number) id = n++;
-    for (const BoundaryArea& a : areas_) group_.push_back(number[{inside(a), a.origin}]);
+  // The corners of an area, counter-clockwise seen from outside.
+  std::vector<Vec3> corners(Index area) const {
+    const BoundaryArea& a = areas_[area];
+    if (a.beam != none) return complex_.beams[a.beam].polygon;
+    const Polygon p = a.fragment != none ? complex_.polygon_of(complex_.fragments[a.fragment])
+                                         : complex_.polygon_of(complex_.free_parts[a.free_part]);
+    std::vector<Vec3> result;
+    for (const Vertex& v : p.corner) result.push_back(v.x);
+    if (is_above(inside(area))) std::reverse(result.begin(), result.end());
+    return result;
   }
 
   void collect_edges() {
-    struct Side {
-      Index from, to;
-      Index plane, across;
-      Vec3 along;
-      Index area;
-    };
-    std::vector<Side> sides;
-    VertexMerger merger(complex_.planes);
-    for (std::size_t i = 0; i < areas_.size(); ++i) {
-      const Polygon p = polygon(areas_[i]);
-      std::vector<Index> id;
-      for (const Vertex& v : p.corner) id.push_back(merger.add(v));
-      for (std::size_t k = 0; k < id.size(); ++k)
-        sides.push_back({id[k], id[(k + 1) % id.size()], p.plane, plane_of(p.edge[k]),
-                         cross(-outward(p.edge[k]), outward(inside(areas_[i]))),
-                         static_cast<Index>(i)});
-    }
-    vertices_ = merger.take();
-    const VertexFinder finder(complex_.planes, vertices_);
-    for (const Side& s : sides) {
-      Index from = s.from;
-      for (const Index on : finder.between(s.from, s.to, s.plane, s.across)) {
-        edges_.push_back({from, on, s.area, group_[s.area], s.along});
-        from = on;
+    VertexMerger merger(tolerance_);
+    const Real moved = rounding * complex_.planes.model_size();
+    std::vector<std::vector<Index>> loop(areas_.size());
+    for (std::size_t i = 0; i < areas_.size(); ++i)
+      for (const Vec3& x : corners(static_cast<Index>(i))) {
+        loop[i].push_back(merger.add(x));
+        if (norm(merger.vertices()[loop[i].back()] - x) > moved) ++surface_.vertices_identified;
       }
-      edges_.push_back({from, s.to, s.area, group_[s.area], s.along});
-    }
-    std::erase_if(edges_, [](const DirectedEdge& e) { return e.from == e.to; });
+    vertices_ = merger.vertices();
+    const VertexFinder finder(vertices_, tolerance_);
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      for (std::size_t k = 0; k < loop[i].size(); ++k) {
+        Index from = loop[i][k];
+        const Index to = loop[i][(k + 1) % loop[i].size()];
+        if (from == to) continue;
+        for (const Index on : finder.between(from, to)) {
+          edges_.push_back({from, on, static_cast<Index>(i)});
+          from = on;
+        }
+        edges_.push_back({from, to, static_cast<Index>(i)});
+      }
+    cancel([](const DirectedEdge& e) { return e.area; });
   }
 
-  // Edges between two areas of one group vanish and join the areas.
-  void cancel_inner_edges() {
-    std::sort(edges_.begin(), edges_.end());
-    std::vector<DirectedEdge> outer;
-    for (const DirectedEdge& e : edges_) {
-      const auto twin = std::lower_bound(edges_.begin(), edges_.end(),
-                                         DirectedEdge{e.to, e.from, none, e.group, {}});
-      if (twin != edges_.end() && twin->group == e.group && twin->from == e.to &&
-          twin->to == e.from)
-        area_parts_.join(e.area, twin->area);
-      else
-        outer.push_back(e);
+  // Takes away edges that something runs along in both senses: strips vanish, and faces become whole.
+  template <class Owner>
+  void cancel(const Owner& owner) {
+    const auto key = [&](const DirectedEdge& e) {
+      return std::tuple{owner(e), std::min(e.from, e.to), std::max(e.from, e.to), e.from > e.to, e.area};
+    };
+    std::sort(edges_.begin(), edges_.end(),
+              [&](const DirectedEdge& a, const DirectedEdge& b) { return key(a) < key(b); });
+    std::vector<DirectedEdge> left;
+    for (auto begin = edges_.begin(); begin != edges_.end();) {
+      const auto same = [&](const DirectedEdge& e) {
+        return owner(e) == owner(*begin) && std::minmax(e.from, e.to) == std::minmax(begin->from, begin->to);
+      };
+      const auto end = std::find_if_not(begin, edges_.end(), same);
+      const auto turn = std::find_if(begin, end, [](const auto& e) { return e.from > e.to; });
+      const auto up = turn - begin, down = end - turn, pairs = std::min(up, down);
+      left.insert(left.end(), begin + pairs, turn);
+      left.insert(left.end(), turn + pairs, end);
+      begin = end;
     }
-    edges_ = std::move(outer);
+    edges_ = std::move(left);
   }
 
-  void number_faces() {
-    std::map<std::pair<Index, Index>, Index> number;  // group, smallest area → face
-    for (Index i = 0; i < static_cast<Index>(areas_.size()); ++i)
-      number.try_emplace({group_[i], area_parts_.find(i)}, 0);
-    Index n = 0;
-    for (auto& [key, id] : number) id = n++;
-    surface_.faces.resize(n);
-    for (Index i = 0; i < static_cast<Index>(areas_.size()); ++i) {
-      const Index f = number[{group_[i], area_parts_.find(i)}];
-      const BoundaryArea& a = areas_[i];
-      surface_.face_of_area.push_back(f);
-      surface_.faces[f].inside = inside(a);
-      surface_.faces[f].origin = a.origin;
-      surface_.faces[f].area += a.fragment != none ? complex_.fragments[a.fragment].area
-                                                   : complex_.free_parts[a.free_part].area;
-    }
-    for (DirectedEdge& e : edges_) e.face = surface_.face_of_area[e.area];
-    std::sort(edges_.begin(), edges_.end(), [](const DirectedEdge& a, const DirectedEdge& b) {
-      return std::tie(a.face, a.from, a.to) < std::tie(b.face, b.from, b.to);
+  bool lies_on(Index area, HalfSpaceId plane) const {
+    if (inside(area) == plane) return true;
+    if (!(dot(outward(inside(area)), outward(plane)) > 0)) return false;
+    const Vec3& n = complex_.planes.normal(plane_of(plane));
+    const Real offset = complex_.planes.offset(plane_of(plane));
+    const auto [first, last] = edges_of_area_[area];
+    return std::all_of(edges_.begin() + first, edges_.begin() + last, [&](const DirectedEdge& e) {
+      return std::abs(dot(n, place(e.from)) - offset) < tolerance_;
     });
   }
 
-  // Follows the edges of each face; where several leave a vertex, the one that bounds the same corner of the face: the
-  // first clockwise from the edge that came in.
+  // Areas of one origin that meet in an edge are one face, as far as they lie on the plane of the largest, to the tolerance.
+  void grow_faces() {
+    const auto count = static_cast<Index>(areas_.size());
+    edges_of_area_.assign(count, {0, 0});
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      auto& [first, last] = edges_of_area_[edges_[i].area];
+      if (last == 0) first = static_cast<std::ptrdiff_t>(i);
+      last = static_cast<std::ptrdiff_t>(i) + 1;
+    }
+    std::vector<std::size_t> by_ends(edges_.size());
+    std::iota(by_ends.begin(), by_ends.end(), std::size_t{0});
+    const auto ends = [&](std::size_t i) { return std::pair{edges_[i].from, edges_[i].to}; };
+    std::sort(by_ends.begin(), by_ends.end(),
+              [&](std::size_t a, std::size_t b) { return std::pair{ends(a), a} < std::pair{ends(b), b}; });
+    std::vector<Index> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return areas_[a].area > areas_[b].area; });
+
+    face_of_.assign(count, none);
+    std::vector<Index> open;
+    for (const Index seed : order) {
+      if (face_of_[seed] != none || edges_of_area_[seed].second == 0) continue;
+      const auto face = static_cast<Index>(surface_.faces.size());
+      surface_.faces.push_back({inside(seed), areas_[seed].origin, 0});
+      open.assign(1, seed);
+      face_of_[seed] = face;
+      while (!open.empty()) {
+        const Index area = open.back();
+        open.pop_back();
+        surface_.faces[face].area += areas_[area].area;
+        for (auto i = edges_of_area_[area].first; i < edges_of_area_[area].second; ++i) {
+          const std::pair back{edges_[i].to, edges_[i].from};
+          auto it = std::lower_bound(by_ends.begin(), by_ends.end(), back,
+                                     [&](std::size_t e, const auto& wanted) { return ends(e) < wanted; });
+          for (; it != by_ends.end() && ends(*it) == back; ++it) {
+            const Index next = edges_[*it].area;
+            if (face_of_[next] != none || areas_[next].origin != areas_[seed].origin ||
+                !lies_on(next, inside(seed)))
+              continue;
+            face_of_[next] = face;
+            open.push_back(next);
+          }
+        }
+      }
+    }
+  }
+
+  // Faces in the order of their planes, sides and origins. Those of which nothing is left are none.
+  void cancel_inner_edges() {
+    cancel([&](const DirectedEdge& e) { return face_of_[e.area]; });
+    std::vector<Index> smallest(surface_.faces.size(), none);
+    for (const DirectedEdge& e : edges_) {
+      Index& area = smallest[face_of_[e.area]];
+      area = area == none ? e.area : std::min(area, e.area);
+    }
+    std::vector<Index> order;
+    for (std::size_t f = 0; f < smallest.size(); ++f)
+      if (smallest[f] != none) order.push_back(static_cast<Index>(f));
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+      const auto &x = surface_.faces[a], &y = surface_.faces[b];
+      return std::tie(x.inside, x.origin, smallest[a]) < std::tie(y.inside, y.origin, smallest[b]);
+    });
+    std::vector<Index> number(surface_.faces.size(), none);
+    std::vector<BlockSurface::Face> faces;
+    for (const Index f : order) {
+      number[f] = static_cast<Index>(faces.size());
+      faces.push_back(surface_.faces[f]);
+    }
+    surface_.faces = std::move(faces);
+    for (Index& f : face_of_)
+      if (f != none) f = number[f];
+    surface_.face_of_area = face_of_;
+    std::sort(edges_.begin(), edges_.end(), [&](const DirectedEdge& a, const DirectedEdge& b) {
+      return std::tuple{face_of_[a.area], a.from, a.to, a.area} <
+             std::tuple{face_of_[b.area], b.from, b.to, b.area};
+    });
+  }
+
+  // Follows the edges of each face, as many of which enter a vertex as leave it; where several leave, the one that bounds the
+  // same corner of the face: the first clockwise from the edge that came in.
   void chain_loops() {
     std::vector<bool> used(edges_.size(), false);
     for (std::size_t start = 0; start < edges_.size(); ++start) {
       if (used[start]) continue;
-      Loop loop{{}, {}, edges_[start].face};
-      std::size_t e = start;
-      do {
+      Loop loop{{}, face_of_[edges_[start].area]};
+      for (std::size_t e = start; !used[e]; e = next_edge(e, used, start)) {
         used[e] = true;
         loop.vertex.push_back(edges_[e].from);
-        loop.along.push_back(edges_[e].along);
-        e = next_edge(e);
-      } while (e != start && !used[e]);
-      if (e != start) throw NotClosed("the edges of a face do not close", vertices_[edges_[e].to]);
+      }
       loops_.push_back(std::move(loop));
     }
     // The outer loop first: the one of largest area.
@@ -184,71 +229,70 @@ class SurfaceMerger {
     });
   }
 
-  std::size_t next_edge(std::size_t e) const {
-    const Index face = edges_[e].face, at = edges_[e].to;
+  std::size_t next_edge(std::size_t e, const std::vector<bool>& used, std::size_t start) const {
+    const Index face = face_of_[edges_[e].area], at = edges_[e].to;
     auto it = std::lower_bound(edges_.begin(), edges_.end(), std::pair{face, at},
-                               [](const DirectedEdge& d, const std::pair<Index, Index>& key) {
-                                 return std::pair{d.face, d.from} < key;
+                               [&](const DirectedEdge& d, const std::pair<Index, Index>& key) {
+                                 return std::pair{face_of_[d.area], d.from} < key;
                                });
-    if (it == edges_.end() || it->face != face || it->from != at)
-      throw NotClosed("the edges of a face end", vertices_[at]);
-    auto best = it;
-    Real best_angle = 7;
-    for (; it != edges_.end() && it->face == face && it->from == at; ++it) {
-      const Real angle = clockwise_angle(-edges_[e].along, it->along, outward_of_face(face));
-      if (angle < best_angle) best_angle = angle, best = it;
+    const Vec3 back = place(edges_[e].from) - place(at);
+    std::size_t best = start;
+    Real best_angle = full_turn + 1;
+    for (; it != edges_.end() && face_of_[it->area] == face && it->from == at; ++it) {
+      const auto i = static_cast<std::size_t>(it - edges_.begin());
+      if (used[i] && i != start) continue;
+      const Real angle = clockwise_angle(back, place(it->to) - place(at), outward_of_face(face));
+      if (angle < best_angle) best_angle = angle, best = i;
     }
-    return static_cast<std::size_t>(best - edges_.begin());
+    return best;
   }
 
   // From direction a turning clockwise (seen against n) to b, in (0, 2π].
   static Real clockwise_angle(const Vec3& a, const Vec3& b, const Vec3& n) {
     const Real angle = std::atan2(dot(n, cross(b, a)), dot(a, b));
-    return angle > 1e-12 ? angle : angle + 6.283185307179586;
+    return angle > 1e-12 ? angle : angle + full_turn;
   }
 
   Real loop_area(const Loop& loop) const {
     const Vec3 n = outward_of_face(loop.face);
-    const Vec3 o = vertices_[loop.vertex.front()].x;
+    const Vec3 o = place(loop.vertex.front());
     Real area = 0;
     for (std::size_t k = 1; k + 1 < loop.vertex.size(); ++k)
-      area += dot(n, cross(vertices_[loop.vertex[k]].x - o, vertices_[loop.vertex[k + 1]].x - o));
+      area += dot(n, cross(place(loop.vertex[k]) - o, place(loop.vertex[k + 1]) - o));
     return area / 2;
+  }
+
+  Index start_of(const EdgeUse& u) const { return loops_[u.loop].vertex[u.corner]; }
+  Index end_of(const EdgeUse& u) const {
+    const auto& vertex = loops_[u.loop].vertex;
+    return vertex[(u.corner + 1) % vertex.size()];
   }
 
   // Pairs the two uses of each edge. Where four or more faces meet along an edge, those that enclose rock belong together.
   void pair_edges() {
-    struct Use {
-      std::pair<Index, Index> ends;
-      EdgeUse use;
-    };
-    std::vector<Use> uses;
+    std::vector<EdgeUse> uses;
     uses.reserve(edges_.size());
     for (std::size_t l = 0; l < loops_.size(); ++l)
-      for (std::size_t k = 0; k < loops_[l].vertex.size(); ++k) {
-        const Index a = loops_[l].vertex[k],
-                    b = loops_[l].vertex[(k + 1) % loops_[l].vertex.size()];
-        uses.push_back({std::minmax(a, b), {static_cast<Index>(l), static_cast<Index>(k)}});
-      }
+      for (std::size_t k = 0; k < loops_[l].vertex.size(); ++k)
+        uses.push_back({static_cast<Index>(l), static_cast<Index>(k)});
+    const auto ends = [&](const EdgeUse& u) { return std::minmax({start_of(u), end_of(u)}); };
     std::stable_sort(uses.begin(), uses.end(),
-                     [](const Use& x, const Use& y) { return x.ends < y.ends; });
+                     [&](const EdgeUse& x, const EdgeUse& y) { return ends(x) < ends(y); });
     std::vector<EdgeUse> list;
     for (auto begin = uses.begin(); begin != uses.end();) {
-      const auto ends = begin->ends;
       list.clear();
-      for (; begin != uses.end() && begin->ends == ends; ++begin) list.push_back(begin->use);
-      if (list.size() % 2 != 0)
-        throw NotClosed("an edge has an odd number of faces", vertices_[ends.first]);
-      if (list.size() > 2) sort_around(ends.first, list);
-      for (std::size_t i = 0; i < list.size(); i += 2) pairs_.emplace_back(list[i], list[i + 1]);
+      const auto of = ends(*begin);
+      for (; begin != uses.end() && ends(*begin) == of; ++begin) list.push_back(*begin);
+      if (list.size() > 2) sort_around(of.first, list);
+      for (std::size_t i = 0; i + 1 < list.size(); i += 2) pairs_.emplace_back(list[i], list[i + 1]);
+      unpaired_ += static_cast<Index>(list.size() % 2);
     }
   }
 
   // Orders the uses by angle about the edge so that 0–1, 2–3, … enclose rock.
   void sort_around(Index a, std::vector<EdgeUse>& list) const {
-    const Loop& first = loops_[list.front().loop];
-    const Vec3 along = normalized(first.along[list.front().corner]);
-    const Vec3 axis = first.vertex[list.front().corner] == a ? along : -along;
+    const Vec3 along = normalized(place(end_of(list.front())) - place(start_of(list.front())));
+    const Vec3 axis = start_of(list.front()) == a ? along : -along;
     struct Placed {
       Real angle;
       bool rock_follows;  // turning counter-clockwise about the axis enters rock
@@ -258,11 +302,11 @@ class SurfaceMerger {
     Vec3 zero{};
     for (const EdgeUse& u : list) {
       const Vec3 n = outward_of_face(loops_[u.loop].face);
-      const bool forward = loops_[u.loop].vertex[u.corner] == a;
+      const bool forward = start_of(u) == a;
       const Vec3 into_face = cross(n, forward ? axis : -axis);
       if (placed.empty()) zero = into_face;
       const Real angle = std::atan2(dot(axis, cross(zero, into_face)), dot(zero, into_face));
-      placed.push_back({angle < -1e-12 ? angle + 6.283185307179586 : angle,
+      placed.push_back({angle < -1e-12 ? angle + full_turn : angle,
                         dot(cross(axis, into_face), n) < 0, u});
     }
     std::sort(placed.begin(), placed.end(), [](const Placed& x, const Placed& y) {
@@ -272,55 +316,53 @@ class SurfaceMerger {
     for (std::size_t i = 0; i < list.size(); ++i) list[i] = placed[i].use;
   }
 
-  struct CornerNumbers {
-    std::vector<Index> begin;  // first corner of each loop
-    Index of(Index loop, Index corner, Index size) const { return begin[loop] + corner % size; }
-  };
-
   void count_and_simplify() {
-    CornerNumbers number;
+    std::vector<Index> first_corner;  // of each loop
     Index corners = 0;
     for (const Loop& l : loops_) {
-      number.begin.push_back(corners);
+      first_corner.push_back(corners);
       corners += static_cast<Index>(l.vertex.size());
     }
+    const auto number = [&](const EdgeUse& u, Index shift) {
+      return first_corner[u.loop] +
+             (u.corner + shift) % static_cast<Index>(loops_[u.loop].vertex.size());
+    };
     // Corners of different faces that an edge joins at either end are one vertex of the surface.
     UnionFind vertex_parts(corners), shells(static_cast<Index>(surface_.faces.size()));
     for (const auto& [one, two] : pairs_) {
-      const Loop &l1 = loops_[one.loop], &l2 = loops_[two.loop];
-      const auto n1 = static_cast<Index>(l1.vertex.size()),
-                 n2 = static_cast<Index>(l2.vertex.size());
-      const Index a1 = number.of(one.loop, one.corner, n1),
-                  b1 = number.of(one.loop, one.corner + 1, n1);
-      const Index a2 = number.of(two.loop, two.corner, n2),
-                  b2 = number.of(two.loop, two.corner + 1, n2);
-      vertex_parts.join(a1, b2);
-      vertex_parts.join(b1, a2);
-      shells.join(l1.face, l2.face);
+      const bool opposite = start_of(one) == end_of(two);
+      vertex_parts.join(number(one, 0), number(two, opposite ? 1 : 0));
+      vertex_parts.join(number(one, 1), number(two, opposite ? 0 : 1));
+      shells.join(loops_[one.loop].face, loops_[two.loop].face);
       surface_.convex = surface_.convex && is_convex(one, two);
     }
     const std::vector<Index> vertex_of = vertex_parts.components();
     const Index vertex_count =
         corners == 0 ? 0 : 1 + *std::max_element(vertex_of.begin(), vertex_of.end());
     const auto shell_of = shells.components();
-    surface_.shell_count = 1 + *std::max_element(shell_of.begin(), shell_of.end());
-    const auto euler = static_cast<Index>(vertex_count) - static_cast<Index>(pairs_.size()) +
-                       2 * static_cast<Index>(surface_.faces.size()) -
-                       static_cast<Index>(loops_.size());
-    surface_.genus = surface_.shell_count - euler / 2;
+    surface_.shell_count =
+        shell_of.empty() ? 1 : 1 + *std::max_element(shell_of.begin(), shell_of.end());
+    const auto edges = static_cast<Index>(pairs_.size()) + unpaired_;
+    const Index euler = vertex_count - edges + 2 * static_cast<Index>(surface_.faces.size()) -
+                        static_cast<Index>(loops_.size());
+    surface_.genus = std::max<Index>(0, surface_.shell_count - euler / 2);
     surface_.convex = surface_.convex && surface_.shell_count == 1 && surface_.genus == 0;
     const std::vector<bool> straight = straight_vertices(vertex_of, vertex_count);
-    surface_.edge_count = static_cast<Index>(pairs_.size()) -
-                          static_cast<Index>(std::count(straight.begin(), straight.end(), true));
+    surface_.edge_count =
+        edges - static_cast<Index>(std::count(straight.begin(), straight.end(), true));
     write(vertex_of, straight);
   }
 
+  // A hollow between two faces that is no deeper than the tolerance is none.
   bool is_convex(const EdgeUse& one, const EdgeUse& two) const {
     const Loop &l1 = loops_[one.loop], &l2 = loops_[two.loop];
-    const HalfSpaceId h1 = surface_.faces[l1.face].inside, h2 = surface_.faces[l2.face].inside;
-    if (h1 == h2) return true;
-    if (plane_of(h1) == plane_of(h2)) return false;
-    return dot(cross(outward_of_face(l1.face), outward_of_face(l2.face)), l1.along[one.corner]) > 0;
+    const Vec3 n = outward_of_face(l1.face);
+    const Vec3 along = place(end_of(one)) - place(start_of(one));
+    if (dot(cross(n, outward_of_face(l2.face)), along) > 0) return true;
+    const Vec3& o = place(l1.vertex.front());
+    if (dot(n, outward_of_face(l2.face)) < 0) return false;
+    return std::all_of(l2.vertex.begin(), l2.vertex.end(),
+                       [&](Index v) { return dot(n, place(v) - o) < tolerance_; });
   }
 
   // Vertices in the middle of a straight edge between the same two faces are none.
@@ -331,10 +373,11 @@ class SurfaceMerger {
     for (const Loop& l : loops_) {
       const std::size_t n = l.vertex.size();
       for (std::size_t k = 0; k < n; ++k, ++c) {
-        const Vec3 a = vertices_[l.vertex[k]].x - vertices_[l.vertex[(k + n - 1) % n]].x;
-        const Vec3 b = vertices_[l.vertex[(k + 1) % n]].x - vertices_[l.vertex[k]].x;
+        const Vec3 a = place(l.vertex[k]) - place(l.vertex[(k + n - 1) % n]);
+        const Vec3 b = place(l.vertex[(k + 1) % n]) - place(l.vertex[k]);
         ++corners[vertex_of[c]];
-        if (norm(cross(a, b)) > 1e-7 * norm(a) * norm(b)) straight[vertex_of[c]] = false;
+        if (norm(cross(a, b)) > tolerance_ * norm(a + b) || !(dot(a, b) > 0))
+          straight[vertex_of[c]] = false;
       }
     }
     for (Index v = 0; v < count; ++v) straight[v] = straight[v] && corners[v] == 2;
@@ -353,39 +396,32 @@ class SurfaceMerger {
         if (straight[of_surface]) continue;
         const auto [it, fresh] =
             number.try_emplace(of_surface, static_cast<Index>(surface_.vertices.size()));
-        if (fresh) surface_.vertices.push_back(vertices_[v].x);
+        if (fresh) surface_.vertices.push_back(place(v));
         surface_.corner_vertex.push_back(it->second);
       }
       surface_.corner_begin.push_back(static_cast<Index>(surface_.corner_vertex.size()));
     }
-    surface_.loop_begin.push_back(static_cast<Index>(surface_.corner_begin.size()) - 1);
+    while (face < static_cast<Index>(surface_.faces.size()))
+      surface_.loop_begin.push_back(static_cast<Index>(surface_.corner_begin.size()) - 1), ++face;
   }
 
   const Complex& complex_;
   const std::vector<BoundaryArea>& areas_;
-  UnionFind area_parts_;
-  std::vector<Index> group_;  // of each area
-  std::vector<Vertex> vertices_;
+  const Real tolerance_;
+  std::vector<Vec3> vertices_;
   std::vector<DirectedEdge> edges_;
+  std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> edges_of_area_;  // while they are sorted so
+  std::vector<Index> face_of_;                                           // [areas]
   std::vector<Loop> loops_;
   std::vector<std::pair<EdgeUse, EdgeUse>> pairs_;
+  Index unpaired_ = 0;
   BlockSurface surface_;
 };
 
 }  // namespace
 
 BlockSurface make_block_surface(const Complex& complex, const std::vector<BoundaryArea>& areas) {
-  try {
-    return SurfaceMerger(complex, areas).run();
-  } catch (const NotClosed& error) {
-    const Vec3 x = error.x + complex.planes.centre();
-    throw Error(
-        ErrorKind::analysis,
-        fmt::format(
-            "the surface of a block does not close at ({:.9g}, {:.9g}, {:.9g}): {}; planes that "
-            "nearly coincide there are neither one plane nor clearly two",
-            x[0], x[1], x[2], error.what()));
-  }
+  return SurfaceMerger(complex, areas).run();
 }
 
 }  // namespace rockfold

@@ -1,5 +1,5 @@
-// The surface of one block: the free and joint areas of its cells merged into faces with holes, with exact counts of
-// vertices and edges, shells and genus.
+// The surface of one block as it is shown: the outer areas of its wide cells merged into faces with holes, vertices nearer than
+// the tolerance made one, faces narrower than it left out; with counts of vertices and edges, shells and genus of that.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace rockfold {
 
-/// A convex area of a block's boundary.
+/// A convex area of a block's boundary: of a fragment, a free part or a beam.
 struct BoundaryArea {
   Index cell = none, face = none;  ///< of the complex
   Index origin = none;             ///< into Complex::origins
-  Index fragment = none;           ///< into Complex::fragments, or none
-  Index free_part = none;          ///< into Complex::free_parts, or none
+  Real area = 0;                   ///< m²
+  Index fragment = none, free_part = none, beam = none;  ///< into the complex; one of them
 };
 
 /// Faces, loops, corners and vertices as in BlockArrays, numbered from 0 within the block.
@@ -28,11 +28,12 @@ struct BlockSurface {
   std::vector<Index> corner_begin{0};  ///< [loops + 1]
   std::vector<Index> corner_vertex;
   std::vector<Vec3> vertices;       ///< m, about the table's centre
-  std::vector<Index> face_of_area;  ///< [areas given] the face that each became part of
+  std::vector<Index> face_of_area;  ///< [areas given] the face that each became part of; none = narrower than the tolerance
   Index edge_count = 0;
   Index shell_count = 0;
   Index genus = 0;
   bool convex = true;
+  Index vertices_identified = 0;  ///< that differ by more than rounding from the one that they became
 };
 
 /// Merges the areas of one block. O(n^5/3) at worst in the number of vertices, n log n where they are spread.

@@ -44,7 +44,7 @@ void add_block(const Complex& complex, const Model& model, Index b, std::span<co
   }
   out.volume[b] = volume;
   out.mass[b] = mass;
-  out.stage[b] = complex.zone(cells.back()).stage;  // one for all cells of a block
+  out.stage[b] = complex.block_stage[b];
   out.centroid[b] = (1 / volume) * first + complex.planes.centre();
   out.material[b] =
       std::max_element(shares.begin(), shares.end(), [](const Share& x, const Share& y) {
@@ -60,9 +60,7 @@ std::vector<Index> dangling_fragments(const Complex& complex) {
   parallel_for(chunks, 1, [&](std::int64_t k) {
     const auto begin = static_cast<Index>(k * fragment_chunk);
     for (Index i = begin; i < std::min(begin + fragment_chunk, count); ++i) {
-      const Fragment& f = complex.fragments[i];
-      if (f.joint != none && complex.cell_block[f.cell[0]] == complex.cell_block[f.cell[1]])
-        found[k].push_back(i);
+      if (complex.fragments[i].dead_end) found[k].push_back(i);
     }
   });
   std::vector<Index> all;

@@ -1,7 +1,9 @@
 #include "host/flatten/flatten.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -45,6 +47,7 @@ class SurfaceWriter {
         order_(order),
         out_(out),
         sides_(2 * static_cast<Index>(complex.fragments.size())),
+        before_beams_(sides_ + static_cast<Index>(complex.free_parts.size())),
         chunks_((complex.block_count + chunk - 1) / chunk) {}
 
   void run() {
@@ -81,50 +84,90 @@ class SurfaceWriter {
     });
   }
 
-  // The boundary areas of each block: the sides of joint fragments with another block behind them, then free parts.
-  // Items are numbered so: fragment i has the sides 2 i and 2 i + 1.
+  // The areas of wide cells that bound each block. Items are numbered so: fragment i has the sides 2 i and 2 i + 1, then come
+  // the free parts, then the beams, which stand for what is between wide cells and slivers.
   void group_areas() {
+    find_returns();
+    areas_ = group_items(before_beams_ + static_cast<Index>(complex_.beams.size()),
+                         complex_.block_count, [&](Index i) { return rank_of_item(i); });
+  }
+
+  Index rank_of_item(Index i) const {
     const auto& rank = order_.rank_of_cell;
-    const auto rank_of_item = [&](Index i) {
-      if (i >= sides_) return rank[complex_.free_parts[i - sides_].cell];
+    if (i < sides_) {
       const Fragment& f = complex_.fragments[i / 2];
-      if (f.joint == none || rank[f.cell[0]] == rank[f.cell[1]]) return none;
+      if (f.joint == none || rank[f.cell[0]] == rank[f.cell[1]] || complex_.touches_sliver(f))
+        return none;
       return rank[f.cell[i % 2]];
-    };
-    areas_ = group_items(sides_ + static_cast<Index>(complex_.free_parts.size()),
-                         complex_.block_count, rank_of_item);
+    }
+    if (i < before_beams_) {
+      const FreePart& f = complex_.free_parts[i - sides_];
+      return complex_.is_sliver[f.cell] != 0 || f.gap != none ? none : rank[f.cell];
+    }
+    const Beam& b = complex_.beams[i - before_beams_];
+    const bool ends_in_rock = b.cell[1] != none;
+    if (ends_in_rock ? b.joint == none || rank[b.cell[0]] == rank[b.cell[1]] : b.origin == none)
+      return none;
+    return rank[b.cell[0]];
   }
 
   void find_areas(Index rank, std::vector<BoundaryArea>& areas) const {
     areas.clear();
     for (const Index i : areas_[rank]) {
+      BoundaryArea a;
       if (i < sides_) {
         const Fragment& f = complex_.fragments[i / 2];
-        areas.push_back({f.cell[i % 2], f.face[i % 2], f.joint, i / 2, none});
-      } else {
+        a = {f.cell[i % 2], f.face[i % 2], f.joint, f.area, i / 2, none, none};
+      } else if (i < before_beams_) {
         const FreePart& f = complex_.free_parts[i - sides_];
-        areas.push_back({f.cell, f.face, f.origin, none, i - sides_});
+        a = {f.cell, f.face, f.origin, f.area, none, i - sides_, none};
+      } else {
+        const Beam& b = complex_.beams[i - before_beams_];
+        a = {b.cell[0], b.face[0],           b.cell[1] == none ? b.origin : b.joint,
+             b.area,    none, none, i - before_beams_};
       }
+      areas.push_back(a);
     }
+  }
+
+  // For each beam the largest that comes back from the face where it ends.
+  void find_returns() {
+    const auto key = [&](Index b, int from) {
+      const Beam& beam = complex_.beams[b];
+      return std::array{beam.cell[from], beam.face[from], beam.cell[1 - from], beam.face[1 - from]};
+    };
+    std::map<std::array<Index, 4>, Index> largest;
+    for (Index b = 0; b < static_cast<Index>(complex_.beams.size()); ++b) {
+      if (complex_.beams[b].cell[1] == none) continue;
+      const auto [at, fresh] = largest.try_emplace(key(b, 0), b);
+      if (!fresh && complex_.beams[b].area > complex_.beams[at->second].area) at->second = b;
+    }
+    return_of_.assign(complex_.beams.size(), none);
+    for (Index b = 0; b < static_cast<Index>(complex_.beams.size()); ++b)
+      if (complex_.beams[b].cell[1] != none)
+        if (const auto at = largest.find(key(b, 1)); at != largest.end()) return_of_[b] = at->second;
   }
 
   void measure() {
     begin_.resize(complex_.block_count + 1);
     kept_.resize(chunks_);
+    std::vector<Index> identified(chunks_, 0);
     for_each_chunk([&](Index k, Index begin, Index end) {
       std::vector<BoundaryArea> areas;
       std::vector<Index> workspace;
       for (Index r = begin; r < end; ++r) {
         SurfaceSize& size = begin_[order_.block[r] + 1];
         find_areas(r, areas);
-        if (is_plain_cell(complex_, areas, workspace)) {
+        if (is_plain_cell(complex_, order_.cells_of_block[order_.block[r]], areas, workspace)) {
           size = size_of(complex_.cells[areas.front().cell]);
         } else {
           kept_[k].push_back({r, make_block_surface(complex_, areas)});
+          identified[k] += kept_[k].back().surface.vertices_identified;
           size = size_of(kept_[k].back().surface);
         }
       }
     });
+    out_.vertices_identified = std::accumulate(identified.begin(), identified.end(), Index{0});
     for (Index b = 0; b < complex_.block_count; ++b) {
       SurfaceSize& next = begin_[b + 1];
       next.faces += begin_[b].faces;
@@ -147,7 +190,7 @@ class SurfaceWriter {
         [&] { out_.face_plane.resize(all.faces); },
         [&] { out_.loop_begin.resize(all.faces + 1); },
         [&] { out_.corner_begin.resize(all.loops + 1); },
-        [&] { face_of_side_.resize(sides_, none); },
+        [&] { face_of_item_.resize(before_beams_ + complex_.beams.size(), none); },
         [&] {
           out_.face_up.resize(all.faces);
           for (auto* array : {&out_.edge_count, &out_.shell_count, &out_.genus})
@@ -190,8 +233,8 @@ class SurfaceWriter {
       out_.vertex[at.vertices + i] = s.vertices[i] + complex_.planes.centre();
     write_counts(b, s.edge_count, s.shell_count, s.genus, s.convex, finite);
     const auto items = areas_[rank];
-    for (std::size_t i = 0; i < items.size() && items[i] < sides_; ++i)
-      face_of_side_[items[i]] = at.faces + s.face_of_area[i];
+    for (std::size_t i = 0; i < items.size(); ++i)
+      if (s.face_of_area[i] != none) face_of_item_[items[i]] = at.faces + s.face_of_area[i];
   }
 
   // A plain cell, from where it lies to where it belongs.
@@ -202,15 +245,14 @@ class SurfaceWriter {
     const auto items = areas_[rank];
     for (std::size_t i = 0; i < items.size(); ++i) {
       out_.face_origin[at.faces + areas[i].face] = areas[i].origin;
-      if (items[i] < sides_) face_of_side_[items[i]] = at.faces + areas[i].face;
+      face_of_item_[items[i]] = at.faces + areas[i].face;
     }
     bool finite = true;
     Index corner = at.corners;
     for (std::size_t f = 0; f < cell.faces.size(); ++f) {
       const auto& face = cell.faces[f];
       const Index number = at.faces + static_cast<Index>(f);
-      Index origin = out_.face_origin[number];
-      if (origin == none) origin = origin_of_thin_face(complex_, face);
+      const Index origin = out_.face_origin[number];
       write_face(number, {face.inside, origin, area_from_above(cell, face)});
       finite = finite && !complex_.origins[origin].continues;
       for (const auto& of_face : cell.corners.subspan(face.begin, face.count))
@@ -273,11 +315,20 @@ class SurfaceWriter {
     contacts.clear();
     const Index b = order_.block[rank];
     for (const Index i : areas_[rank]) {
-      if (i >= sides_) break;
-      const Fragment& f = complex_.fragments[i / 2];
-      const Index other = i ^ 1, behind = complex_.cell_block[f.cell[other % 2]];
-      if (behind < b) continue;
-      contacts.push_back({{{b, behind}, {face_of_side_[i], face_of_side_[other]}, f.area}, i / 2});
+      Index other = none, cell = none;
+      Real area = 0;
+      if (i < sides_) {
+        const Fragment& f = complex_.fragments[i / 2];
+        other = i ^ 1, cell = f.cell[other % 2], area = f.area;
+      } else if (i >= before_beams_ && return_of_[i - before_beams_] != none) {
+        const Beam& beam = complex_.beams[i - before_beams_];
+        other = before_beams_ + return_of_[i - before_beams_], cell = beam.cell[1], area = beam.area;
+      }
+      if (other == none || complex_.cell_block[cell] < b || face_of_item_[i] == none ||
+          face_of_item_[other] == none)
+        continue;
+      contacts.push_back(
+          {{{b, complex_.cell_block[cell]}, {face_of_item_[i], face_of_item_[other]}, area}, i / 2});
     }
     std::sort(contacts.begin(), contacts.end());
   }
@@ -285,11 +336,12 @@ class SurfaceWriter {
   const Complex& complex_;
   const BlockOrder& order_;
   BlockArrays& out_;
-  const Index sides_, chunks_;
+  const Index sides_, before_beams_, chunks_;
   Grouping areas_;                              // by rank
   std::vector<SurfaceSize> begin_;              // [blocks + 1]
   std::vector<std::vector<KeptSurface>> kept_;  // [chunks] by rank
-  std::vector<Index> face_of_side_;             // [sides] of all faces; none = on no surface
+  std::vector<Index> face_of_item_;             // of all faces; none = on no surface
+  std::vector<Index> return_of_;                // [beams]
 };
 
 }  // namespace

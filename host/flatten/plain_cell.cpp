@@ -4,24 +4,39 @@
 
 namespace rockfold {
 
-bool is_plain_cell(const Complex& complex, const std::vector<BoundaryArea>& areas,
+namespace {
+
+// A convex polygon is at least as wide as its area over its circumference.
+bool is_narrow(const CellView& cell, const ConvexCell::Face& face, Real tolerance) {
+  Real around = 0;
+  for (std::int32_t k = 0; k < face.count; ++k) {
+    const Vec3& a = cell.vertices[cell.corners[face.begin + k].vertex].x;
+    const Vec3& b =
+        cell.vertices[cell.corners[face.begin + (k + 1 < face.count ? k + 1 : 0)].vertex].x;
+    const Real length = norm(b - a);
+    if (length < 2 * tolerance) return true;
+    around += length;
+  }
+  return area_from_above(cell, face) < 2 * tolerance * around;
+}
+
+}  // namespace
+
+bool is_plain_cell(const Complex& complex, Index cells, const std::vector<BoundaryArea>& areas,
                    std::vector<Index>& workspace) {
+  if (cells != 1 || areas.empty()) return false;
   const CellView cell = complex.cells[areas.front().cell];
   std::vector<Index>& origin = workspace;  // of each face
   origin.assign(cell.faces.size(), none);
   for (const BoundaryArea& a : areas) {
-    if (a.cell != areas.front().cell || (origin[a.face] != none && origin[a.face] != a.origin))
-      return false;
+    if (origin[a.face] != none && origin[a.face] != a.origin) return false;
     origin[a.face] = a.origin;
   }
   for (std::size_t f = 0; f < origin.size(); ++f)
-    if (origin[f] == none && origin_of_thin_face(complex, cell.faces[f]) == none) return false;
+    if (origin[f] == none ||
+        is_narrow(cell, cell.faces[f], complex.planes.width_tolerance()))
+      return false;
   return true;
-}
-
-Index origin_of_thin_face(const Complex& complex, const ConvexCell::Face& face) {
-  const auto joints = complex.joints_by_plane.on(plane_of(face.inside));
-  return joints.empty() ? none : complex.joints[joints.front()].origin;
 }
 
 // Seen from above its plane, the loop of a face below the cell begins at the last corner and runs backwards.

@@ -97,8 +97,7 @@ void place_joint(const Joint& joint, const RockBounds& rock, const std::string& 
   }
 }
 
-void place_mesh(const JointMesh& mesh, const RockBounds& rock, const std::string& key,
-                PlacedJoints& placed) {
+void place_mesh(const JointMesh& mesh, const RockBounds& rock, PlacedJoints& placed) {
   const auto origin = static_cast<Index>(placed.origins.size());
   placed.origins.push_back({mesh.name, mesh.material});
   const PlacingRegion region = placing_region(rock, mesh.within);
@@ -108,13 +107,9 @@ void place_mesh(const JointMesh& mesh, const RockBounds& rock, const std::string
     PlacedJoint one;
     one.polygon = {surface.vertices[a], surface.vertices[b], surface.vertices[c]};
     if (!boxes_meet(bounding_box(one.polygon), region.box, region.margin)) continue;
-    const ExactVec3 p = exact(one.polygon[0]), q = exact(one.polygon[1]), r = exact(one.polygon[2]);
-    one.plane = plane_along(p, {q[0] - p[0], q[1] - p[1], q[2] - p[2]},
-                            {r[0] - p[0], r[1] - p[1], r[2] - p[2]});
-    if (one.plane.n[0] == 0 && one.plane.n[1] == 0 && one.plane.n[2] == 0)
-      refuse(mesh.place, key + ".file",
-             fmt::format("triangle {} of \"{}\" has no area: its corners lie on one line", t + 1,
-                         mesh.file));
+    one.plane =
+        plane_through_points(exact(one.polygon[0]), exact(one.polygon[1]), exact(one.polygon[2]));
+    if (one.plane.n[0] == 0 && one.plane.n[1] == 0 && one.plane.n[2] == 0) continue;  // no area
     one.origin = origin;
     one.within = mesh.within;
     placed.joints.push_back(std::move(one));

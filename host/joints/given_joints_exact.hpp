@@ -11,8 +11,7 @@ namespace rockfold {
 /// path for messages, e.g. "joint[2]". Throws Error(model) for a joint without area.
 void place_joint(const Joint& joint, const RockBounds& rock, const std::string& key,
                  PlacedJoints& placed);
-void place_mesh(const JointMesh& mesh, const RockBounds& rock, const std::string& key,
-                PlacedJoints& placed);
+void place_mesh(const JointMesh& mesh, const RockBounds& rock, PlacedJoints& placed);
 void place_table(const JointTable& table, const std::vector<JointMaterial>& materials,
                  const RockBounds& rock, const std::string& key, PlacedJoints& placed);
 

@@ -106,8 +106,7 @@ PlacedJoints place_joints(const Model& model, const RockBounds& rock) {
   place_sets(model, rock, placed);
   for (std::size_t j = 0; j < model.joints.size(); ++j)
     place_joint(model.joints[j], rock, fmt::format("joint[{}]", j + 1), placed);
-  for (std::size_t m = 0; m < model.joint_meshes.size(); ++m)
-    place_mesh(model.joint_meshes[m], rock, fmt::format("joint_mesh[{}]", m + 1), placed);
+  for (const JointMesh& mesh : model.joint_meshes) place_mesh(mesh, rock, placed);
   for (std::size_t t = 0; t < model.joint_tables.size(); ++t)
     place_table(model.joint_tables[t], model.joint_materials, rock,
                 fmt::format("joint_table[{}]", t + 1), placed);

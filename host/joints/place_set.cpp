@@ -51,7 +51,8 @@ void place_regular_set(const JointSet& set, const PlacingRegion& region, Index o
   const PlacedJoint joint{{}, {}, origin, set.within};
   const DiscOutline outline = disc_outline(set.sides);
   for (Real k = first; k <= last; ++k) {
-    const ExactPlane plane = plane_through(normal, set.origin, k * set.spacing * length);
+    const ExactPlane plane =
+        plane_through(normal, set.origin, exact(k) * exact(set.spacing) * exact(length));
     if (set.radius)
       place_disc(plane, frame, set.origin, (k * set.spacing) * along, *set.radius, outline, region,
                  joint, joints);

@@ -122,8 +122,8 @@ void check_length(const Segment& segment, const Station& start, const Station& e
 }
 
 ExactVec3 exact_corner(const TunnelShape& tunnel, const SectionFrame& frame, Index i) {
-  return Exact(tunnel.section[i][0]) * exact(frame.right) +
-         Exact(tunnel.section[i][1]) * exact(frame.up);
+  return exact(tunnel.section[i][0]) * exact(frame.right) +
+         exact(tunnel.section[i][1]) * exact(frame.up);
 }
 
 // The plane across at a station; at the path's ends exactly perpendicular to it, at a bend the same for both segments.
@@ -144,7 +144,7 @@ void add_corners(const Segment& segment, const Station& start, const Station& en
 
 ShapeGeometry tunnel_geometry(const TunnelShape& tunnel, const Place& place) {
   ExactPolygon section;
-  for (const auto& [x, y] : tunnel.section) section.push_back({Exact(x), Exact(y)});
+  for (const auto& [x, y] : tunnel.section) section.push_back({exact(x), exact(y)});
   const std::vector<ConvexPiece> pieces = convex_pieces(section);
   if (pieces.empty())
     refuse(place, place.key,

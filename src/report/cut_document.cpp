@@ -9,10 +9,16 @@ namespace rockfold {
 
 namespace {
 
-Json intent_json(const IntentReport& intent) {
+Json intent_json(const IntentReport& intent, Index vertices_identified) {
   return {{"planes_identified", intent.planes_identified},
-          {"vertices_identified", intent.vertices_identified},
-          {"near_decisions", intent.near_decisions},
+          {"edges_identified", intent.edges_identified},
+          {"corners_identified", intent.corners_identified},
+          {"identified", intent.identified},
+          {"slivers", intent.slivers},
+          {"openings_closed", intent.openings_closed},
+          {"vertices_identified", vertices_identified},
+          {"doubts", intent.doubts},
+          {"near_decisions", intent.doubts},
           {"near_planes", intent.near_planes}};
 }
 
@@ -70,7 +76,7 @@ Json cut_document_without_blocks(const DocumentHead& head, const CutTotals& tota
                                  const BlockArrays& blocks, const RockMeasures& measures) {
   Json document = head_json(head);
   document["totals"] = totals_json(totals, blocks);
-  document["intent"] = intent_json(totals.intent);
+  document["intent"] = intent_json(totals.intent, blocks.vertices_identified);
   add_measures(document, measures);
   document["blocks"] = Json::array();
   return document;

@@ -1,0 +1,290 @@
+#include "host/cut/beams.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+
+#include "host/cut/adjacency.hpp"
+#include "host/cut/width.hpp"
+#include "host/parallel.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+
+namespace {
+
+// Slivers that a beam passes at most: more lie behind each other only where somebody piles up joints.
+constexpr int most_slivers = 64;
+
+// An area of a sliver's boundary, seen from the sliver.
+struct Opening {
+  enum class Kind : std::uint8_t { fragment, gap, free_part };
+  Kind kind;
+  Index item;         // into Complex::fragments, the gaps or Complex::free_parts
+  Index face, other;  // of the sliver; the cell behind it, none = none
+  Index other_face;
+};
+
+// The joint that a beam has crossed first.
+struct Crossed {
+  Index joint = none, instance = none;
+  std::vector<Index> fragments;
+
+  void add(const Fragment& f, Index number) {
+    if (f.joint == none) return;
+    if (joint == none) joint = f.joint, instance = f.instance;
+    if (number != none) fragments.push_back(number);
+  }
+};
+
+// What of a convex polygon lies on the side of a point that `inward` points to.
+std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& point, const Vec3& inward) {
+  std::vector<Vec3> inside;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const Real dp = dot(inward, p - point), dq = dot(inward, q - point);
+    if (dp >= 0) inside.push_back(p);
+    if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0)) inside.push_back(p + (dp / (dp - dq)) * (q - p));
+  }
+  return inside;
+}
+
+// The part of a convex polygon inside the prism over another one, along `axis`. Corners of both in a row.
+std::vector<Vec3> clipped_to_prism(std::vector<Vec3> polygon, const std::vector<Vec3>& base,
+                                   const Vec3& axis) {
+  Vec3 middle{};
+  for (const Vec3& x : base) middle += (1.0 / static_cast<Real>(base.size())) * x;
+  for (std::size_t k = 0; k < base.size() && polygon.size() >= 3; ++k) {
+    const Vec3 inward = cross(axis, base[(k + 1) % base.size()] - base[k]);
+    polygon = clipped(polygon, base[k], dot(inward, middle - base[k]) < 0 ? -inward : inward);
+  }
+  return polygon;
+}
+
+// What of convex polygons lies outside a convex one; all in one plane, corners in a row.
+void subtract(std::vector<std::vector<Vec3>>& polygons, const std::vector<Vec3>& other,
+              const Vec3& normal) {
+  std::vector<std::vector<Vec3>> rest;
+  Vec3 middle{};
+  for (const Vec3& x : other) middle += (1.0 / static_cast<Real>(other.size())) * x;
+  for (std::vector<Vec3>& polygon : polygons) {
+    for (std::size_t k = 0; k < other.size() && polygon.size() >= 3; ++k) {
+      const Vec3 &a = other[k], &b = other[(k + 1) % other.size()];
+      Vec3 outward = cross(b - a, normal);
+      if (dot(outward, middle - a) > 0) outward = -outward;
+      rest.push_back(clipped(polygon, a, outward));
+      if (rest.back().size() < 3) rest.pop_back();
+      polygon = clipped(polygon, a, -outward);
+    }
+  }
+  polygons = std::move(rest);
+}
+
+class BeamFinder {
+ public:
+  BeamFinder(const Complex& complex, Index rock_count, const std::vector<Fragment>& gaps)
+      : complex_(complex), rock_count_(rock_count), gaps_(gaps) {
+    number_slivers();
+    find_openings();
+  }
+
+  std::vector<Beam> run() const {
+    std::vector<Start> starts;
+    for (std::size_t i = 0; i < complex_.fragments.size(); ++i) {
+      const Fragment& f = complex_.fragments[i];
+      for (int side = 0; side < 2; ++side)
+        if (is_wide(f.cell[side]) && !is_wide(f.cell[1 - side]))
+          starts.push_back({static_cast<Index>(i), side, false});
+    }
+    for (std::size_t i = 0; i < gaps_.size(); ++i)
+      for (int side = 0; side < 2; ++side)
+        if (is_wide(gaps_[i].cell[side])) starts.push_back({static_cast<Index>(i), side, true});
+    std::vector<std::vector<Beam>> found(starts.size());
+    parallel_for(static_cast<std::int64_t>(starts.size()), 16,
+                 [&](std::int64_t i) { follow(starts[i], found[i]); });
+    std::vector<Beam> beams;
+    for (auto& of_start : found)
+      std::move(of_start.begin(), of_start.end(), std::back_inserter(beams));
+    return beams;
+  }
+
+ private:
+  struct Start {
+    Index item;
+    int side;
+    bool gap;
+  };
+  struct Path {
+    Index start_cell, start_face;
+    Index open_face = none;  // origin of the face at the start, if a void is before it
+    Vec3 normal;             // of the start's plane
+    std::vector<Beam>* beams;
+  };
+
+  bool is_rock(Index cell) const { return cell < rock_count_; }
+  bool is_wide(Index cell) const { return is_rock(cell) && complex_.is_sliver[cell] == 0; }
+
+  void number_slivers() {
+    const Index cells = complex_.cells.size();
+    number_.assign(cells, none);
+    for (Index c = 0; c < cells; ++c)
+      if (!is_wide(c)) {
+        number_[c] = static_cast<Index>(slivers_.size());
+        slivers_.push_back(c);
+      }
+    axis_.resize(slivers_.size());
+    for (std::size_t s = 0; s < slivers_.size(); ++s) {
+      const CellView cell = complex_.cells[slivers_[s]];
+      axis_[s] = outward(cell.faces[cell_width(cell, complex_.planes).face]);
+    }
+  }
+
+  Vec3 outward(const ConvexCell::Face& face) const {
+    const Vec3& n = complex_.planes.normal(plane_of(face.inside));
+    return is_above(face.inside) ? -n : n;
+  }
+
+  void find_openings() {
+    openings_.resize(slivers_.size());
+    const auto add_sides = [&](const Fragment& f, Opening::Kind kind, std::size_t i) {
+      for (int side = 0; side < 2; ++side)
+        if (const Index s = number_[f.cell[side]]; s != none)
+          openings_[s].push_back({kind, static_cast<Index>(i), f.face[side], f.cell[1 - side],
+                                  f.face[1 - side]});
+    };
+    for (std::size_t i = 0; i < complex_.fragments.size(); ++i)
+      add_sides(complex_.fragments[i], Opening::Kind::fragment, i);
+    for (std::size_t i = 0; i < gaps_.size(); ++i) add_sides(gaps_[i], Opening::Kind::gap, i);
+    for (std::size_t i = 0; i < complex_.free_parts.size(); ++i) {
+      const FreePart& f = complex_.free_parts[i];
+      if (f.gap != none)
+        free_before_gap_.emplace(std::array{f.cell, f.face, f.gap}, f.origin);
+      else if (const Index s = number_[f.cell]; s != none)
+        openings_[s].push_back(
+            {Opening::Kind::free_part, static_cast<Index>(i), f.face, none, none});
+    }
+  }
+
+  std::vector<Vec3> corners(const Opening& o) const {
+    switch (o.kind) {
+      case Opening::Kind::fragment:
+        return corners(complex_.polygon_of(complex_.fragments[o.item]));
+      case Opening::Kind::gap:
+        return corners(complex_.polygon_of(gaps_[o.item]));
+      default:
+        return corners(complex_.polygon_of(complex_.free_parts[o.item]));
+    }
+  }
+  static std::vector<Vec3> corners(const Polygon& polygon) {
+    std::vector<Vec3> result;
+    for (const Vertex& v : polygon.corner) result.push_back(v.x);
+    return result;
+  }
+
+  bool is_narrow(const std::vector<Vec3>& polygon, const Vec3& normal) const {
+    return polygon.size() < 3 ||
+           width_in_plane(polygon, normal) <= complex_.planes.width_tolerance();
+  }
+
+  void follow(const Start& start, std::vector<Beam>& beams) const {
+    const Fragment& f = start.gap ? gaps_[start.item] : complex_.fragments[start.item];
+    const Index cell = f.cell[start.side], face = f.face[start.side];
+    const Vec3 normal = outward(complex_.cells[cell].faces[face]);
+    std::vector<Vec3> polygon = corners(complex_.polygon_of(f));
+    // Polygons run counter-clockwise seen from above their plane: from outside the cell below it, side 0.
+    if (start.side == 1) std::reverse(polygon.begin(), polygon.end());
+    if (is_narrow(polygon, normal)) return;
+    Path path{cell, face, start.gap ? free_origin(cell, face, f.cell[1 - start.side]) : none, normal,
+              &beams};
+    Crossed crossed;
+    crossed.add(f, start.gap ? none : start.item);
+    pass(path, polygon, f.cell[1 - start.side], f.face[1 - start.side], crossed, 1);
+  }
+
+  // The face of a cell of rock before a narrow void.
+  Index free_origin(Index cell, Index face, Index gap) const {
+    const auto found = free_before_gap_.find({cell, face, gap});
+    return found != free_before_gap_.end() ? found->second : none;
+  }
+
+  // Through a sliver that was entered by one of its faces.
+  void pass(Path& path, const std::vector<Vec3>& polygon, Index sliver, Index entered,
+            const Crossed& crossed, int depth) const {
+    const Index s = number_[sliver];
+    const CellView cell = complex_.cells[sliver];
+    const Real sense = dot(outward(cell.faces[entered]), axis_[s]);
+    std::vector<std::vector<Vec3>> rest{polygon};
+    for (const Opening& o : openings_[s]) {
+      if (dot(outward(cell.faces[o.face]), axis_[s]) * sense >= 0) continue;
+      std::vector<Vec3> part = clipped_to_prism(polygon, corners(o), axis_[s]);
+      if (is_narrow(part, path.normal)) continue;
+      if (!is_rock(sliver)) subtract(rest, part, path.normal);
+      if (depth < most_slivers || o.other == none || is_wide(o.other))
+        leave(path, std::move(part), sliver, o, crossed, depth);
+    }
+    if (is_rock(sliver)) return;
+    // Nothing is behind the rest of a void.
+    for (std::vector<Vec3>& part : rest)
+      if (!is_narrow(part, path.normal)) end(path, std::move(part), none, none, path.open_face, {});
+  }
+
+  void leave(Path& path, std::vector<Vec3> part, Index sliver, const Opening& o,
+             const Crossed& crossed, int depth) const {
+    Crossed further = crossed;
+    if (o.kind == Opening::Kind::fragment) further.add(complex_.fragments[o.item], o.item);
+    if (o.kind == Opening::Kind::gap) further.add(gaps_[o.item], none);
+    if (o.other == none)
+      return end(path, std::move(part), none, none, complex_.free_parts[o.item].origin, further);
+    if (is_wide(o.other)) return end(path, std::move(part), o.other, o.other_face, none, further);
+    const Index open_face = path.open_face;
+    if (o.kind == Opening::Kind::gap && is_rock(sliver))
+      path.open_face = free_origin(sliver, o.face, o.other);
+    pass(path, part, o.other, o.other_face, further, depth + 1);
+    path.open_face = open_face;
+  }
+
+  void end(const Path& path, std::vector<Vec3> polygon, Index cell, Index face, Index origin,
+           const Crossed& crossed) const {
+    Beam beam;
+    beam.cell[0] = path.start_cell;
+    beam.face[0] = path.start_face;
+    beam.cell[1] = cell;
+    beam.face[1] = face;
+    beam.origin = origin;
+    beam.joint = crossed.joint;
+    beam.instance = crossed.instance;
+    beam.fragments = crossed.fragments;
+    if (cell != none && beam.joint == none) {
+      const Zone &one = complex_.zone(path.start_cell), &two = complex_.zone(cell);
+      beam.joint = interface_between(complex_, one, two);
+      if (beam.joint == none && one.stage != two.stage) beam.joint = path.open_face;
+    }
+    Vec3 twice{};
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+      twice += cross(polygon[k] - polygon[0], polygon[k + 1] - polygon[0]);
+    beam.area = norm(twice) / 2;
+    beam.polygon = std::move(polygon);
+    path.beams->push_back(std::move(beam));
+  }
+
+  const Complex& complex_;
+  const Index rock_count_;
+  const std::vector<Fragment>& gaps_;
+  std::vector<Index> number_;   // [cells] among the slivers, or none
+  std::vector<Index> slivers_;  // cells
+  std::vector<Vec3> axis_;      // [slivers] unit, across the least width
+  std::vector<std::vector<Opening>> openings_;
+  std::map<std::array<Index, 3>, Index> free_before_gap_;  // cell, face, gap → origin
+};
+
+}  // namespace
+
+std::vector<Beam> find_beams(const Complex& complex, Index rock_count,
+                             const std::vector<Fragment>& gaps) {
+  const bool any = !gaps.empty() || std::any_of(complex.is_sliver.begin(), complex.is_sliver.end(),
+                                                [](std::uint8_t sliver) { return sliver != 0; });
+  return any ? BeamFinder(complex, rock_count, gaps).run() : std::vector<Beam>{};
+}
+
+}  // namespace rockfold

@@ -1,0 +1,82 @@
+#include "host/cut/width.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+
+namespace {
+
+constexpr Real parallel_sine = 1e-8;  // DESIGN.md, rule 4
+
+// m: the largest distance of n corners from the plane of an edge from a to b.
+template <class Corner>
+Real extent_from_edge(std::size_t n, const Corner& corner, const Vec3& a, const Vec3& b, Index own,
+                      Index other, const PlaneTable& planes) {
+  const Vec3& normal = planes.normal(own);
+  Vec3 across = planes.normal(other);
+  Real offset = planes.offset(other);
+  if (norm(cross(normal, across)) < parallel_sine) {
+    across = cross(normal, b - a);
+    const Real length = norm(across);
+    if (!(length > 0)) return std::numeric_limits<Real>::infinity();
+    across = (1 / length) * across;
+    offset = dot(across, a);
+  }
+  Real most = 0;
+  for (std::size_t k = 0; k < n; ++k)
+    most = std::max(most, std::abs(dot(across, corner(k)) - offset));
+  return most;
+}
+
+template <class Corner, class OtherPlane>
+Real least_extent(std::size_t n, Index own, const Corner& corner, const OtherPlane& other,
+                  const PlaneTable& planes) {
+  Real least = std::numeric_limits<Real>::infinity();
+  for (std::size_t k = 0; k < n; ++k)
+    least = std::min(least, extent_from_edge(n, corner, corner(k), corner(k + 1 < n ? k + 1 : 0), own,
+                                             other(k), planes));
+  return std::isfinite(least) ? least : 0;
+}
+
+}  // namespace
+
+CellWidth cell_width(const CellView& cell, const PlaneTable& planes) {
+  CellWidth least{std::numeric_limits<Real>::infinity(), 0};
+  for (std::size_t f = 0; f < cell.faces.size(); ++f) {
+    const Index plane = plane_of(cell.faces[f].inside);
+    Real most = 0;
+    for (const Vertex& v : cell.vertices) most = std::max(most, std::abs(planes.distance(v, plane)));
+    if (most < least.width) least = {most, f};
+  }
+  return least;
+}
+
+// A convex body lies between two planes as far apart as it is wide, so that V ≤ width · A/2.
+CellMeasure measure_cell(const CellView& cell, const PlaneTable& planes) {
+  const Real tolerance = planes.width_tolerance();
+  const CellMoments in_doubles = cell_moments(cell, planes, true);
+  const bool wide = 2 * in_doubles.volume > doubt_factor * tolerance * surface_area(cell);
+  const Real width = wide ? std::numeric_limits<Real>::infinity() : cell_width(cell, planes).width;
+  return {width < tolerance ? in_doubles : cell_moments(cell, planes, false), width};
+}
+
+Real polygon_width(const Polygon& polygon, const PlaneTable& planes) {
+  return least_extent(
+      polygon.corner.size(), polygon.plane,
+      [&](std::size_t k) -> const Vec3& { return polygon.corner[k].x; },
+      [&](std::size_t k) { return plane_of(polygon.edge[k]); }, planes);
+}
+
+Real face_width(const CellView& cell, const ConvexCell::Face& face, const PlaneTable& planes) {
+  const auto* corner = &cell.corners[face.begin];
+  return least_extent(
+      static_cast<std::size_t>(face.count), plane_of(face.inside),
+      [&](std::size_t k) -> const Vec3& { return cell.vertices[corner[k].vertex].x; },
+      [&](std::size_t k) { return plane_of(corner[k].neighbour); }, planes);
+}
+
+}  // namespace rockfold
