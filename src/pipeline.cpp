@@ -7,6 +7,7 @@
 #include "host/cover/loads.hpp"
 #include "host/cut/cut.hpp"
 #include "host/files/load_files.hpp"
+#include "host/flatten/face_polygons.hpp"
 #include "host/flatten/flatten.hpp"
 #include "host/keyblock/keyblock.hpp"
 #include "host/keyblock/theory.hpp"
@@ -76,18 +77,23 @@ RunResult analyse(const CoveredRock& rock, const Model& model, const BlockArrays
   }
 }
 
+bool wants_export(const Options& options, ExportFormat format) {
+  return std::any_of(options.exports.begin(), options.exports.end(),
+                     [&](const auto& path) { return export_format(path) == format; });
+}
 /// Whether an export needs blocks as convex parts.
 bool wants_parts(const Options& options) {
-  return std::any_of(options.exports.begin(), options.exports.end(), [](const auto& path) {
-    return export_format(path) == ExportFormat::three_dec;
-  });
+  return wants_export(options, ExportFormat::three_dec);
 }
 
 void write_exports(const Options& options, const Model& model, const Cutting& cutting,
-                   const BlockArrays& blocks) {
+                   const BlockArrays& blocks, const PolygonMesh& polygons) {
+  PolygonMesh triangles;
+  if (wants_export(options, ExportFormat::stl)) triangles = face_triangles(blocks);
   PartArrays parts;
   if (wants_parts(options)) parts = convex_parts(cutting, blocks);
-  for (const auto& path : options.exports) export_blocks({blocks, parts, model.title}, path);
+  for (const auto& path : options.exports)
+    export_blocks({blocks, polygons, triangles, parts, model.title}, path);
 }
 
 /// demo, cut, support, run: each is the same way, left earlier or later.
@@ -135,10 +141,12 @@ int analyse_rock(const Options& options, Terminal& terminal) {
 
   remember_interrupts();
   ResultWriter writer(path, model, result_header(options));
+  PolygonMesh polygons;
   clock.measure("output", "writing blocks", [&] {
+    polygons = face_polygons(blocks);
     BlockFields fields = keyblocks ? block_fields(*keyblocks) : BlockFields{};
     if (design && design->bolting) add_bolting(fields, *design->bolting);
-    writer.write_blocks(blocks, fields,
+    writer.write_blocks(blocks, polygons, fields,
                         measures ? measures->blocks.flags : std::vector<std::uint8_t>{});
   });
 
@@ -148,7 +156,8 @@ int analyse_rock(const Options& options, Terminal& terminal) {
 
   if (!options.exports.empty())
     clock.measure("output", "writing exports",
-                  [&] { write_exports(options, model, cutting, blocks); });
+                  [&] { write_exports(options, model, cutting, blocks, polygons); });
+  polygons = {};  // as large as the blocks, and states need it no more
 
   std::optional<RunResult> run;
   if (rock) {

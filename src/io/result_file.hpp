@@ -30,6 +30,7 @@
 #include "src/arrays/block_arrays.hpp"
 #include "src/arrays/cover_arrays.hpp"
 #include "src/arrays/element_arrays.hpp"
+#include "src/arrays/polygon_mesh.hpp"
 #include "src/base/error.hpp"
 #include "src/io/element_mesh.hpp"
 #include "src/model/model.hpp"
@@ -88,11 +89,11 @@ class ResultWriter {
   ResultWriter& operator=(const ResultWriter&) = delete;
   ~ResultWriter();
 
-  /// The blocks and the joints between them; `fields` of block theory, if it was done (empty
-  /// vectors = not).
+  /// The blocks and the joints between them, drawn as `faces`: convex polygons of all faces;
+  /// `fields` of block theory, if it was done (empty vectors = not).
   /// `flags`: bits of each block, 1 small volume, 2 elongated; [B], or empty where none were asked for.
-  void write_blocks(const BlockArrays& blocks, const BlockFields& fields = {},
-                    const std::vector<std::uint8_t>& flags = {});
+  void write_blocks(const BlockArrays& blocks, const PolygonMesh& faces,
+                    const BlockFields& fields = {}, const std::vector<std::uint8_t>& flags = {});
 
   /// Lattice, covers and elements. `mesh` is that of the covers and must live as long as states are added.
   void write_elements(const CoverArrays& covers, const ElementMesh& mesh);

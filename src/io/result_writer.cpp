@@ -194,8 +194,8 @@ void ResultWriter::Implementation::write_dead_end_grid(File& file, const BlockAr
   grids.push_back(std::move(grid));
 }
 
-void ResultWriter::write_blocks(const BlockArrays& blocks, const BlockFields& fields,
-                                const std::vector<std::uint8_t>& flags) {
+void ResultWriter::write_blocks(const BlockArrays& blocks, const PolygonMesh& faces,
+                                const BlockFields& fields, const std::vector<std::uint8_t>& flags) {
   auto& my = *implementation_;
   expect(!my.finished && !my.with_blocks && my.times.empty(),
          "write_blocks comes once, before states");
@@ -203,7 +203,6 @@ void ResultWriter::write_blocks(const BlockArrays& blocks, const BlockFields& fi
          "BlockFields are not [B]");
   expect(flags.empty() || flags.size() == blocks.volume.size(), "flags are not [B]");
   File file = my.extend();
-  const PolygonMesh faces = face_polygons(blocks);
   write_block_arrays(file, blocks);
   if (!fields.block_class.empty()) write_block_theory(file, fields);
   if (!flags.empty()) file.write("/rockfold/blocks/flags", flags);

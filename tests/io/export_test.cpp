@@ -12,10 +12,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "host/flatten/face_polygons.hpp"
 #include "host/measure/parts.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
-#include "src/io/exports/surfaces.hpp"
+#include "src/io/block_mesh.hpp"
 #include "tests/cut/sample_models.hpp"
 #include "tests/io/sample.hpp"
 
@@ -70,12 +71,12 @@ int unbalanced_edges(const Surface& s) {
 /// What .stl has, with points by number.
 Surface triangles_of(const BlockArrays& blocks) {
   Surface s;
-  for (Index b = 0; b < blocks.block_count(); ++b)
-    for (Index f = blocks.face_begin[b]; f < blocks.face_begin[b + 1]; ++f)
-      for (const auto& t : face_triangles(blocks, f)) {
-        s.polygon.emplace_back(t.begin(), t.end());
-        s.block.push_back(b);
-      }
+  const PolygonMesh triangles = face_triangles(blocks);
+  const std::vector<Index> block = block_of_face(blocks);
+  for (Index t = 0; t < triangles.size(); ++t) {
+    s.polygon.emplace_back(triangles.polygon(t).begin(), triangles.polygon(t).end());
+    s.block.push_back(block[triangles.polygon_face[t]]);
+  }
   return s;
 }
 
@@ -100,7 +101,9 @@ struct Sample {
   }
 
   std::string write(const TemporaryFolder& folder, const std::string& name) const {
-    export_blocks({blocks.arrays, parts, model.title}, folder / name);
+    export_blocks({blocks.arrays, face_polygons(blocks.arrays), face_triangles(blocks.arrays),
+                   parts, model.title},
+                  folder / name);
     return file_bytes(folder / name);
   }
 };
@@ -164,10 +167,27 @@ TEST_P(Exports, AsVtpAreTheBlocks) {
 TEST(Exports, CutAFaceWithAHoleIntoFewPolygons) {
   const TemporaryFolder folder;
   const BlockArrays blocks = tube();
-  export_blocks({blocks, {}, ""}, folder / "tube.vtp");
+  export_blocks({blocks, face_polygons(blocks), {}, {}, ""}, folder / "tube.vtp");
   const Surface surface = read_vtp(file_bytes(folder / "tube.vtp"));
   expect_blocks(surface, blocks);
   EXPECT_LE(surface.polygon.size(), 8u + 2 * 5);
+}
+
+/// The last face of the last block has no loop and no area.
+TEST(Exports, PassOverAFaceWithoutLoops) {
+  const TemporaryFolder folder;
+  BlockArrays blocks = box_grid(2, 1, 1);
+  ++blocks.face_begin.back();
+  blocks.loop_begin.push_back(blocks.loop_begin.back());
+  blocks.face_normal.push_back({0, 0, 1});
+  blocks.face_area.push_back(1e-28);
+  blocks.face_origin.push_back(0);
+  blocks.face_up.push_back(1);
+  blocks.face_plane.push_back(0);
+  export_blocks({blocks, face_polygons(blocks), {}, {}, ""}, folder / "a.vtp");
+  const Surface surface = read_vtp(file_bytes(folder / "a.vtp"));
+  EXPECT_EQ(surface.polygon.size(), 12u);
+  expect_blocks(surface, blocks);
 }
 
 /// Boxes added and removed on a lattice and joints through lattice points: collinear corners, holes that touch each other
@@ -189,7 +209,7 @@ TEST(Exports, OfRandomRockAreClosed) {
                 {1.0 * at(random), 1.0 * at(random), 1.0 * at(random)});
     const Blocks blocks = cut(model);
     const BlockArrays& arrays = blocks.arrays;
-    export_blocks({arrays, {}, ""}, folder / "a.vtp");
+    export_blocks({arrays, face_polygons(arrays), {}, {}, ""}, folder / "a.vtp");
     const Surface surface = read_vtp(file_bytes(folder / "a.vtp"));
     with_holes += surface.polygon.size() > arrays.face_area.size();
     const auto volume = volumes(surface, arrays.volume.size());
@@ -365,7 +385,7 @@ TEST(Exports, LeaveNothingBehindWhereTheyCannotBeWritten) {
   std::filesystem::create_directory(folder / "is_there.vtp");
   for (const std::string name : {"no/such/folder.vtp", "is_there.vtp"}) {
     try {
-      export_blocks({blocks, {}, ""}, folder / name);
+      export_blocks({blocks, face_polygons(blocks), {}, {}, ""}, folder / name);
       FAIL() << name;
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::io);

@@ -1,5 +1,8 @@
+#include <iterator>
+
 #include <gtest/gtest.h>
 
+#include "host/flatten/face_polygons.hpp"
 #include "src/base/vector.hpp"
 #include "src/io/block_mesh.hpp"
 #include "src/io/element_mesh.hpp"
@@ -16,24 +19,10 @@ Real volume_of(const ElementMesh& mesh, std::size_t t) {
          6;
 }
 
-TEST(BlockMesh, KeepsConvexFacesAsPolygons) {
-  const BlockArrays blocks = box_grid(2, 1, 1);
-  const PolygonMesh mesh = face_polygons(blocks);
-  EXPECT_EQ(mesh.size(), 12u);
-  EXPECT_EQ(mesh.polygon_vertex, blocks.corner_vertex);
-  EXPECT_EQ(mesh.polygon_begin, blocks.corner_begin);
-}
-
-TEST(BlockMesh, TriangulatesFacesWithHoles) {
-  const PolygonMesh mesh = face_polygons(tube());
-  EXPECT_EQ(mesh.size(), 2 * 8 + 8u);  // two faces with a hole, eight rectangles
-  for (int i = 0; i < 16; ++i) EXPECT_EQ(mesh.polygon_face[i], i / 8);
-}
-
 TEST(BlockMesh, HasEachJointOnce) {
   const BlockArrays blocks = box_grid(3, 2, 2);
   const PolygonMesh joints = joint_polygons(blocks, face_polygons(blocks));
-  EXPECT_EQ(joints.size(), blocks.interfaces.size());
+  EXPECT_EQ(joints.size(), std::ssize(blocks.interfaces));
   Real area = 0, expected = 0;
   for (const Index f : joints.polygon_face) area += blocks.face_area[f];
   for (const auto& interface : blocks.interfaces) expected += interface.area;
@@ -43,7 +32,7 @@ TEST(BlockMesh, HasEachJointOnce) {
 TEST(BlockMesh, TakesFacesOfUnknownOriginForNoJoint) {
   BlockArrays blocks = box_grid(2, 1, 1);
   blocks.face_origin[1] = none;
-  EXPECT_EQ(joint_polygons(blocks, face_polygons(blocks)).size(), 0u);
+  EXPECT_EQ(joint_polygons(blocks, face_polygons(blocks)).size(), 0);
 }
 
 TEST(ElementMesh, FillsTheElements) {

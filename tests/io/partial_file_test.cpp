@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/flatten/face_polygons.hpp"
 #include "src/io/result_file.hpp"
 #include "tests/io/sample.hpp"
 
@@ -23,7 +24,7 @@ TEST(PartialFiles, WithoutAnythingWorthKeepingAreRemoved) {
   const TemporaryFolder folder;
   write_file(folder / "a.vtkhdf", "older");
   ResultWriter writer(folder / "a.vtkhdf", sample_model(), sample_header());
-  writer.write_blocks(box_grid(2, 1, 1));
+  writer.write_blocks(box_grid(2, 1, 1), face_polygons(box_grid(2, 1, 1)));
   const PartialFile text(folder / "b.stl");
   write_file(text.aside(), "solid");
   EXPECT_FALSE(settle_partial_files());

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "host/flatten/face_polygons.hpp"
 #include "src/io/exports/export.hpp"
 #include "src/io/hdf5_file.hpp"
 #include "src/io/result_file.hpp"
@@ -74,7 +75,7 @@ TEST(ResultWriter, RemovesWhatWasNotFinished) {
   const TemporaryFolder folder;
   {
     ResultWriter(folder / "a.vtkhdf", sample_model(), sample_header())
-        .write_blocks(box_grid(2, 1, 1));
+        .write_blocks(box_grid(2, 1, 1), face_polygons(box_grid(2, 1, 1)));
   }
   EXPECT_TRUE(folder.names().empty());
 }
@@ -110,7 +111,7 @@ TEST(ResultWriter, KeepsTheStatesBeforeTheDiskWasFull) {
   const CoverArrays covers = lattice_with_cut(4);
   const std::vector<Vec3> motion(blocks.vertex.size());
   ResultWriter writer(path, sample_model(), sample_header());
-  writer.write_blocks(blocks);
+  writer.write_blocks(blocks, face_polygons(blocks));
   const ElementMesh mesh = make_element_mesh(covers);
   writer.write_elements(covers, mesh);
   writer.add_state({0, linear_state(covers, 0), motion, motion, {}});
@@ -160,7 +161,7 @@ TEST(ResultWriter, KeepsTheStatesBeforeASmallDiskWasFull) {
   const CoverArrays covers = lattice_with_cut(6);
   const std::vector<Vec3> motion(blocks.vertex.size());
   ResultWriter writer(path, sample_model(), sample_header());
-  writer.write_blocks(blocks);
+  writer.write_blocks(blocks, face_polygons(blocks));
   const ElementMesh mesh = make_element_mesh(covers);
   writer.write_elements(covers, mesh);
   const auto fill = [&] {
@@ -171,7 +172,8 @@ TEST(ResultWriter, KeepsTheStatesBeforeASmallDiskWasFull) {
   writer.finish();
   EXPECT_EQ(read_result_info(path).time.size(), whole);
   const auto many_blocks = [&] {
-    ResultWriter(second, sample_model(), sample_header()).write_blocks(box_grid(50, 50, 10));
+    const BlockArrays many = box_grid(50, 50, 10);
+    ResultWriter(second, sample_model(), sample_header()).write_blocks(many, face_polygons(many));
   };
   EXPECT_EQ(io_error(many_blocks, second), "cannot write: No space left on device");
   EXPECT_EQ(folder.names(), (Names{"a.vtkhdf", "a.xdmf"}));
@@ -279,7 +281,8 @@ TEST(Exports, ThatDoNotFitOnTheDiskLeaveTheOlderFile) {
       const FileSizeLimit limit(300'000);
       const std::string message = io_error(
           [&] {
-            export_blocks({blocks, {}, ""}, folder / name);
+            export_blocks({blocks, face_polygons(blocks), face_triangles(blocks), {}, ""},
+                          folder / name);
           },
           folder / name);
       EXPECT_NE(message.find("cannot be written: "), std::string::npos);

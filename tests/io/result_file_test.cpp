@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "host/flatten/face_polygons.hpp"
 #include "src/io/hdf5_file.hpp"
 #include "tests/io/sample.hpp"
 
@@ -31,7 +32,7 @@ std::string write_blocks_alone(const TemporaryFolder& folder, const std::string&
                                const BlockArrays& blocks) {
   std::string path = folder / name;
   ResultWriter writer(path, sample_model(), {"cut", "0.1.0", ""});
-  writer.write_blocks(blocks);
+  writer.write_blocks(blocks, face_polygons(blocks));
   writer.finish();
   return path;
 }
@@ -168,7 +169,7 @@ TEST(ResultFile, HoldsStagesFlagsAndDeadEnds) {
   const BlockArrays blocks = with_stages_and_dead_ends(box_grid(3, 1, 1));
   {
     ResultWriter writer(folder / "a.vtkhdf", sample_model(), {"cut", "0.1.0", ""});
-    writer.write_blocks(blocks, {}, {1, 0, 3});
+    writer.write_blocks(blocks, face_polygons(blocks), {}, {1, 0, 3});
     writer.finish();
   }
   const File file(folder / "a.vtkhdf", File::Mode::read, "a");
@@ -249,9 +250,9 @@ TEST(ResultWriter, RefusesWhatDoesNotFit) {
   const StateArrays state = linear_state(covers, 0);
   const std::vector<Vec3> motion(blocks.vertex.size());
   EXPECT_THROW(writer.add_state({0, state, motion, motion, {}}), std::invalid_argument);
-  EXPECT_THROW(writer.write_blocks(blocks, {}, {1}), std::invalid_argument);
-  writer.write_blocks(blocks);
-  EXPECT_THROW(writer.write_blocks(blocks), std::invalid_argument);
+  EXPECT_THROW(writer.write_blocks(blocks, {}, {}, {1}), std::invalid_argument);
+  writer.write_blocks(blocks, face_polygons(blocks));
+  EXPECT_THROW(writer.write_blocks(blocks, face_polygons(blocks)), std::invalid_argument);
   const ElementMesh mesh = make_element_mesh(covers);
   writer.write_elements(covers, mesh);
   writer.add_state({0, state, motion, motion, {}});

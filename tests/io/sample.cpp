@@ -8,6 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "host/flatten/face_polygons.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold::test {
@@ -245,7 +246,7 @@ BlockFields sample_theory(const BlockArrays& blocks) {
 
 void write_sample(ResultWriter& writer, const BlockArrays& blocks, const CoverArrays& covers,
                   const std::vector<Real>& times) {
-  writer.write_blocks(blocks, sample_theory(blocks));
+  writer.write_blocks(blocks, face_polygons(blocks), sample_theory(blocks));
   const ElementMesh mesh = make_element_mesh(covers);
   writer.write_elements(covers, mesh);
   std::vector<std::array<Real, 6>> stress(covers.element_count());

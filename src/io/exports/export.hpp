@@ -5,6 +5,7 @@
 
 #include "src/arrays/block_arrays.hpp"
 #include "src/arrays/part_arrays.hpp"
+#include "src/arrays/polygon_mesh.hpp"
 
 namespace rockfold {
 
@@ -14,11 +15,13 @@ enum class ExportFormat { vtp, obj, stl, three_dec, json };
 /// any other name.
 ExportFormat export_format(const std::string& path);
 
-/// What is exported; all coordinates in m, ids from 1.
+/// What is exported; all coordinates in m, ids from 1. What is not read may be empty.
 struct ExportData {
   const BlockArrays& blocks;
-  const PartArrays& parts;  ///< read for .3ddat alone; may be empty for the others
-  std::string title;        ///< of the model
+  const PolygonMesh& polygons;   ///< convex ones of all faces; read for .vtp and .obj alone
+  const PolygonMesh& triangles;  ///< of all faces; read for .stl alone
+  const PartArrays& parts;       ///< read for .3ddat alone
+  std::string title;             ///< of the model
 };
 
 /// Writes aside and renames, so that the file is whole under its name. Throws Error(io) with the file and the reason.

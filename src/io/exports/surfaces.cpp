@@ -1,10 +1,9 @@
 #include "src/io/exports/surfaces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
-#include <span>
-
-#include "src/io/triangulate.hpp"
+#include <utility>
 
 namespace rockfold {
 
@@ -12,14 +11,6 @@ namespace {
 
 using Ring = std::vector<Index>;
 using Edge = std::array<Index, 2>;
-
-std::vector<Loop> loops_of(const BlockArrays& blocks, Index f) {
-  std::vector<Loop> loops;
-  for (Index l = blocks.loop_begin[f]; l < blocks.loop_begin[f + 1]; ++l)
-    loops.emplace_back(blocks.corner_vertex.begin() + blocks.corner_begin[l],
-                       blocks.corner_vertex.begin() + blocks.corner_begin[l + 1]);
-  return loops;
-}
 
 /// Ring a, which has the edge u → v, and ring b, which has v → u, as one.
 Ring joined(const Ring& a, const Ring& b, Index u, Index v) {
@@ -33,14 +24,12 @@ Ring joined(const Ring& a, const Ring& b, Index u, Index v) {
   return out;
 }
 
-/// The triangles of a face, joined across each inner edge where the union is convex.
-std::vector<Ring> convex_polygons(const BlockArrays& blocks, Index f) {
-  std::vector<Ring> rings;
+/// Polygons of face f, joined across each inner edge where the union is convex.
+std::vector<Ring> joined_where_convex(std::vector<Ring> rings, const BlockArrays& blocks, Index f) {
   std::map<Edge, std::size_t> ring_of;  // by directed edge
-  for (const auto& t : face_triangles(blocks, f)) {
-    for (int k = 0; k < 3; ++k) ring_of[{t[k], t[(k + 1) % 3]}] = rings.size();
-    rings.emplace_back(t.begin(), t.end());
-  }
+  for (std::size_t r = 0; r < rings.size(); ++r)
+    for (std::size_t k = 0; k < rings[r].size(); ++k)
+      ring_of[{rings[r][k], rings[r][(k + 1) % rings[r].size()]}] = r;
   for (const auto& [edge, unused] : std::map<Edge, std::size_t>(ring_of)) {
     const auto here = ring_of.find(edge), there = ring_of.find({edge[1], edge[0]});
     if (edge[0] > edge[1] || here == ring_of.end() || there == ring_of.end()) continue;
@@ -62,29 +51,18 @@ std::vector<Ring> convex_polygons(const BlockArrays& blocks, Index f) {
   return rings;
 }
 
-void add_polygon(SimplePolygons& out, Loop corners, Index f) {
-  out.polygon_vertex.insert(out.polygon_vertex.end(), corners.begin(), corners.end());
-  out.polygon_begin.push_back(static_cast<Index>(out.polygon_vertex.size()));
-  out.polygon_face.push_back(f);
-}
-
 }  // namespace
 
-std::vector<std::array<Index, 3>> face_triangles(const BlockArrays& blocks, Index f) {
-  return triangulate(loops_of(blocks, f), blocks.vertex, blocks.face_normal[f]);
-}
-
-SimplePolygons simple_polygons(const BlockArrays& blocks) {
-  SimplePolygons out;
-  out.polygon_begin.push_back(0);
+PolygonMesh simple_polygons(const BlockArrays& blocks, const PolygonMesh& faces) {
+  PolygonMesh out;
+  Index p = 0;
   for (Index f = 0; f < static_cast<Index>(blocks.face_area.size()); ++f) {
-    const Index l = blocks.loop_begin[f];
-    if (blocks.loop_begin[f + 1] == l + 1) {
-      const auto first = blocks.corner_vertex.begin();
-      add_polygon(out, {first + blocks.corner_begin[l], first + blocks.corner_begin[l + 1]}, f);
-    } else {
-      for (const Ring& ring : convex_polygons(blocks, f)) add_polygon(out, ring, f);
-    }
+    const bool simple = blocks.loop_begin[f + 1] - blocks.loop_begin[f] == 1;
+    std::vector<Ring> rings;
+    for (; p < faces.size() && faces.polygon_face[p] == f; ++p)
+      if (!simple) rings.emplace_back(faces.polygon(p).begin(), faces.polygon(p).end());
+    if (simple) out.add(face_loop(blocks, blocks.loop_begin[f]), f);
+    for (const Ring& ring : joined_where_convex(std::move(rings), blocks, f)) out.add(ring, f);
   }
   return out;
 }

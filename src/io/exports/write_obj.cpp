@@ -5,7 +5,7 @@ namespace rockfold {
 
 void write_obj(const ExportData& data, TextFile& file) {
   const BlockArrays& blocks = data.blocks;
-  const SimplePolygons polygons = simple_polygons(blocks);
+  const PolygonMesh polygons = simple_polygons(blocks, data.polygons);
   if (!data.title.empty()) file.print("# {}\n", one_line(data.title));
   file.print("# {} blocks; lengths in m, x east, y north, z up\n", blocks.block_count());
   Index p = 0;

@@ -26,7 +26,7 @@ void write_cells(TextFile& file, const char* type, const char* name, Index count
   file.print("</DataArray>\n");
 }
 
-void write_polygons(const SimplePolygons& polygons, TextFile& file) {
+void write_polygons(const PolygonMesh& polygons, TextFile& file) {
   file.print("<Polys>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n");
   for (Index p = 0; p < polygons.size(); ++p) {
     for (Index c = polygons.polygon_begin[p]; c < polygons.polygon_begin[p + 1]; ++c)
@@ -43,7 +43,7 @@ void write_polygons(const SimplePolygons& polygons, TextFile& file) {
 
 void write_vtp(const ExportData& data, TextFile& file) {
   const BlockArrays& blocks = data.blocks;
-  const SimplePolygons polygons = simple_polygons(blocks);
+  const PolygonMesh polygons = simple_polygons(blocks, data.polygons);
   const std::vector<Index> block = block_of_face(blocks);
   const Index n = polygons.size();
   const auto block_of = [&](Index p) { return block[polygons.polygon_face[p]]; };
