@@ -139,6 +139,15 @@ Holder Locator::find_firm(const Vec3& x, Index block) const {
   return firm_for(x, find(x, block));
 }
 
+Holder Locator::of_vertex(const Vec3& x, Index block) const {
+  if (covers_.lattice.kind != LatticeKind::block) return find_firm(x, block);
+  const IndexRange own = elements_of_cell(covers_, block);
+  if (own.end - own.begin > 1) return find(x, block);
+  Holder whole;
+  if (own.begin < own.end) whole.element = own.begin;
+  return whole;
+}
+
 Holder Locator::firm_for(const Vec3& x, const Holder& own) const {
   if (!own.found() || !is_sliver(own)) return own;
   const ElementNodes nodes = element_nodes(covers_, own.element);
@@ -260,7 +269,7 @@ MaterialPoints locate_block_vertices(const Covering& covering, const BlockArrays
   for (Index b = 0; b < blocks.block_count(); ++b)
     for (Index v = blocks.vertex_begin[b]; v < blocks.vertex_begin[b + 1]; ++v) {
       const Vec3& x = blocks.vertex[v];
-      locator.add(x, locator.find_firm(x, b), result);
+      locator.add(x, locator.of_vertex(x, b), result);
     }
   return result;
 }

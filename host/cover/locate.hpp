@@ -34,6 +34,10 @@ class Locator {
   /// That of x in the element and block of `own`.
   Holder firm_for(const Vec3& x, const Holder& own) const;
 
+  /// That of a vertex of a block, which the block holds. Of kind `block` a block of one material is one element: then nothing is
+  /// searched, and only `element` is filled.
+  Holder of_vertex(const Vec3& x, Index block) const;
+
   /// The element of the second of two overlaid splits that holds x where `holder` does; none if there is one split.
   Index find_other(const Vec3& x, const Holder& holder) const;
 
