@@ -6,7 +6,7 @@
 //   jointed   three inclined sets, 1,029 blocks: nearly every lattice cell is cut
 //
 // Covers of whole blocks (lattice "block"), with all that stands between cutting and the first time step: conditions, loads,
-// points and the mesh that is drawn. us/block does not grow with the blocks but for the caches.
+// points and the mesh that is drawn. time/block does not grow with the blocks.
 #include <algorithm>
 #include <cmath>
 
@@ -130,8 +130,8 @@ void block_covers(benchmark::State& state) {
     state.SkipWithError("vertices of blocks were not found");
   const double count = blocks.block_count();
   state.counters["blocks"] = count;
-  state.counters["us/block"] =
-      benchmark::Counter(1e-6 * count * static_cast<double>(state.iterations()),
+  state.counters["time/block"] =
+      benchmark::Counter(count * static_cast<double>(state.iterations()),
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 

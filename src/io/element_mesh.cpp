@@ -46,7 +46,7 @@ class PointTable {
     return entry->second;
   }
 
-  /// Forgets the corners so far: none to come is the same as one of them. The table stays small enough for the caches.
+  /// Clears the table, where no corner to come can be one of those so far: a small table stays in the processor's caches.
   void forget() { point_ = {}; }
 
  private:
