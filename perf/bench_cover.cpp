@@ -4,13 +4,21 @@
 //
 //   uncut     a cube aligned with the lattice: indices only
 //   jointed   three inclined sets, 1,029 blocks: nearly every lattice cell is cut
+//
+// Covers of whole blocks (lattice "block"), with all that stands between cutting and the first time step: conditions, loads,
+// points and the mesh that is drawn. time/block does not grow with the blocks.
+#include <algorithm>
 #include <cmath>
 
 #include <benchmark/benchmark.h>
 
 #include "host/cover/cover.hpp"
+#include "host/cover/loads.hpp"
+#include "host/flatten/flatten.hpp"
 #include "kernels/integrate/moments.hpp"
 #include "perf/run_benchmarks.hpp"
+#include "perf/three_sets.hpp"
+#include "src/io/element_mesh.hpp"
 
 namespace rockfold {
 namespace {
@@ -69,6 +77,71 @@ BENCHMARK(covers)
     ->Args({1, 10})
     ->Args({1, 20})
     ->Args({1, 40})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// Blocks on a fixed base between rollers and dashpots, loaded from above; one of them is thrown.
+Model loaded_blocks(std::int64_t count) {
+  Model model = three_sets(count);
+  model.materials = {{"rock", 2700, 30e9, 0.25, {}}};
+  model.cover = CoverSpec{};
+  model.cover->lattice = LatticeKind::block;
+  model.cover->order = 1;
+  const auto fix = [&](const Region& where, std::array<bool, 3> components) {
+    Fixed fixed;
+    fixed.where = where;
+    fixed.components = components;
+    model.fixed.push_back(fixed);
+  };
+  fix(FaceRegion{0, {4}}, {true, true, true});
+  fix(BoxRegion{{-1, -1, -1}, {0.5, cube_edge + 1, cube_edge + 1}}, {true, false, false});
+  Traction traction;
+  traction.where = FaceRegion{0, {5}};
+  traction.value = {0, 0, -1e3};
+  model.tractions.push_back(traction);
+  QuietBoundary quiet;
+  quiet.where = FaceRegion{0, {3}};
+  model.quiet_boundaries.push_back(quiet);
+  InitialVelocity start;
+  start.block_at = Vec3{3.1, 3.2, 3.3};
+  start.velocity = {0, 0, -1};
+  model.initial_velocities.push_back(start);
+  return model;
+}
+
+void block_covers(benchmark::State& state) {
+  const Model model = loaded_blocks(state.range(0));
+  Progress silent;
+  const Cutting cutting = cut_blocks(model, silent);
+  const BlockArrays blocks = flatten_blocks(cutting, model);
+  const std::vector<Vec3> monitors{{4, 4, 4}, {5.11, 4, 9}};
+  MaterialPoints vertices;
+  for (auto _ : state) {
+    const Covering covering = build_covers(cutting, model, silent);
+    benchmark::DoNotOptimize(fixed_points(cutting, covering, model));
+    benchmark::DoNotOptimize(locate_points(covering, monitors, Slivers::passed_over));
+    benchmark::DoNotOptimize(load_points(cutting, covering, model));
+    benchmark::DoNotOptimize(quiet_points(cutting, covering, model));
+    benchmark::DoNotOptimize(rigid_velocities(covering, blocks.block_count(), model));
+    vertices = locate_block_vertices(covering, blocks);
+    benchmark::DoNotOptimize(make_element_mesh(covering.arrays));
+  }
+  if (std::count(vertices.element.begin(), vertices.element.end(), none) > 0)
+    state.SkipWithError("vertices of blocks were not found");
+  const double count = blocks.block_count();
+  state.counters["blocks"] = count;
+  state.counters["time/block"] =
+      benchmark::Counter(count * static_cast<double>(state.iterations()),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+BENCHMARK(block_covers)
+    ->ArgName("blocks")
+    ->Arg(1000)
+    ->Arg(4000)
+    ->Arg(10000)
+    ->Arg(24000)
+    ->Arg(88000)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 

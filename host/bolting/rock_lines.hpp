@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "host/bolting/box_tree.hpp"
+#include "host/box_tree.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/base/types.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/bolting/box_tree.hpp"
+#include "host/box_tree.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/model/model.hpp"
 

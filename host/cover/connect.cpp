@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -95,13 +96,11 @@ class Connector {
 
   // Kind `block`: what a block has of one material is an element.
   void join_blocks() {
-    for (const CellContent& c : cells_.all())
+    for (const CellContent& c : cells_.all()) {
+      std::map<Index, Index> first;  // piece of each material
       for (Index i = c.piece_begin; i < c.piece_end; ++i)
-        for (Index j = c.piece_begin; j < i; ++j)
-          if (material(record(i).rock) == material(record(j).rock)) {
-            piece_parts_.join(i, j);
-            break;
-          }
+        piece_parts_.join(i, first.try_emplace(material(record(i).rock), i).first->second);
+    }
   }
 
   // Glue between cells of the complex. Inside a part it joins pieces of one material to one element.

@@ -100,6 +100,7 @@ Covering build_covers(const Cutting& cutting, const Model& model, Progress& prog
   index->complex = cutting.complex;
   connect(complex, model, pieces, covering.arrays, *index);
   centre_functions(covering.arrays);
+  if (cover.lattice == LatticeKind::block) index->build_piece_tree(covering.arrays);
   covering.pieces = std::move(index);
   return covering;
 }

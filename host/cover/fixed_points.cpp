@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "host/box_tree.hpp"
 #include "host/cover/cover.hpp"
 #include "host/cover/free_faces.hpp"
 #include "host/cover/held_rows.hpp"
@@ -42,52 +43,32 @@ constexpr Real few_held = 0.25;    // of what moves that rest
 constexpr Real least_width = 0.1;  // spacings: of a part of a rock face that a box holds by itself
 constexpr Real least_area = 0.25;  // spacings squared: likewise
 
-/// Parts of held faces by the cells of a grid, to tell which points lie on them.
+/// Parts of held faces, to tell which points lie on them.
 class HeldFaces {
  public:
-  explicit HeldFaces(Real spacing) : spacing_(spacing) {}
-
-  void add(const FacePolygon& polygon) {
-    const std::size_t id = boxes_.size();
-    Box box{polygon.corner[0], polygon.corner[0], polygon.normal, polygon.corner[0]};
-    for (const Vec3& x : polygon.corner)
-      for (int d = 0; d < 3; ++d) {
-        box.low[d] = std::min(box.low[d], x[d] - close_by * spacing_);
-        box.high[d] = std::max(box.high[d], x[d] + close_by * spacing_);
-      }
-    boxes_.push_back(box);
-    const Cell low = cell(box.low), high = cell(box.high);
-    for (auto i = low[0]; i <= high[0]; ++i)
-      for (auto j = low[1]; j <= high[1]; ++j)
-        for (auto k = low[2]; k <= high[2]; ++k) of_cell_[{i, j, k}].push_back(id);
+  explicit HeldFaces(Real spacing, std::vector<FacePolygon> parts = {})
+      : reach_(close_by * spacing), parts_(std::move(parts)) {
+    const Vec3 beyond{reach_, reach_, reach_};
+    std::vector<Bounds> bounds;
+    for (const FacePolygon& part : parts_) {
+      Box box;
+      for (const Vec3& x : part.corner) box.add(x);
+      bounds.push_back({box.low - beyond, box.high + beyond});
+    }
+    boxes_ = BoxTree(std::move(bounds));
   }
 
   bool hold(const Vec3& x) const {
-    const auto found = of_cell_.find(cell(x));
-    return found != of_cell_.end() &&
-           std::any_of(found->second.begin(), found->second.end(), [&](std::size_t id) {
-             const Box& box = boxes_[id];
-             bool inside = std::abs(dot(box.normal, x - box.point)) <= close_by * spacing_;
-             for (int d = 0; d < 3; ++d)
-               inside = inside && x[d] >= box.low[d] && x[d] <= box.high[d];
-             return inside;
-           });
+    const auto near = boxes_.at(x);
+    return std::any_of(near.begin(), near.end(), [&](Index part) {
+      return std::abs(dot(parts_[part].normal, x - parts_[part].corner[0])) <= reach_;
+    });
   }
 
  private:
-  struct Box {
-    Vec3 low, high, normal, point;
-  };
-  using Cell = std::array<std::int64_t, 3>;
-  Cell cell(const Vec3& x) const {
-    Cell c{};
-    for (int d = 0; d < 3; ++d) c[d] = static_cast<std::int64_t>(std::floor(x[d] / spacing_));
-    return c;
-  }
-
-  const Real spacing_;
-  std::vector<Box> boxes_;
-  std::map<Cell, std::vector<std::size_t>> of_cell_;
+  const Real reach_;
+  const std::vector<FacePolygon> parts_;
+  BoxTree boxes_;
 };
 
 /// Where vertices are held, by the cells of a grid, and by which rows.
@@ -131,9 +112,10 @@ class Elements {
   /// The connected part of the rock that it belongs to.
   Index body(Index element) { return joined_.find(covers_of(element)[0]); }
 
-  /// Calls visit(element, block, vertices in m) for the part of an element that is one piece, or a part of a regular cell.
+  /// Calls visit(element, block, vertices in m) for the part of an element that is one piece, or a part of a regular cell. `of`: a
+  /// block, whose elements alone are visited where no others share its covers (kind `block`); none: all.
   template <class Visit>
-  void each(const Visit& visit) const {
+  void each(Index of, const Visit& visit) const {
     const int parts = covers_.parts_per_cell();
     std::vector<Vec3> vertex;
     for (Index r = 0; r < covers_.regular_count(); ++r)
@@ -146,7 +128,10 @@ class Elements {
               covers_.lattice.node_position(covers_.lattice.cell_node(cell, part.node[a])));
         visit(parts * r + t, covers_.regular_block[r], vertex);
       }
-    for (Index e = 0; e < covers_.cut_count(); ++e)
+    IndexRange cut{0, covers_.cut_count()};
+    if (of != none && covers_.lattice.kind == LatticeKind::block)
+      cut = elements_of_cell(covers_, of);
+    for (Index e = cut.begin; e < cut.end; ++e)
       for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q) {
         vertex.clear();
         const Vec3 centre = covers_.lattice.cell_centre(covers_.element_cell[e]);
@@ -232,7 +217,7 @@ class Fixer {
     const auto* plane = std::get_if<PlaneRegion>(&region);
     if (!box && !plane) return false;
     bool meets = false;
-    elements_.each([&](Index, Index, const std::vector<Vec3>& vertex) {
+    elements_.each(none, [&](Index, Index, const std::vector<Vec3>& vertex) {
       bool apart = false;
       for (int d = 0; d < (box ? 3 : 1); ++d) {
         Real low = std::numeric_limits<Real>::infinity(), high = -low;
@@ -352,13 +337,13 @@ class Fixer {
       else
         face.all = false;
     });
-    HeldFaces held(spacing_);
+    std::vector<FacePolygon> held;
     for (const auto& [key, face] : faces) {
       if (!face.to_be_held(spacing_)) continue;
-      for (const FacePolygon& polygon : face.part) held.add(polygon);
+      held.insert(held.end(), face.part.begin(), face.part.end());
       add_rows(face.part);
     }
-    return held;
+    return HeldFaces(spacing_, std::move(held));
   }
 
   bool is_in(const BoxRegion& box, const Vec3& x) const {
@@ -383,9 +368,10 @@ class Fixer {
 
   /// Whole elements that `inside` holds, by all unknowns of their covers; of other elements the faces that hold_faces(whole elements, covers) holds
   /// and the vertices in it, which go with faces and covers that are held beside them. Slivers of rock that others of a cover's elements
-  /// share must not hold all of these: they hold the covers at whose nodes they lie.
+  /// share must not hold all of these: they hold the covers at whose nodes they lie. `of`: the block that holds all that is inside, or none.
   template <class Inside, class HoldFaces>
-  void add_volume(const Inside& inside, bool whole_elements, const HoldFaces& hold_faces) {
+  void add_volume(const Inside& inside, bool whole_elements, const HoldFaces& hold_faces,
+                  Index of = none) {
     const std::size_t first = result_.points.size();
     std::map<Index, HeldCover> covers;
     std::set<Index> whole;
@@ -393,12 +379,12 @@ class Fixer {
       return whole_elements && std::all_of(vertex.begin(), vertex.end(),
                                            [&](const Vec3& x) { return inside(x, block); });
     };
-    elements_.each([&](Index element, Index block, const std::vector<Vec3>& vertex) {
+    elements_.each(of, [&](Index element, Index block, const std::vector<Vec3>& vertex) {
       if (!is_whole(block, vertex)) return;
       whole.insert(element);
       hold_element(element, vertex, covers);
     });
-    elements_.each([&](Index element, Index block, const std::vector<Vec3>& vertex) {
+    elements_.each(of, [&](Index element, Index block, const std::vector<Vec3>& vertex) {
       if (is_whole(block, vertex)) return;
       for (const Index p : elements_.covers_of(element))
         if (const auto found = covers.find(p); found != covers.end()) found->second.alone = false;
@@ -409,7 +395,7 @@ class Fixer {
     const HeldFaces faces = hold_faces(whole, covers);
     RowsApart apart(result_, first);
     std::map<std::pair<Index, bool>, HeldPlaces> places;  // by body and split
-    elements_.each([&](Index element, Index block, const std::vector<Vec3>& vertex) {
+    elements_.each(of, [&](Index element, Index block, const std::vector<Vec3>& vertex) {
       if (is_whole(block, vertex)) return;
       const bool second = element_nodes(covers_, element).part >= covers_.first_split_parts();
       HeldPlaces& held =
@@ -500,13 +486,13 @@ class Fixer {
     };
     // Faces that lie along it, and vertices beside them: a wider plane holds no less. Slivers of faces across are not such faces.
     add_volume(inside, false, [&](const auto&, const auto&) {
-      HeldFaces faces(spacing_);
+      std::vector<FacePolygon> faces;
       add_surface(region, [&](const FacePolygon& polygon) {
         const bool along = std::abs(dot(polygon.normal, region.normal)) >= least_cosine;
-        if (along) faces.add(polygon);
+        if (along) faces.push_back(polygon);
         return along;
       });
-      return faces;
+      return HeldFaces(spacing_, std::move(faces));
     });
   }
 
@@ -532,7 +518,7 @@ class Fixer {
     const Holder h = locator_.find(region.point);
     if (h.found())
       add_volume([&](const Vec3&, Index block) { return block == h.block; }, true,
-                 [&](const auto&, const auto&) { return HeldFaces(spacing_); });
+                 [&](const auto&, const auto&) { return HeldFaces(spacing_); }, h.block);
   }
 
   const Cutting& cutting_;

@@ -13,8 +13,6 @@
 namespace rockfold {
 
 namespace {
-constexpr Real relative_slack =
-    1e-9;  // of the model's size: far above rounding, far below any block
 /// Share of its part of a lattice cell below which an element is a sliver.
 constexpr Real least_fill = 0.02;
 /// Of the spacing: how far an element's functions are continued over slivers.
@@ -67,15 +65,6 @@ Locator::Locator(const Covering& covering) : covers_(covering.arrays), index_(*c
   const auto& edge = covers_.lattice.edge;
   spacing_ = std::min({norm(edge[0]), norm(edge[1]), norm(edge[2])});
   cell_volume_ = std::abs(dot(edge[0], cross(edge[1], edge[2])));
-  if (covers_.lattice.kind != LatticeKind::block) return;
-  for (Index e = 0; e < covers_.cut_count(); ++e) {
-    Box& box = element_box_.emplace_back();
-    const Vec3 centre = covers_.lattice.cell_centre(covers_.element_cell[e]);
-    for (Index v = covers_.vertex_begin[covers_.piece_begin[e]];
-         v < covers_.vertex_begin[covers_.piece_begin[e + 1]]; ++v)
-      box.add(centre + Vec3{covers_.vertex_xyz[3 * v], covers_.vertex_xyz[3 * v + 1],
-                            covers_.vertex_xyz[3 * v + 2]});
-  }
 }
 
 void Locator::try_regular(const Vec3& x, Index regular, Found& found) const {
@@ -98,27 +87,26 @@ void Locator::try_regular(const Vec3& x, Index regular, Found& found) const {
 }
 
 void Locator::try_element(const Vec3& x, Index e, Found& found) const {
-  for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q) {
-    Holder h;
-    h.element = covers_.parts_per_cell() * covers_.regular_count() + e;
-    h.block = covers_.piece_block[q];
-    h.rock = index_.piece_rock[q];
-    h.lattice_cell = covers_.element_cell[e];
-    h.part = covers_.element_part[e];
-    h.violation = piece_violation(x, q);
-    found.push_back(h);
-  }
+  for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q)
+    try_piece(x, e, q, found);
+}
+
+void Locator::try_piece(const Vec3& x, Index e, Index q, Found& found) const {
+  Holder h;
+  h.element = covers_.parts_per_cell() * covers_.regular_count() + e;
+  h.block = covers_.piece_block[q];
+  h.rock = index_.piece_rock[q];
+  h.lattice_cell = covers_.element_cell[e];
+  h.part = covers_.element_part[e];
+  h.violation = piece_violation(x, q);
+  found.push_back(h);
 }
 
 // All that may hold x, or a place so many edges of the lattice away.
 Locator::Found Locator::near(const Vec3& x, Real by) const {
   Found found;
   if (covers_.lattice.kind == LatticeKind::block) {
-    Box point;
-    point.add(x);
-    for (Index e = 0; e < covers_.cut_count(); ++e)
-      if (element_box_[e].meets(point, relative_slack * index_.planes.model_size()))
-        try_element(x, e, found);
+    for (const Index q : index_.piece_tree.at(x)) try_piece(x, index_.piece_element[q], q, found);
     return found;
   }
   std::array<Vertex, 8> around;
@@ -135,10 +123,8 @@ Locator::Found Locator::near(const Vec3& x, Real by) const {
         const Index lattice_cell = covers_.lattice.cell_index(i, j, k);
         const Index r = PieceIndex::find_regular(covers_, lattice_cell);
         if (r != none) try_regular(x, r, found);
-        const auto [first, last] = std::equal_range(covers_.element_cell.begin(),
-                                                    covers_.element_cell.end(), lattice_cell);
-        for (auto e = first; e != last; ++e)
-          try_element(x, static_cast<Index>(e - covers_.element_cell.begin()), found);
+        const IndexRange elements = elements_of_cell(covers_, lattice_cell);
+        for (Index e = elements.begin; e < elements.end; ++e) try_element(x, e, found);
       }
   return found;
 }
@@ -151,6 +137,15 @@ Holder Locator::find(const Vec3& x, Index block) const {
 
 Holder Locator::find_firm(const Vec3& x, Index block) const {
   return firm_for(x, find(x, block));
+}
+
+Holder Locator::of_vertex(const Vec3& x, Index block) const {
+  if (covers_.lattice.kind != LatticeKind::block) return find_firm(x, block);
+  const IndexRange own = elements_of_cell(covers_, block);
+  if (own.end - own.begin > 1) return find(x, block);
+  Holder whole;
+  if (own.begin < own.end) whole.element = own.begin;
+  return whole;
 }
 
 Holder Locator::firm_for(const Vec3& x, const Holder& own) const {
@@ -168,7 +163,7 @@ Holder Locator::firm_for(const Vec3& x, const Holder& own) const {
 }
 
 Holder Locator::holding(const Vec3& x, Index block) const {
-  const Real slack = relative_slack * index_.planes.model_size();
+  const Real slack = index_.point_slack();
   const int first_split = covers_.first_split_parts();
   Holder best;
   for (const Holder& h : near(x)) {
@@ -197,7 +192,7 @@ Holder Locator::nearest_within(const Vec3& x, Real reach, const Accept& accept) 
 
 bool Locator::is_in_rock(const Vec3& x, Index rock) const {
   const Vec3 r = x - index_.planes.centre();
-  const Real slack = relative_slack * index_.planes.model_size();
+  const Real slack = index_.point_slack();
   for (const ConvexCell::Face& face : index_.complex->cells[rock].faces)
     if (outside(face.inside, r) > slack) return false;
   return true;
@@ -274,7 +269,7 @@ MaterialPoints locate_block_vertices(const Covering& covering, const BlockArrays
   for (Index b = 0; b < blocks.block_count(); ++b)
     for (Index v = blocks.vertex_begin[b]; v < blocks.vertex_begin[b + 1]; ++v) {
       const Vec3& x = blocks.vertex[v];
-      locator.add(x, locator.find_firm(x, b), result);
+      locator.add(x, locator.of_vertex(x, b), result);
     }
   return result;
 }

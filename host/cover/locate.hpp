@@ -3,7 +3,6 @@
 
 #include "host/cover/cover.hpp"
 #include "host/cover/piece_index.hpp"
-#include "host/cut/patch.hpp"
 
 namespace rockfold {
 
@@ -35,6 +34,10 @@ class Locator {
   /// That of x in the element and block of `own`.
   Holder firm_for(const Vec3& x, const Holder& own) const;
 
+  /// That of a vertex of a block, which the block holds. Of kind `block` a block of one material is one element: then nothing is
+  /// searched, and only `element` is filled.
+  Holder of_vertex(const Vec3& x, Index block) const;
+
   /// The element of the second of two overlaid splits that holds x where `holder` does; none if there is one split.
   Index find_other(const Vec3& x, const Holder& holder) const;
 
@@ -56,13 +59,13 @@ class Locator {
   bool is_sliver(const Holder& holder) const;
   void try_regular(const Vec3& x, Index regular, Found& found) const;
   void try_element(const Vec3& x, Index element, Found& found) const;
+  void try_piece(const Vec3& x, Index element, Index piece, Found& found) const;
   Real outside(HalfSpaceId h, const Vec3& r) const;
   Real piece_violation(const Vec3& x, Index piece) const;
 
   const CoverArrays& covers_;
   const PieceIndex& index_;
   Real spacing_ = 0, cell_volume_ = 0;  // m, m³; the least of the lattice's edges
-  std::vector<Box> element_box_;        // [E] m; lattice `block` only
 };
 
 }  // namespace rockfold

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "host/box_tree.hpp"
 #include "host/cover/lattice_planes.hpp"
 #include "host/cover/pieces.hpp"
 #include "host/cut/complex.hpp"
@@ -26,13 +27,26 @@ struct PieceIndex {
   std::vector<HalfSpaceId> face_inside;  ///< of each face of each piece, the side that holds it
   std::vector<std::pair<PieceKey, Index>> slivers;  ///< where each sliver is, and its piece; sorted
   std::vector<std::vector<HalfSpaceId>>
-      piece_cuts;  ///< [Q] PieceRecord::cuts; empty if no joint is prolonged
+      piece_cuts;      ///< [Q] PieceRecord::cuts; empty if no joint is prolonged
+  BoxTree piece_tree;  ///< [Q] m, about the pieces and point_slack() beyond; kind `block` only
+
+  /// m, how far outside of rock a point may lie: 1e-9 of the model's size, far above rounding, far below any block.
+  Real point_slack() const { return 1e-9 * planes.model_size(); }
 
   /// The regular lattice cell with this linear index, or none. O(log R)
   static Index find_regular(const CoverArrays& covers, Index lattice_cell);
-  /// The pieces of a cell of the complex in a part of a lattice cell: several where joints are prolonged. O(log E)
+  /// The pieces of a cell of the complex in a part of a lattice cell: several where joints are prolonged. O(log Q)
   std::vector<Index> find_pieces(const CoverArrays& covers, Index lattice_cell, int part,
                                  Index rock) const;
+  /// Fills `piece_tree`. O(Q log Q)
+  void build_piece_tree(const CoverArrays& covers);
 };
+
+/// A range of indices, [begin, end).
+struct IndexRange {
+  Index begin = 0, end = 0;
+};
+/// The cut elements of a lattice cell; of kind `block`, of a block. O(log E)
+IndexRange elements_of_cell(const CoverArrays& covers, Index lattice_cell);
 
 }  // namespace rockfold

@@ -46,6 +46,9 @@ class PointTable {
     return entry->second;
   }
 
+  /// Clears the table, where no corner to come can be one of those so far: a small table stays in the processor's caches.
+  void forget() { point_ = {}; }
+
  private:
   struct Key {
     std::array<std::int64_t, 3> place;  ///< in 1e-9 of the lattice spacing
@@ -169,10 +172,12 @@ ElementMesh make_element_mesh(const CoverArrays& covers) {
   PointTable point(mesh, covers);
   for (Index r = 0; r < covers.regular_count(); ++r) add_regular_cell(mesh, covers, r, point);
   const int drawn = covers.first_split_parts();
+  const bool blocks = covers.lattice.kind == LatticeKind::block;
   for (Index e = 0; e < covers.cut_count(); ++e) {
     if (covers.element_part[e] >= drawn) continue;
     for (Index q = covers.piece_begin[e]; q < covers.piece_begin[e + 1]; ++q)
       add_piece(mesh, covers, e, q, point);
+    if (blocks) point.forget();  // each element has a block or a material of its own
   }
   return mesh;
 }

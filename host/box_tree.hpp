@@ -1,4 +1,4 @@
-// Boxes that a line meets, found without looking at all of them.
+// Boxes that a line meets or that hold a point, found without looking at all of them.
 #pragma once
 
 #include <vector>
@@ -20,6 +20,8 @@ class BoxTree {
 
   /// The boxes that from + t·direction meets for some t in [low, high], ascending. O(log n + hits)
   std::vector<Index> along(const Vec3& from, const Vec3& direction, Real low, Real high) const;
+  /// The boxes that hold x, ascending. O(log n + hits)
+  std::vector<Index> at(const Vec3& x) const { return along(x, {}, 0, 0); }
 
  private:
   struct Node {

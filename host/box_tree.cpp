@@ -1,4 +1,4 @@
-#include "host/bolting/box_tree.hpp"
+#include "host/box_tree.hpp"
 
 #include <algorithm>
 #include <numeric>
