@@ -62,6 +62,7 @@ void NastyBody::add_boxes(bool single) {
   };
   add({0, 0, 0}, {1, 1, 1}, true);
   if (single) return;
+  add_regions();
   switch (draw.integer(0, 9)) {
     case 0: {  // beside the first, a hair away from it or in it
       const Real gap = tiny();
@@ -83,6 +84,30 @@ void NastyBody::add_boxes(bool single) {
       break;
     default:
       break;
+  }
+}
+
+// An excavation flush with the rock's floor but for a hair; a region in which joints are healed; a solid with an interface.
+void NastyBody::add_regions() {
+  Model& m = result_.model;
+  if (draw.chance(0.1)) {
+    Excavation excavation;
+    excavation.name = "pit";
+    excavation.stage = 1;
+    excavation.shape = solid({tiny(), 0.3, tiny()}, {0.4, 0.7, 0.5}, true).shape;
+    m.excavations.push_back(std::move(excavation));
+  }
+  if (draw.chance(0.1)) {
+    const Vec3 low = map_({0.5, 0.4, 0.4}), high = low + result_.size * draw.within(0.1, 0.5);
+    m.merges.push_back({BoxRegion{low, high}, {}});
+  }
+  if (draw.chance(0.1)) {
+    m.joint_materials.resize(1);
+    m.joint_materials[0].name = "contact";
+    const Vec3 low{0.6, tiny(), 0.2}, high{1 + tiny(), 0.5, 0.5};
+    m.solids.push_back(solid(low, high, true));
+    m.solids.back().interface = 0;
+    unit_boxes_.push_back(box_solid("", low, high));
   }
 }
 
@@ -115,6 +140,15 @@ void NastyBody::polygon(const std::vector<Vec3>& corners) {
     normal += cross(mapped[i] - mapped[0], mapped[i + 1] - mapped[0]);
   add_joint(result_.model, normalized(normal), mapped[0]);
   result_.model.joints.back().polygon = std::move(mapped);
+}
+
+void NastyBody::dipping(const DipOrientation& orientation, const Vec3& point) {
+  add_joint(result_.model, orientation, map_(point));
+}
+
+void NastyBody::disc(const Vec3& normal, const Vec3& centre, Real radius) {
+  plane(normal, centre);
+  result_.model.joints.back().radius = radius * result_.size;
 }
 
 Vec3 NastyBody::off(Vec3 x, Real by) {

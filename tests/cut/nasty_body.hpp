@@ -22,6 +22,9 @@ class NastyBody {
   /// A plane or a polygon, in the unit cube's coordinates. The polygon's plane is the one that best fits its corners.
   void plane(const Vec3& normal, const Vec3& point);
   void polygon(const std::vector<Vec3>& corners);
+  /// Of the world's angles; a disc of the world's metres over the size.
+  void dipping(const DipOrientation& orientation, const Vec3& point);
+  void disc(const Vec3& normal, const Vec3& centre, Real radius);
   /// Each coordinate off by up to `by`.
   Vec3 off(Vec3 x, Real by);
   /// 1e-16 … 1e-7, now and then nothing; of either sign.
@@ -34,6 +37,7 @@ class NastyBody {
  private:
   void choose_frame();
   void add_boxes(bool single);
+  void add_regions();
   Solid solid(const Vec3& low, const Vec3& high, bool add);
 
   AffineMap map_;

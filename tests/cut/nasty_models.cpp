@@ -105,6 +105,18 @@ std::optional<Index> lattice_planes(Body& b) {
   return {};
 }
 
+// Angles as people write them, through points that they share.
+std::optional<Index> round_angles(Body& b) {
+  const Vec3 o = b.draw.chance(0.5) ? Vec3{0.5, 0.5, 0.5} : b.inner();
+  for (int i = b.draw.integer(3, 8); i > 0; --i) {
+    const Real step = b.draw.pick({15.0, 30.0, 45.0});
+    const Real dip = step * b.draw.integer(0, static_cast<int>(90 / step));
+    const Real dip_direction = step * b.draw.integer(0, static_cast<int>(360 / step) - 1);
+    b.dipping({dip, dip_direction}, b.draw.chance(0.7) ? o : o + b.tiny() * b.draw.direction());
+  }
+  return {};
+}
+
 // Four planes about a tetrahedron of 1e-12 … 1e-1.
 std::optional<Index> small_tetrahedron(Body& b) {
   const Vec3 o = b.inner();
@@ -250,6 +262,21 @@ std::optional<Index> overlapping_patches(Body& b) {
   return {};
 }
 
+// A network in which every third disc nearly lies on the one before.
+std::optional<Index> discs(Body& b) {
+  Vec3 n = b.draw.direction(), o = b.inner();
+  for (int i = b.draw.integer(3, 10); i > 0; --i) {
+    if (i % 3 == 0) {
+      n += b.tiny() * b.draw.direction();
+      o += b.draw.uniform(0, 0.2) * b.draw.normal_to(n) + b.tiny() * n;
+    } else {
+      n = b.draw.direction(), o = b.draw.within(0, 1);
+    }
+    b.disc(n, o, b.draw.power(-3, 0));
+  }
+  return {};
+}
+
 // Bricks whose courses and perpends meet to a hair.
 std::optional<Index> bricks(Body& b) {
   const int courses = b.draw.integer(2, 3), perpends = b.draw.integer(1, 3);
@@ -293,6 +320,7 @@ constexpr std::array kinds{
     NamedKind{"needles", needles},
     NamedKind{"flakes", flakes},
     NamedKind{"lattice planes", lattice_planes},
+    NamedKind{"round angles", round_angles},
     NamedKind{"small tetrahedron", small_tetrahedron},
     NamedKind{"tiles", tiles},
     NamedKind{"tees", tees},
@@ -301,6 +329,7 @@ constexpr std::array kinds{
     NamedKind{"cone", cone},
     NamedKind{"slender polygons", slender_polygons},
     NamedKind{"overlapping patches", overlapping_patches},
+    NamedKind{"discs", discs},
     NamedKind{"bricks", bricks},
     NamedKind{"on the boundary", on_the_boundary},
 };
@@ -309,10 +338,8 @@ constexpr std::array kinds{
 void duplicate_one(NastyModel& m, Draw& draw) {
   Joint twin = m.model.joints[draw.integer(0, static_cast<int>(m.model.joints.size()) - 1)];
   twin.name += "'";
-  if (draw.chance(0.5)) {
-    auto& n = std::get<Vec3>(twin.plane.orientation);
-    n = -n;
-  }
+  if (draw.chance(0.5))
+    if (auto* n = std::get_if<Vec3>(&twin.plane.orientation)) *n = -*n;
   if (draw.chance(0.5)) twin.plane.point += m.size * draw.power(-16, -9) * draw.direction();
   m.model.joints.push_back(twin);
 }

@@ -16,14 +16,15 @@ namespace rockfold::test {
 namespace {
 
 constexpr unsigned shown_failures = 5;
-constexpr std::array fatal{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+constexpr std::array fatal{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM};
+constexpr unsigned longest = 200;  // s a seed: what takes longer is caught in a loop
 
 volatile std::sig_atomic_t seed_at_work = -1;
 
 // Only what a signal handler may do.
 void say_seed(int number) {
-  char text[32] = "\ncrashed at seed ";
-  char* end = std::to_chars(text + 17, text + 31, static_cast<int>(seed_at_work)).ptr;
+  char text[32] = "\nended by seed ";
+  char* end = std::to_chars(text + 15, text + 31, static_cast<int>(seed_at_work)).ptr;
   *end++ = '\n';
   [[maybe_unused]] const auto written =
       write(STDERR_FILENO, text, static_cast<std::size_t>(end - text));
@@ -37,6 +38,7 @@ class SeedGuard {
     for (std::size_t i = 0; i < fatal.size(); ++i) before_[i] = std::signal(fatal[i], say_seed);
   }
   ~SeedGuard() {
+    alarm(0);
     for (std::size_t i = 0; i < fatal.size(); ++i) std::signal(fatal[i], before_[i]);
   }
   SeedGuard(const SeedGuard&) = delete;
@@ -65,6 +67,7 @@ void check_seeds(unsigned first, unsigned count, const std::function<SeededCase(
   unsigned failed = 0;
   for (unsigned seed = first; seed < first + count; ++seed) {
     seed_at_work = static_cast<std::sig_atomic_t>(seed);
+    alarm(longest);
     const SeededCase result = check(seed);
     if (result.faults.empty()) continue;
     ++failures[result.kind + ", " + rule_of(result.faults.front())];

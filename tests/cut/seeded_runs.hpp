@@ -19,7 +19,7 @@ struct SeededCase {
 unsigned from_environment(const char* variable, unsigned normal);
 
 /// Checks the seeds first … first + count − 1 and goes on after a failure. Prints the first five with their details and
-/// counts all. A signal that ends the program (a crash) prints the seed at work.
+/// counts all. A signal that ends the program (a crash, or a seed that takes minutes) prints the seed at work.
 void check_seeds(unsigned first, unsigned count, const std::function<SeededCase(unsigned)>& check);
 
 }  // namespace rockfold::test
