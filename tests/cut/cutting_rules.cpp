@@ -37,6 +37,23 @@ std::vector<Real> sorted_volumes(const BlockArrays& a) {
   return volumes;
 }
 
+// Offsets ascend from 0 to the length of what they index.
+template <class T>
+bool offsets_of(const std::vector<Index>& begin, const std::vector<T>& indexed) {
+  return !begin.empty() && begin.front() == 0 && std::is_sorted(begin.begin(), begin.end()) &&
+         begin.back() == static_cast<Index>(indexed.size());
+}
+
+bool well_formed(const BlockArrays& a) {
+  if (!offsets_of(a.face_begin, a.face_area) || !offsets_of(a.vertex_begin, a.vertex) ||
+      !offsets_of(a.corner_begin, a.corner_vertex) || a.loop_begin.empty() ||
+      !std::is_sorted(a.loop_begin.begin(), a.loop_begin.end()) || a.loop_begin.front() != 0 ||
+      a.loop_begin.back() + 1 != static_cast<Index>(a.corner_begin.size()))
+    return false;
+  return std::all_of(a.corner_vertex.begin(), a.corner_vertex.end(),
+                     [&](Index v) { return 0 <= v && v < static_cast<Index>(a.vertex.size()); });
+}
+
 }  // namespace
 
 std::string rule_of(const std::string& fault) {
@@ -59,6 +76,7 @@ void check_total(const Blocks& blocks, long double expected, Real relative, Faul
 }
 
 void check_surfaces(const BlockArrays& a, Faults& faults) {
+  if (!well_formed(a)) return line(faults, "surface: offsets or indices out of range");
   for (const Vec3& x : a.vertex)
     if (!finite(x)) line(faults, "surface: a vertex that is not finite");
   for (Index b = 0; b < a.block_count(); ++b) {
