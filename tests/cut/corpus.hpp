@@ -8,7 +8,7 @@ namespace rockfold::test::corpus {
 
 /// Of nasty_model.
 inline const std::vector<unsigned> nasty_seeds{
-    6,       // a closed box, tiny dihedrals, patches: a surface did not close
+    6,       // a cone and a small tetrahedron: volume lost
     118,     // near one point: corners without a vertex
     100013,  // tiny dihedrals, near-coincident, near one point: likewise
     100051,  // slender polygons, planes near one line: likewise
