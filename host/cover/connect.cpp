@@ -237,6 +237,8 @@ class Connector {
         covers_.piece_begin.push_back(covers_.piece_begin.back());
       }
       ++covers_.piece_begin.back();
+      index_.sliver_begin.resize(covers_.cut_count(), static_cast<Index>(i));
+      if (sliver == none) index_.sliver_begin.back() = static_cast<Index>(i) + 1;
       covers_.piece_block.push_back(complex_.cell_block[p.rock]);
       index_.piece_element[i] = e;
       index_.piece_rock.push_back(p.rock);

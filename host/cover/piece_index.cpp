@@ -22,7 +22,7 @@ std::vector<Index> PieceIndex::find_pieces(const CoverArrays& covers, Index latt
     if (covers.element_part[e] != part) continue;
     const auto [first, last] =
         std::equal_range(piece_rock.begin() + covers.piece_begin[e],
-                         piece_rock.begin() + covers.piece_begin[e + 1], rock);
+                         piece_rock.begin() + sliver_begin[e], rock);
     for (auto q = first; q != last; ++q)
       pieces.push_back(static_cast<Index>(q - piece_rock.begin()));
   }

@@ -25,6 +25,7 @@ struct PieceIndex {
   std::vector<Index> piece_element;      ///< [Q] cut element
   std::vector<std::int64_t> face_begin;  ///< [Q + 1] into face_inside
   std::vector<HalfSpaceId> face_inside;  ///< of each face of each piece, the side that holds it
+  std::vector<Index> sliver_begin;       ///< [E] pieces of each element from here on are slivers
   std::vector<std::pair<PieceKey, Index>> slivers;  ///< where each sliver is, and its piece; sorted
   std::vector<std::vector<HalfSpaceId>>
       piece_cuts;      ///< [Q] PieceRecord::cuts; empty if no joint is prolonged

@@ -216,8 +216,11 @@ class BeamFinder {
     const Real sense = dot(outward(cell.faces[entered]), axis_[s]);
     std::vector<std::vector<Vec3>> rest{polygon};
     for (const Opening& o : openings_[s]) {
-      if (dot(outward(cell.faces[o.face]), axis_[s]) * sense >= 0) continue;
-      std::vector<Vec3> part = clipped_to_prism(polygon, corners(o), axis_[s]);
+      const Vec3 out = outward(cell.faces[o.face]);
+      if (dot(out, axis_[s]) * sense >= 0) continue;
+      const std::vector<Vec3> opening = corners(o);
+      if (is_narrow(opening, out)) continue;
+      std::vector<Vec3> part = clipped_to_prism(polygon, opening, axis_[s]);
       if (is_narrow(part, path.normal)) continue;
       if (!is_rock(sliver)) subtract(rest, part, path.normal);
       if (depth < most_slivers || o.other == none || is_wide(o.other))

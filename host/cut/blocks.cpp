@@ -127,16 +127,18 @@ void number_blocks(Complex& complex, const std::vector<Index>& part) {
     if (complex.is_sliver[c] == 0) complex.block_stage[complex.cell_block[c]] = complex.zone(c).stage;
 }
 
-// A joint beside a sliver divides what beams through it meet, not the sliver from the block that owns it.
+// A joint beside a sliver lies between what beams through it meet, not between the sliver and the block that owns it.
 void find_dead_ends(Complex& complex) {
-  std::vector<Real> dividing(complex.beams.empty() ? 0 : complex.fragments.size(), 0);  // m², twice
+  std::vector<Real> within(complex.fragments.size(), 0);  // m², of beams both ways
   for (const Beam& b : complex.beams)
-    if (b.cell[1] == none || complex.cell_block[b.cell[0]] != complex.cell_block[b.cell[1]])
-      for (const Index f : b.fragments) dividing[f] += b.cell[1] == none ? 2 * b.area : b.area;
+    if (b.cell[1] != none && complex.cell_block[b.cell[0]] == complex.cell_block[b.cell[1]])
+      for (const Index f : b.fragments) within[f] += b.area;
   for (std::size_t i = 0; i < complex.fragments.size(); ++i) {
     Fragment& f = complex.fragments[i];
-    f.dead_end = f.joint != none && complex.cell_block[f.cell[0]] == complex.cell_block[f.cell[1]] &&
-                 !(complex.touches_sliver(f) && dividing[i] > f.area);
+    if (f.joint == none || complex.cell_block[f.cell[0]] != complex.cell_block[f.cell[1]]) continue;
+    f.dead_end = complex.touches_sliver(f)
+                     ? within[i] > f.area
+                     : width_of(complex, f) >= complex.planes.width_tolerance();
   }
 }
 

@@ -13,13 +13,13 @@
 
 namespace rockfold {
 
-namespace {
-
 Real width_of(const Complex& complex, const Fragment& f) {
   if (f.polygon != none) return polygon_width(complex.polygons[f.polygon], complex.planes);
   const CellView cell = complex.cells[f.cell[0]];
   return face_width(cell, cell.faces[f.face[0]], complex.planes);
 }
+
+namespace {
 
 // A sliver may belong to a part over an area: glue before joints, then the larger area, then the part that lies lower.
 struct Claim {

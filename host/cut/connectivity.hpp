@@ -10,6 +10,9 @@ namespace rockfold {
 /// Marks the fragments of glue narrower than the tolerance. Returns those between wide cells that are within a factor 100 of it.
 std::vector<Index> mark_narrow_glue(Complex& complex);
 
+/// m: of glue or a joint.
+Real width_of(const Complex& complex, const Fragment& f);
+
 /// [cells] the part that each wide cell belongs to, by its smallest cell; slivers: none.
 std::vector<Index> wide_parts(const Complex& complex);
 

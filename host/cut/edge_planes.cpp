@@ -32,6 +32,12 @@ Real distance(const PlaneTable& planes, const Vec3& x, Index plane) {
   return dot(planes.normal(plane), x - planes.centre()) - planes.offset(plane);
 }
 
+const Vec3& farthest_from(const PlaneTable& planes, Index plane, const std::vector<Vec3>& corners) {
+  return *std::max_element(corners.begin(), corners.end(), [&](const Vec3& x, const Vec3& y) {
+    return std::abs(distance(planes, x, plane)) < std::abs(distance(planes, y, plane));
+  });
+}
+
 class EdgeFinder {
  public:
   EdgeFinder(PlaneTable& planes, const std::vector<FlatPolygon>& polygons)
@@ -95,14 +101,13 @@ class EdgeFinder {
     std::vector<bool> without_area(polygons_.size(), false);
     for (const Edge& e : edges_) {
       result.identified += e.exactly ? 0 : 1;
-      HalfSpaceId h = side_of_corners(planes_, e.plane, polygons_[e.polygon].corner);
-      if (h == none) {
-        without_area[e.polygon] = true;
-        h = half_space(e.plane, true);
-      }
-      result.edges[e.polygon].push_back(h);
+      const auto& corners = polygons_[e.polygon].corner;
+      const Vec3& far = farthest_from(planes_, e.plane, corners);
+      const Real d = distance(planes_, far, e.plane);
+      if (std::abs(d) <= planes_.identity_tolerance()) without_area[e.polygon] = true;
+      result.edges[e.polygon].push_back(half_space(e.plane, d > 0));
     }
-    // Nothing is on both sides of an edge: such a polygon cuts nothing.
+    // Nothing is on both sides of an edge: a polygon so narrow that its corners lie on one line cuts nothing.
     for (std::size_t p = 0; p < polygons_.size(); ++p)
       if (without_area[p]) result.edges[p] = {result.edges[p].front(), result.edges[p].front() ^ 1};
     return result;
@@ -152,13 +157,10 @@ Index plane_across(PlaneTable& planes, const Vec3& a, const Vec3& b, Index perpe
 
 HalfSpaceId side_of_corners(const PlaneTable& planes, Index edge_plane,
                             const std::vector<Vec3>& corners) {
-  Real farthest = 0;
-  const Vec3* far = &corners.front();
-  for (const Vec3& x : corners)
-    if (const Real d = distance(planes, x, edge_plane); std::abs(d) > std::abs(farthest))
-      farthest = d, far = &x;
-  if (std::abs(farthest) > planes.identity_tolerance()) return half_space(edge_plane, farthest > 0);
-  const int side = planes.exact_side(*far, edge_plane);
+  const Vec3& far = farthest_from(planes, edge_plane, corners);
+  const Real d = distance(planes, far, edge_plane);
+  if (std::abs(d) > planes.identity_tolerance()) return half_space(edge_plane, d > 0);
+  const int side = planes.exact_side(far, edge_plane);
   return side == 0 ? none : half_space(edge_plane, side > 0);
 }
 

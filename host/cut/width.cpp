@@ -55,11 +55,16 @@ CellWidth cell_width(const CellView& cell, const PlaneTable& planes) {
   return least;
 }
 
-// A convex body lies between two planes as far apart as it is wide, so that V ≤ width · A/2.
+// A convex body lies between two planes as far apart as it is wide, so that V ≤ width · A/2. Of needles, doubles give volumes of
+// their length cubed times ε, and areas likewise.
 CellMeasure measure_cell(const CellView& cell, const PlaneTable& planes) {
+  constexpr Real rounding = 100 * std::numeric_limits<Real>::epsilon();
   const Real tolerance = planes.width_tolerance();
   const CellMoments in_doubles = cell_moments(cell, planes, true);
-  const bool wide = 2 * in_doubles.volume > doubt_factor * tolerance * surface_area(cell);
+  const Real length = 2 * bounding_ball(cell).radius;
+  const Real volume = in_doubles.volume - rounding * length * length * length;
+  const Real area = surface_area(cell) + rounding * length * length;
+  const bool wide = 2 * volume > doubt_factor * tolerance * area;
   const Real width = wide ? std::numeric_limits<Real>::infinity() : cell_width(cell, planes).width;
   return {width < tolerance ? in_doubles : cell_moments(cell, planes, false), width};
 }

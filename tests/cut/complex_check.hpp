@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <sstream>
@@ -93,20 +94,20 @@ class ComplexChecker {
                        static_cast<std::int64_t>(cell.faces.size());
     if (euler != 2) fault("cell ", c, ": V − E + F = ", euler);
     check_convexity(c, cell);
-    if (!(complex_.moments[c].volume > 0))
-      fault("cell ", c, ": volume ", complex_.moments[c].volume);
+    const Real volume = complex_.moments[c].volume;
+    if (complex_.is_sliver[c] != 0 ? !(volume >= 0) : !(volume > 0))
+      fault("cell ", c, ": volume ", volume);
   }
 
   void check_convexity(Index c, const CellView& cell) {
-    IntentCount ignored;
     for (const auto& face : cell.faces) {
       for (const Vertex& v : cell.vertices)
-        if (complex_.planes.side(v, plane_of(face.inside), ignored) ==
+        if (complex_.planes.side(v, plane_of(face.inside)) ==
             (is_above(face.inside) ? -1 : 1))
           fault("cell ", c, ": a vertex on the wrong side of plane ", plane_of(face.inside), " by ",
                 complex_.planes.distance(v, plane_of(face.inside)));
       for (const auto& corner : cell.corners.subspan(face.begin, face.count))
-        if (complex_.planes.side(cell.vertices[corner.vertex], plane_of(face.inside), ignored) != 0)
+        if (complex_.planes.side(cell.vertices[corner.vertex], plane_of(face.inside)) != 0)
           fault("cell ", c, ": a face's corner off its plane ", plane_of(face.inside));
     }
   }
@@ -123,7 +124,7 @@ class ComplexChecker {
   void check_parts() {
     std::vector<Real> covered(complex_.cells.face_begin(complex_.cells.size()), 0);
     const auto cover = [&](Index cell, Index f, Real area) {
-      if (!(area > 0)) fault("cell ", cell, " face ", f, ": a part of area ", area);
+      if (!(area >= 0)) fault("cell ", cell, " face ", f, ": a part of area ", area);
       covered[complex_.cells.face_begin(cell) + f] += area;
     };
     for (const Fragment& f : complex_.fragments) {
@@ -171,17 +172,21 @@ class ComplexChecker {
       }
       const HalfEdge first_a = corner_begin_[f.cell[0]] + a.begin,
                      first_b = corner_begin_[f.cell[1]] + b.begin;
+      // Of slivers' faces all corners may be near to all others: the turn that brings them nearest in all.
       std::int32_t nearest = 0;
-      for (std::int32_t k = 1; k < b.count; ++k)
-        if (norm(start_of(first_b + k) - start_of(first_a)) <
-            norm(start_of(first_b + nearest) - start_of(first_a)))
-          nearest = k;
+      Real least = std::numeric_limits<Real>::infinity();
+      for (std::int32_t turn = 0; turn < b.count; ++turn) {
+        Real off = 0;
+        for (std::int32_t k = 0; k < a.count; ++k)
+          off += norm(start_of(first_b + (turn - k + b.count) % b.count) - start_of(first_a + k));
+        if (off < least) least = off, nearest = turn;
+      }
       for (std::int32_t k = 0; k < a.count; ++k) {
         // a's corner k is b's corner nearest − k; the edge that leaves it in a enters it in b.
         const HalfEdge in_a = first_a + k,
                        in_b = first_b + (nearest - k - 1 + 2 * b.count) % b.count;
         const HalfEdge same_corner = first_b + (nearest - k + b.count) % b.count;
-        if (norm(start_of(same_corner) - start_of(in_a)) > 4 * complex_.planes.tolerance())
+        if (norm(start_of(same_corner) - start_of(in_a)) > complex_.planes.width_tolerance())
           fault("cells ", f.cell[0], " and ", f.cell[1], ": corners of the shared face differ");
         across_[in_a] = in_b;
         across_[in_b] = in_a;

@@ -103,7 +103,7 @@ constexpr Real rounding = 1e-12;
 void check_straight(const std::vector<LatticeJoint>& joints) {
   const Blocks blocks = cut(model_of(joints, nullptr));
   check_against_brute_force(blocks.arrays, joints, {}, rounding);
-  EXPECT_EQ(blocks.cutting.totals.intent.vertices_identified, 0);
+  EXPECT_EQ(blocks.arrays.vertices_identified, 0);
   EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true}), std::vector<std::string>{});
 }
 

@@ -35,7 +35,7 @@ TEST(FourPlanesThatNearlyMeet, MeetWhereTheyMissByLess) {
     EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{82, 132, 78})) << miss;
     EXPECT_GT(smallest(blocks), 0.02) << miss;  // 1/48 and no sliver
     EXPECT_NEAR(sum(blocks.arrays.volume), 1, 2e-10);
-    EXPECT_EQ(blocks.cutting.totals.intent.vertices_identified > 0, miss != 0) << miss;
+    EXPECT_EQ(blocks.arrays.vertices_identified > 0, miss != 0) << miss;
     EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true, .area_tolerance = 1e-9}),
               std::vector<std::string>{});
   }
@@ -49,7 +49,7 @@ TEST(FourPlanesThatNearlyMeet, AreDistinctWhereTheyMissByMore) {
     // The sliver tetrahedron's edges along the axes are 3·miss·L… of x + y + z = 3/2 + √3·L·miss.
     const Real edge = std::abs(miss) * size * std::sqrt(3.0);
     EXPECT_NEAR(smallest(blocks) / (edge * edge * edge / 6), 1, 4 * 1.2e-16 / edge) << miss;
-    EXPECT_EQ(blocks.cutting.totals.intent.vertices_identified, 0);
+    EXPECT_EQ(blocks.arrays.vertices_identified, 0);
     EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true}), std::vector<std::string>{});
   }
 }
@@ -58,7 +58,7 @@ TEST(FourPlanesThatNearlyMeet, AreDistinctWhereTheyMissByMore) {
 TEST(FourPlanesThatNearlyMeet, AreReportedWhereTheDecisionIsNear) {
   for (const Real miss : {1e-11, 0.9e-10, 1e-9, 0.9e-8}) {
     const IntentReport intent = cut(four_planes(miss)).cutting.totals.intent;
-    EXPECT_GT(intent.near_decisions, 0) << miss;
+    EXPECT_GT(intent.doubts, 0) << miss;
     ASSERT_FALSE(intent.near_planes.empty()) << miss;
     EXPECT_TRUE(std::is_sorted(intent.near_planes.begin(), intent.near_planes.end()));
     for (const std::string& name : intent.near_planes)
@@ -66,7 +66,7 @@ TEST(FourPlanesThatNearlyMeet, AreReportedWhereTheDecisionIsNear) {
   }
   for (const Real miss : {0.0, 5e-13, 1.1e-8, 1e-6}) {
     const IntentReport intent = cut(four_planes(miss)).cutting.totals.intent;
-    EXPECT_EQ(intent.near_decisions, 0) << miss;
+    EXPECT_EQ(intent.doubts, 0) << miss;
     EXPECT_TRUE(intent.near_planes.empty()) << miss;
   }
 }

@@ -83,7 +83,7 @@ class MirrorPlanes : public testing::Test {
       EXPECT_NEAR(blocks.arrays.volume[b], 8.0 / count, 1e-14);
     }
     EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true}), std::vector<std::string>{});
-    EXPECT_EQ(blocks.cutting.totals.intent.near_decisions, 0);
+    EXPECT_EQ(blocks.cutting.totals.intent.doubts, 0);
   }
 };
 

@@ -37,7 +37,7 @@ bool check_seed(unsigned seed) {
   if (expected.clearance > 1e-10L) {
     EXPECT_EQ(a.block_count(), expected.cells());
     EXPECT_EQ(blocks.cutting.totals.cells, expected.cells());
-    EXPECT_EQ(blocks.cutting.totals.intent.vertices_identified, 0);
+    EXPECT_EQ(blocks.arrays.vertices_identified, 0);
   }
   EXPECT_EQ(blocks.cutting.totals.intent.planes_identified, 0);
   EXPECT_NEAR(sum(a.volume), 350, 350e-12);

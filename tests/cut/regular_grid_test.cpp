@@ -37,7 +37,7 @@ TEST(RegularGrid, OfSpacingOneIsAThousandUnitCubes) {
   EXPECT_NEAR(blocks.cutting.totals.joint_area, 27 * 100, 1e-9);
   EXPECT_EQ(blocks.cutting.totals.dangling_joint_area, 0);
   EXPECT_EQ(blocks.arrays.interfaces.size(), 2700u);
-  EXPECT_EQ(blocks.cutting.totals.intent.near_decisions, 0);
+  EXPECT_EQ(blocks.cutting.totals.intent.doubts, 0);
 }
 
 // Ordered by z, then y, then x.

@@ -65,7 +65,7 @@ TEST(Terrain, KeepsEachTriangleThoughPlanesPassNearOtherCorners) {
     auto ground = rough_ground(posts, 3);
     plant_accidents(*ground, posts, miss);
     const Blocks blocks = cut(model_of(std::move(ground)));
-    EXPECT_EQ(blocks.cutting.totals.intent.near_decisions, 0);
+    EXPECT_EQ(blocks.cutting.totals.intent.doubts, 0);
     EXPECT_EQ(faults_of(blocks.complex()), no_faults);
     EXPECT_EQ(faults_of(blocks.arrays, blocks.complex().planes.model_size()), no_faults);
     ASSERT_EQ(blocks.arrays.block_count(), 1);
@@ -90,7 +90,7 @@ TEST(Terrain, OnMapCoordinatesIsOneBlockOfItsVolume) {
         volume += cross(b - a, c - a)[2] / 2 * ((a[2] + b[2] + c[2]) / 3);
       }
       const Blocks blocks = cut(model_of(std::move(ground)));
-      EXPECT_EQ(blocks.cutting.totals.intent.near_decisions, 0);
+      EXPECT_EQ(blocks.cutting.totals.intent.doubts, 0);
       ASSERT_EQ(blocks.arrays.block_count(), 1);
       EXPECT_EQ(blocks.arrays.shell_count[0], 1);
       EXPECT_EQ(blocks.arrays.genus[0], 0);
