@@ -200,6 +200,31 @@ class BeamFinder {
     Crossed crossed;
     crossed.add(f, start.gap ? none : start.item);
     pass(path, polygon, f.cell[1 - start.side], f.face[1 - start.side], crossed, 1);
+    add_strips(polygon, normal, beams);
+  }
+
+  // What no beam leaves through is narrow: it goes with the widest beam, so that an area has no holes.
+  static void add_strips(const std::vector<Vec3>& polygon, const Vec3& normal,
+                         std::vector<Beam>& beams) {
+    if (beams.empty()) return;
+    std::vector<std::vector<Vec3>> rest{polygon};
+    for (const Beam& b : beams) subtract(rest, b.polygon, normal);
+    const Beam widest = *std::max_element(
+        beams.begin(), beams.end(), [](const Beam& a, const Beam& b) { return a.area < b.area; });
+    const bool alone = beams.size() == 1;
+    if (alone) beams.clear(), rest = {polygon};
+    for (std::vector<Vec3>& strip : rest) {
+      beams.push_back(widest);
+      beams.back().area = area_of(strip);
+      beams.back().polygon = std::move(strip);
+    }
+  }
+
+  static Real area_of(const std::vector<Vec3>& polygon) {
+    Vec3 twice{};
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+      twice += cross(polygon[k] - polygon[0], polygon[k + 1] - polygon[0]);
+    return norm(twice) / 2;
   }
 
   // The face of a cell of rock before a narrow void.
@@ -263,10 +288,7 @@ class BeamFinder {
       beam.joint = interface_between(complex_, one, two);
       if (beam.joint == none && one.stage != two.stage) beam.joint = path.open_face;
     }
-    Vec3 twice{};
-    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
-      twice += cross(polygon[k] - polygon[0], polygon[k + 1] - polygon[0]);
-    beam.area = norm(twice) / 2;
+    beam.area = area_of(polygon);
     beam.polygon = std::move(polygon);
     path.beams->push_back(std::move(beam));
   }
