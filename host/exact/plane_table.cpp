@@ -24,6 +24,11 @@ constexpr Real identity_angle = 1e-10;  // DESIGN.md, rule 2
 // 50·48·ε·L ≈ 5e-13·L and the filter seldom fails.
 constexpr Real ill_conditioned = 0.02;
 
+// As a float that is never less: of vertices next to the table's centre floats would round it to nothing.
+float bound(Real error) {
+  return static_cast<float>(error) + std::numeric_limits<float>::min();
+}
+
 // A number that is the same for both orientations of a plane and differs by at most thrice the tolerance between planes
 // that coincide: the size of a generic linear function of normal and offset (that of the offset alone would be one number
 // for all faces of a sphere).
@@ -247,8 +252,7 @@ Vertex PlaneTable::vertex(Index p, Index q, Index r) const {
   const Real det = dot(a, bc);
   if (std::abs(det) < ill_conditioned) {
     v.x = exact_position(v.plane);
-    v.error =
-        static_cast<float>(4 * epsilon * (std::abs(v.x[0]) + std::abs(v.x[1]) + std::abs(v.x[2])));
+    v.error = bound(4 * epsilon * (std::abs(v.x[0]) + std::abs(v.x[1]) + std::abs(v.x[2])));
     return v;
   }
   const Real da = offset_[v.plane[0]], db = offset_[v.plane[1]], dc = offset_[v.plane[2]];
@@ -256,8 +260,8 @@ Vertex PlaneTable::vertex(Index p, Index q, Index r) const {
   v.x = (1 / det) * (da * bc + db * ca + dc * ab);
   // Coefficients carry 1.5 ε each (a plane's own scale cancels), cross products 6 ε, their sums 10 ε: of the numerator
   // Σ|d|, and of the determinant 1, where it counts |x|/|det| times.
-  v.error = static_cast<float>(
-      16 * epsilon * (std::abs(da) + std::abs(db) + std::abs(dc) + norm(v.x)) / std::abs(det));
+  v.error =
+      bound(16 * epsilon * (std::abs(da) + std::abs(db) + std::abs(dc) + norm(v.x)) / std::abs(det));
   return v;
 }
 

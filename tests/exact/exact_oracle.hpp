@@ -1,16 +1,43 @@
 // What a plane table should answer, by exact rational arithmetic alone.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+#include <random>
+#include <string>
 #include <vector>
 
 #include "host/exact/plane_exact.hpp"
 #include "host/exact/plane_table.hpp"
+#include "src/base/vector.hpp"
 
 namespace rockfold::test {
+
+inline int sign(const Exact& x) {
+  return x > 0 ? 1 : x < 0 ? -1 : 0;
+}
+
+/// 10^exponent
+inline Exact ten_to(int exponent) {
+  Exact power = 1;
+  for (int i = 0; i < std::abs(exponent); ++i) power *= 10;
+  return exponent < 0 ? Exact(1 / power) : power;
+}
+
+/// The number that a text of the form -12.34e-5 stands for.
+inline Exact decimal(const std::string& text) {
+  const std::size_t e = text.find_first_of("eE");
+  int exponent = e == std::string::npos ? 0 : std::stoi(text.substr(e + 1));
+  Exact digits = 0;
+  bool fraction = false;
+  for (const char c : text.substr(0, e)) {
+    if (c == '.') fraction = true;
+    if (c < '0' || c > '9') continue;
+    digits = 10 * digits + Exact(c - '0');
+    exponent -= fraction ? 1 : 0;
+  }
+  return (text.front() == '-' ? Exact(-1) : Exact(1)) * digits * ten_to(exponent);
+}
 
 /// A plane table beside the exact planes that were put into it.
 struct Planes {
@@ -20,7 +47,14 @@ struct Planes {
     exact_planes.push_back({plane.n, plane.d - dot(plane.n, centre_exact)});
     return table.add(plane);
   }
-  Index add(const Vec3& normal, const Vec3& point) { return add(plane_through(normal, point)); }
+  Index add(const Vec3& normal, const Vec3& point, const Exact& offset = 0) {
+    return add(plane_through(normal, point, offset));
+  }
+
+  Exact determinant(const std::array<Index, 3>& p) const {
+    const auto& e = exact_planes;
+    return dot(e[p[0]].n, cross(e[p[1]].n, e[p[2]].n));
+  }
 
   /// The meeting point of three planes relative to the centre, by Cramer's rule.
   ExactVec3 meeting_point(const std::array<Index, 3>& p) const {
@@ -32,22 +66,9 @@ struct Planes {
     return x;
   }
 
-  /// n·x − d of the plane as given (not of unit normal).
-  Exact value(const ExactVec3& x, Index plane) const {
-    return dot(exact_planes[plane].n, x) - exact_planes[plane].d;
-  }
-
-  /// Signed distance in m, relative error some 1e-15: rounded only after the exact value.
-  Real distance(const ExactVec3& x, Index plane) const {
-    const Exact squared = dot(exact_planes[plane].n, exact_planes[plane].n);
-    return CGAL::to_double(value(x, plane)) / std::sqrt(CGAL::to_double(squared));
-  }
-
-  /// Sine of the angle between two planes.
-  Real sine(Index p, Index q) const {
-    const ExactVec3 &a = exact_planes[p].n, &b = exact_planes[q].n;
-    const ExactVec3 c = cross(a, b);
-    return std::sqrt(CGAL::to_double(Exact(dot(c, c) / (dot(a, a) * dot(b, b)))));
+  /// −1, 0, +1: the side of plane s on which the meeting point of three others lies.
+  int side(const std::array<Index, 3>& p, Index s) const {
+    return sign(dot(exact_planes[s].n, meeting_point(p)) - exact_planes[s].d);
   }
 
   PlaneTable table;
@@ -55,42 +76,16 @@ struct Planes {
   std::vector<ExactPlane> exact_planes;  ///< d relative to the centre
 };
 
-inline int sign(const Exact& x) {
-  return x > 0 ? 1 : x < 0 ? -1 : 0;
-}
+/// Vectors and points at random, the same in each run.
+struct Random {
+  std::mt19937 engine{20261121};
+  std::normal_distribution<Real> gauss;
+  std::uniform_real_distribution<Real> unit{-1, 1};
 
-/// DESIGN.md, rule 5, on exact numbers: on the plane if the least of the four distances by which the planes miss a common
-/// point is within 1e-10 of the size (less in proportion where two of them make an angle of sine under 1e-3), and the
-/// vertex is not moved by more than 1e-7 of the size; the exact sign otherwise. `decided` is false so near a threshold that
-/// doubles may differ.
-struct Answer {
-  int side = 0;
-  bool decided = true;
-};
-inline Answer rule_five(const Planes& planes, const std::array<Index, 3>& vertex, Index s,
-                        Real size) {
-  const ExactVec3 x = planes.meeting_point(vertex);
-  const Real distance = std::abs(planes.distance(x, s));
-  Real least = distance;
-  for (int i = 0; i < 3; ++i) {
-    std::array<Index, 3> other = vertex;
-    std::swap(other[i], s);
-    const auto& n = planes.exact_planes;
-    if (dot(n[other[0]].n, cross(n[other[1]].n, n[other[2]].n)) != 0)
-      least = std::min(least, std::abs(planes.distance(planes.meeting_point(other), s)));
-    std::swap(other[i], s);
+  Vec3 vector() { return {gauss(engine), gauss(engine), gauss(engine)}; }
+  Vec3 point(Real size) {
+    return {size / 2 * unit(engine), size / 2 * unit(engine), size / 2 * unit(engine)};
   }
-  const Index all[4] = {vertex[0], vertex[1], vertex[2], s};
-  Real smallest = 1e-3;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < i; ++j) smallest = std::min(smallest, planes.sine(all[i], all[j]));
-  const Real allowed = 1e-10 * size * (smallest / 1e-3);
-  const int exact_sign = sign(planes.value(x, s));
-  const bool on = least <= allowed && distance <= 1e-7 * size;
-  // Rounding of the unit normals counts where the tolerance is as small as they are.
-  const bool near_distance = std::abs(least - allowed) < 0.02 * allowed + 4e-15 * size ||
-                             std::abs(distance / (1e-7 * size) - 1) < 1e-3;
-  return {on ? 0 : exact_sign, !near_distance};
-}
+};
 
 }  // namespace rockfold::test
