@@ -10,10 +10,10 @@ namespace rockfold {
 
 namespace {
 
-// So few polygons cut better than boxes around them.
+// So few polygons cut better than boxes around them. No more than so many planes that nearly coincide can lie on each other.
 constexpr std::size_t leaf_size = 8;
-// Models with no more polygons are not divided at all.
-constexpr std::size_t least_polygons = 256;
+// Models with no more polygons are not divided at all: planes through corners nearly coincide with other polygons' planes.
+constexpr std::size_t least_polygons = 64;
 constexpr int max_depth = 64;
 // An empty end of a box that is this share of it is cut off.
 constexpr Real empty_share = 0.3;

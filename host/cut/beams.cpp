@@ -15,7 +15,11 @@ namespace rockfold {
 namespace {
 
 // Slivers that a beam passes at most: more lie behind each other only where somebody piles up joints.
-constexpr int most_slivers = 64;
+constexpr std::size_t most_slivers = 64;
+// Slivers that the beams of one area pass in all; the rest of it goes with the widest. A stack of n planes may divide it into n⁴
+// columns, of which nobody can tell one from the other.
+constexpr std::size_t most_passages = 512;
+constexpr std::size_t most_parts = 32;  // of an area between whose beams strips are looked for
 
 // An area of a sliver's boundary, seen from the sliver.
 struct Opening {
@@ -24,6 +28,8 @@ struct Opening {
   Index item;         // into Complex::fragments, the gaps or Complex::free_parts
   Index face, other;  // of the sliver; the cell behind it, none = none
   Index other_face;
+  Real up = 0;               // cosine of the outward normal and the sliver's axis
+  std::vector<Vec3> corner{};  // in a row; none where it is narrow
 };
 
 // The joint that a beam has crossed first.
@@ -87,6 +93,7 @@ class BeamFinder {
       : complex_(complex), rock_count_(rock_count), gaps_(gaps) {
     number_slivers();
     find_openings();
+    measure_openings();
   }
 
   std::vector<Beam> run() const {
@@ -120,6 +127,8 @@ class BeamFinder {
     Index open_face = none;  // origin of the face at the start, if a void is before it
     Vec3 normal;             // of the start's plane
     std::vector<Beam>* beams;
+    std::vector<Index> slivers{};  // that it is in
+    std::size_t passages = 0;
   };
 
   bool is_rock(Index cell) const { return cell < rock_count_; }
@@ -166,6 +175,17 @@ class BeamFinder {
     }
   }
 
+  void measure_openings() {
+    parallel_for(static_cast<std::int64_t>(openings_.size()), 64, [&](std::int64_t s) {
+      for (Opening& o : openings_[s]) {
+        const Vec3 out = outward(complex_.cells[slivers_[s]].faces[o.face]);
+        o.up = dot(out, axis_[s]);
+        std::vector<Vec3> corner = corners(o);
+        if (!is_narrow(corner, out)) o.corner = std::move(corner);
+      }
+    });
+  }
+
   std::vector<Vec3> corners(const Opening& o) const {
     switch (o.kind) {
       case Opening::Kind::fragment:
@@ -199,20 +219,28 @@ class BeamFinder {
               &beams};
     Crossed crossed;
     crossed.add(f, start.gap ? none : start.item);
-    pass(path, polygon, f.cell[1 - start.side], f.face[1 - start.side], crossed, 1);
+    pass(path, polygon, f.cell[1 - start.side], f.face[1 - start.side], crossed);
     add_strips(polygon, normal, beams);
   }
 
-  // What no beam leaves through is narrow: it goes with the widest beam, so that an area has no holes.
+  // What no beam leaves through is narrow: it goes with the widest beam, so that an area has no holes. Beams that all end alike
+  // are one.
   static void add_strips(const std::vector<Vec3>& polygon, const Vec3& normal,
                          std::vector<Beam>& beams) {
     if (beams.empty()) return;
-    std::vector<std::vector<Vec3>> rest{polygon};
-    for (const Beam& b : beams) subtract(rest, b.polygon, normal);
     const Beam widest = *std::max_element(
         beams.begin(), beams.end(), [](const Beam& a, const Beam& b) { return a.area < b.area; });
-    const bool alone = beams.size() == 1;
-    if (alone) beams.clear(), rest = {polygon};
+    const auto ends_alike = [&](const Beam& b) {
+      return b.cell[1] == widest.cell[1] && b.joint == widest.joint && b.origin == widest.origin;
+    };
+    std::vector<std::vector<Vec3>> rest{polygon};
+    if (std::all_of(beams.begin(), beams.end(), ends_alike)) {
+      beams.clear();
+    } else if (beams.size() <= most_parts) {
+      for (const Beam& b : beams) subtract(rest, b.polygon, normal);
+    } else {
+      return;
+    }
     for (std::vector<Vec3>& strip : rest) {
       beams.push_back(widest);
       beams.back().area = area_of(strip);
@@ -235,30 +263,32 @@ class BeamFinder {
 
   // Through a sliver that was entered by one of its faces.
   void pass(Path& path, const std::vector<Vec3>& polygon, Index sliver, Index entered,
-            const Crossed& crossed, int depth) const {
+            const Crossed& crossed) const {
     const Index s = number_[sliver];
     const CellView cell = complex_.cells[sliver];
     const Real sense = dot(outward(cell.faces[entered]), axis_[s]);
+    path.slivers.push_back(sliver);
+    ++path.passages;
     std::vector<std::vector<Vec3>> rest{polygon};
     for (const Opening& o : openings_[s]) {
-      const Vec3 out = outward(cell.faces[o.face]);
-      if (dot(out, axis_[s]) * sense >= 0) continue;
-      const std::vector<Vec3> opening = corners(o);
-      if (is_narrow(opening, out)) continue;
-      std::vector<Vec3> part = clipped_to_prism(polygon, opening, axis_[s]);
+      if (o.up * sense >= 0 || o.corner.empty()) continue;
+      std::vector<Vec3> part = clipped_to_prism(polygon, o.corner, axis_[s]);
       if (is_narrow(part, path.normal)) continue;
       if (!is_rock(sliver)) subtract(rest, part, path.normal);
-      if (depth < most_slivers || o.other == none || is_wide(o.other))
-        leave(path, std::move(part), sliver, o, crossed, depth);
+      leave(path, std::move(part), sliver, o, crossed);
     }
-    if (is_rock(sliver)) return;
     // Nothing is behind the rest of a void.
     for (std::vector<Vec3>& part : rest)
-      if (!is_narrow(part, path.normal)) end(path, std::move(part), none, none, path.open_face, {});
+      if (!is_rock(sliver) && !is_narrow(part, path.normal))
+        end(path, std::move(part), none, none, path.open_face, {});
+    path.slivers.pop_back();
   }
 
   void leave(Path& path, std::vector<Vec3> part, Index sliver, const Opening& o,
-             const Crossed& crossed, int depth) const {
+             const Crossed& crossed) const {
+    if (path.slivers.size() == most_slivers || path.passages >= most_passages ||
+        std::find(path.slivers.begin(), path.slivers.end(), o.other) != path.slivers.end())
+      return;
     Crossed further = crossed;
     if (o.kind == Opening::Kind::fragment) further.add(complex_.fragments[o.item], o.item);
     if (o.kind == Opening::Kind::gap) further.add(gaps_[o.item], none);
@@ -268,7 +298,7 @@ class BeamFinder {
     const Index open_face = path.open_face;
     if (o.kind == Opening::Kind::gap && is_rock(sliver))
       path.open_face = free_origin(sliver, o.face, o.other);
-    pass(path, part, o.other, o.other_face, further, depth + 1);
+    pass(path, part, o.other, o.other_face, further);
     path.open_face = open_face;
   }
 

@@ -67,13 +67,6 @@ std::vector<CuttingSurface> facet_surfaces(const Complex& complex) {
   return surfaces;
 }
 
-AuxTree make_tree(PlaneTable& planes, const std::vector<CuttingSurface>& surfaces,
-                  const Box& space) {
-  std::vector<const Patch*> patches;
-  for (const CuttingSurface& s : surfaces) patches.push_back(s.patch);
-  return {planes, patches, space};
-}
-
 constexpr std::size_t most_names = 20;  // in reports
 
 // More than that many beyond the limit are not even counted.
@@ -85,7 +78,11 @@ CellStore cut_by_shapes(CuttingInput& input, const Model& model) {
   auto surfaces = facet_surfaces(complex);
   Box space;
   for (const Vertex& v : input.start[0].vertices) space.add(v.x);
-  const AuxTree tree = make_tree(complex.planes, surfaces, space);
+  // The faces of convex parts are few and meet at angles.
+  std::vector<const Patch*> patches;
+  for (const Facet& facet : complex.facets)
+    if (complex.bodies[facet.body].inside.empty()) patches.push_back(&facet.patch);
+  const AuxTree tree(complex.planes, patches, space);
   // The void is cut too, but only the rock's cells count; the limit here is for the memory.
   const std::int64_t most = std::max(model.cut.max_cells, CutSpec{}.max_cells);
   Progress silent;
@@ -184,7 +181,9 @@ std::vector<CellMeasure> cut_by_joints(const Rock& rock, const Model& model, Com
   Box space;
   for (const Index c : rock.of_rock)
     for (const Vertex& v : rock.cells[c].vertices) space.add(v.x);
-  const AuxTree tree = make_tree(complex.planes, surfaces, space);
+  std::vector<const Patch*> patches;
+  for (const CuttingSurface& s : surfaces) patches.push_back(s.patch);
+  const AuxTree tree(complex.planes, patches, space);
   const auto applies = [&](Index cell, Index within) {
     if (rock.zone[cell] == none) return true;
     const auto& solids = complex.zones[rock.zone[cell]].within;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host/cut/near_boxes.hpp"
+#include "host/cut/polygon.hpp"
 #include "host/exact/plane_exact.hpp"
 #include "src/base/vector.hpp"
 
@@ -98,18 +99,16 @@ class EdgeFinder {
   EdgePlanes result() const {
     EdgePlanes result;
     result.edges.resize(polygons_.size());
-    std::vector<bool> without_area(polygons_.size(), false);
     for (const Edge& e : edges_) {
       result.identified += e.exactly ? 0 : 1;
-      const auto& corners = polygons_[e.polygon].corner;
-      const Vec3& far = farthest_from(planes_, e.plane, corners);
-      const Real d = distance(planes_, far, e.plane);
-      if (std::abs(d) <= planes_.identity_tolerance()) without_area[e.polygon] = true;
-      result.edges[e.polygon].push_back(half_space(e.plane, d > 0));
+      const HalfSpaceId h = side_of_corners(planes_, e.plane, polygons_[e.polygon].corner);
+      result.edges[e.polygon].push_back(h != none ? h : half_space(e.plane, true));
     }
     // Nothing is on both sides of an edge: a polygon so narrow that its corners lie on one line cuts nothing.
     for (std::size_t p = 0; p < polygons_.size(); ++p)
-      if (without_area[p]) result.edges[p] = {result.edges[p].front(), result.edges[p].front() ^ 1};
+      if (width_in_plane(polygons_[p].corner, planes_.normal(polygons_[p].plane)) <=
+          planes_.identity_tolerance())
+        result.edges[p] = {result.edges[p].front(), result.edges[p].front() ^ 1};
     return result;
   }
 
