@@ -124,6 +124,7 @@ class BeamFinder {
   };
   struct Path {
     Index start_cell, start_face;
+    Index start = none;      // Beam::start
     Index open_face = none;  // origin of the face at the start, if a void is before it
     Vec3 normal;             // of the start's plane
     std::vector<Beam>* beams;
@@ -215,7 +216,11 @@ class BeamFinder {
     // Polygons run counter-clockwise seen from above their plane: from outside the cell below it, side 0.
     if (start.side == 1) std::reverse(polygon.begin(), polygon.end());
     if (is_narrow(polygon, normal)) return;
-    Path path{cell, face, start.gap ? free_origin(cell, face, f.cell[1 - start.side]) : none, normal,
+    Path path{cell,
+              face,
+              start.gap ? none : 2 * start.item + start.side,
+              start.gap ? free_origin(cell, face, f.cell[1 - start.side]) : none,
+              normal,
               &beams};
     Crossed crossed;
     crossed.add(f, start.gap ? none : start.item);
@@ -307,6 +312,7 @@ class BeamFinder {
     Beam beam;
     beam.cell[0] = path.start_cell;
     beam.face[0] = path.start_face;
+    beam.start = path.start;
     beam.cell[1] = cell;
     beam.face[1] = face;
     beam.origin = origin;

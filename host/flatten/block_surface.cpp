@@ -33,6 +33,7 @@ class SurfaceMerger {
 
   BlockSurface run() {
     collect_edges();
+    name_strips();
     grow_faces();
     cancel_inner_edges();
     chain_loops();
@@ -120,6 +121,23 @@ class SurfaceMerger {
     edges_ = std::move(left);
   }
 
+  // Glue beside slivers is on the surface where it is narrow, but has no name of its own: that of what is next to it, if it has
+  // not vanished.
+  void name_strips() {
+    for (std::size_t i = 0; i < areas_.size(); ++i) origin_.push_back(areas_[i].origin);
+    if (std::find(origin_.begin(), origin_.end(), none) == origin_.end()) return;
+    std::map<std::pair<Index, Index>, Index> area_at;
+    for (const DirectedEdge& e : edges_) area_at.try_emplace({e.from, e.to}, e.area);
+    Index any = none;
+    for (const Index origin : origin_)
+      if (any == none) any = origin;
+    for (const DirectedEdge& e : edges_)
+      if (const auto next = area_at.find({e.to, e.from});
+          origin_[e.area] == none && next != area_at.end())
+        origin_[e.area] = areas_[next->second].origin;
+    std::replace(origin_.begin(), origin_.end(), Index{none}, any);
+  }
+
   bool lies_on(Index area, HalfSpaceId plane) const {
     if (inside(area) == plane) return true;
     if (!(dot(outward(inside(area)), outward(plane)) > 0)) return false;
@@ -155,7 +173,7 @@ class SurfaceMerger {
     for (const Index seed : order) {
       if (face_of_[seed] != none || edges_of_area_[seed].second == 0) continue;
       const auto face = static_cast<Index>(surface_.faces.size());
-      surface_.faces.push_back({inside(seed), areas_[seed].origin, 0});
+      surface_.faces.push_back({inside(seed), origin_[seed], 0});
       open.assign(1, seed);
       face_of_[seed] = face;
       while (!open.empty()) {
@@ -168,7 +186,7 @@ class SurfaceMerger {
                                      [&](std::size_t e, const auto& wanted) { return ends(e) < wanted; });
           for (; it != by_ends.end() && ends(*it) == back; ++it) {
             const Index next = edges_[*it].area;
-            if (face_of_[next] != none || areas_[next].origin != areas_[seed].origin ||
+            if (face_of_[next] != none || origin_[next] != origin_[seed] ||
                 !lies_on(next, inside(seed)))
               continue;
             face_of_[next] = face;
@@ -411,7 +429,7 @@ class SurfaceMerger {
   std::vector<Vec3> vertices_;
   std::vector<DirectedEdge> edges_;
   std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> edges_of_area_;  // while they are sorted so
-  std::vector<Index> face_of_;                                           // [areas]
+  std::vector<Index> origin_, face_of_;                                  // [areas]
   std::vector<Loop> loops_;
   std::vector<std::pair<EdgeUse, EdgeUse>> pairs_;
   Index unpaired_ = 0;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <numeric>
+#include <set>
 #include <tuple>
 
 #include "host/cut/complex.hpp"
@@ -59,6 +60,12 @@ class SurfaceWriter {
   }
 
  private:
+  // What a wide cell sees through a fragment that it shares with a sliver.
+  struct SideOfSliver {
+    Index begin = 0, end = 0;  // beams that start there
+    Index origin = none;       // that all of them show, or none inside a block
+    bool mixed = false;        // they differ
+  };
   struct KeptSurface {
     Index rank;
     BlockSurface surface;
@@ -85,30 +92,60 @@ class SurfaceWriter {
   }
 
   // The areas of wide cells that bound each block. Items are numbered so: fragment i has the sides 2 i and 2 i + 1, then come
-  // the free parts, then the beams, which stand for what is between wide cells and slivers.
+  // the free parts, then the beams, which stand for what is between wide cells and slivers where that differs from place to place.
   void group_areas() {
     find_returns();
+    find_sides();
     areas_ = group_items(before_beams_ + static_cast<Index>(complex_.beams.size()),
                          complex_.block_count, [&](Index i) { return rank_of_item(i); });
   }
+
+  // What a beam shows of the face that it starts from: the origin of that part of the surface, or none inside a block.
+  Index origin_of(const Beam& b) const {
+    if (b.cell[1] == none) return b.origin;
+    return complex_.cell_block[b.cell[0]] == complex_.cell_block[b.cell[1]] ? none : b.joint;
+  }
+
+  void find_sides() {
+    side_.assign(sides_, {});
+    for (Index i = 0; i < static_cast<Index>(complex_.beams.size()); ++i) {
+      const Beam& b = complex_.beams[i];
+      if (b.start == none) {
+        before_gap_.emplace(b.cell[0], b.face[0]);
+        continue;
+      }
+      SideOfSliver& side = side_[b.start];
+      const Index origin = origin_of(b);
+      if (side.begin == side.end) side.begin = i, side.origin = origin;
+      side.end = i + 1;
+      side.mixed = side.mixed || side.origin != origin;
+    }
+  }
+
+  // Whether beams are areas of their own: the side that they start from is not the same all over.
+  bool stands_alone(const Beam& b) const { return b.start == none || side_[b.start].mixed; }
 
   Index rank_of_item(Index i) const {
     const auto& rank = order_.rank_of_cell;
     if (i < sides_) {
       const Fragment& f = complex_.fragments[i / 2];
-      if (f.joint == none || rank[f.cell[0]] == rank[f.cell[1]] || complex_.touches_sliver(f))
-        return none;
-      return rank[f.cell[i % 2]];
+      const Index cell = f.cell[i % 2];
+      if (complex_.is_sliver[cell] != 0) return none;
+      if (!complex_.touches_sliver(f))
+        return rank[f.cell[0]] == rank[f.cell[1]] || (f.joint == none && !f.narrow) ? none
+                                                                                    : rank[cell];
+      // Where no beam leaves it is narrow: only with it the surface closes.
+      const SideOfSliver& side = side_[i];
+      const bool has_beams = side.begin < side.end;
+      return has_beams && (side.mixed || side.origin == none) ? none : rank[cell];
     }
     if (i < before_beams_) {
       const FreePart& f = complex_.free_parts[i - sides_];
-      return complex_.is_sliver[f.cell] != 0 || f.gap != none ? none : rank[f.cell];
+      const bool by_beams = f.gap != none && before_gap_.count({f.cell, f.face}) != 0;
+      return complex_.is_sliver[f.cell] != 0 || by_beams ? none : rank[f.cell];
     }
     const Beam& b = complex_.beams[i - before_beams_];
-    const bool ends_in_rock = b.cell[1] != none;
-    if (ends_in_rock ? b.joint == none || rank[b.cell[0]] == rank[b.cell[1]] : b.origin == none)
-      return none;
-    return rank[b.cell[0]];
+    return stands_alone(b) && origin_of(b) != none ? rank[b.cell[0]] : none;
   }
 
   void find_areas(Index rank, std::vector<BoundaryArea>& areas) const {
@@ -117,14 +154,15 @@ class SurfaceWriter {
       BoundaryArea a;
       if (i < sides_) {
         const Fragment& f = complex_.fragments[i / 2];
-        a = {f.cell[i % 2], f.face[i % 2], f.joint, f.area, i / 2, none, none};
+        const bool has_beams = side_[i].begin < side_[i].end;
+        a = {f.cell[i % 2], f.face[i % 2], has_beams ? side_[i].origin : f.joint, f.area, i / 2, none,
+             none};
       } else if (i < before_beams_) {
         const FreePart& f = complex_.free_parts[i - sides_];
         a = {f.cell, f.face, f.origin, f.area, none, i - sides_, none};
       } else {
         const Beam& b = complex_.beams[i - before_beams_];
-        a = {b.cell[0], b.face[0],           b.cell[1] == none ? b.origin : b.joint,
-             b.area,    none, none, i - before_beams_};
+        a = {b.cell[0], b.face[0], origin_of(b), b.area, none, none, i - before_beams_};
       }
       areas.push_back(a);
     }
@@ -314,23 +352,32 @@ class SurfaceWriter {
   void find_contacts(Index rank, std::vector<Contact>& contacts) const {
     contacts.clear();
     const Index b = order_.block[rank];
+    const auto add = [&](Index cell, Index face, Index other, Real area, Index item) {
+      const Index behind = complex_.cell_block[cell];
+      if (behind > b && face != none && other != none)
+        contacts.push_back({{{b, behind}, {face, other}, area}, item});
+    };
+    const auto add_beam = [&](Index i) {
+      const Beam& beam = complex_.beams[i];
+      if (return_of_[i] != none)
+        add(beam.cell[1], face_of_beam(i), face_of_beam(return_of_[i]), beam.area, i);
+    };
     for (const Index i : areas_[rank]) {
-      Index other = none, cell = none;
-      Real area = 0;
-      if (i < sides_) {
+      if (i >= before_beams_) {
+        add_beam(i - before_beams_);
+      } else if (i < sides_) {
         const Fragment& f = complex_.fragments[i / 2];
-        other = i ^ 1, cell = f.cell[other % 2], area = f.area;
-      } else if (i >= before_beams_ && return_of_[i - before_beams_] != none) {
-        const Beam& beam = complex_.beams[i - before_beams_];
-        other = before_beams_ + return_of_[i - before_beams_], cell = beam.cell[1], area = beam.area;
+        if (!complex_.touches_sliver(f) && f.joint != none)
+          add(f.cell[1 - i % 2], face_of_item_[i], face_of_item_[i ^ 1], f.area, i / 2);
+        for (Index k = side_[i].begin; k < side_[i].end; ++k) add_beam(k);
       }
-      if (other == none || complex_.cell_block[cell] < b || face_of_item_[i] == none ||
-          face_of_item_[other] == none)
-        continue;
-      contacts.push_back(
-          {{{b, complex_.cell_block[cell]}, {face_of_item_[i], face_of_item_[other]}, area}, i / 2});
     }
     std::sort(contacts.begin(), contacts.end());
+  }
+
+  Index face_of_beam(Index i) const {
+    const Beam& b = complex_.beams[i];
+    return face_of_item_[stands_alone(b) ? before_beams_ + i : b.start];
   }
 
   const Complex& complex_;
@@ -342,6 +389,8 @@ class SurfaceWriter {
   std::vector<std::vector<KeptSurface>> kept_;  // [chunks] by rank
   std::vector<Index> face_of_item_;             // of all faces; none = on no surface
   std::vector<Index> return_of_;                // [beams]
+  std::vector<SideOfSliver> side_;              // [sides] of fragments
+  std::set<std::pair<Index, Index>> before_gap_;  // faces of cells that beams leave into a narrow void
 };
 
 }  // namespace

@@ -29,6 +29,7 @@ bool is_plain_cell(const Complex& complex, Index cells, const std::vector<Bounda
   std::vector<Index>& origin = workspace;  // of each face
   origin.assign(cell.faces.size(), none);
   for (const BoundaryArea& a : areas) {
+    if (a.origin == none) return false;
     if (origin[a.face] != none && origin[a.face] != a.origin) return false;
     origin[a.face] = a.origin;
   }
