@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "host/cut/complex.hpp"
+#include "host/cut/width.hpp"
 #include "host/flatten/block_order.hpp"
 #include "host/flatten/block_surface.hpp"
 #include "host/flatten/bulk.hpp"
@@ -106,20 +107,36 @@ class SurfaceWriter {
     return complex_.cell_block[b.cell[0]] == complex_.cell_block[b.cell[1]] ? none : b.joint;
   }
 
+  // Beams about as narrow as the tolerance show what the largest one beside them does.
   void find_sides() {
     side_.assign(sides_, {});
-    for (Index i = 0; i < static_cast<Index>(complex_.beams.size()); ++i) {
-      const Beam& b = complex_.beams[i];
-      if (b.start == none) {
-        before_gap_.emplace(b.cell[0], b.face[0]);
-        continue;
+    shown_.assign(complex_.beams.size(), none);
+    const auto count = static_cast<Index>(complex_.beams.size());
+    for (Index begin = 0, end = 0; begin < count; begin = end) {
+      const Beam& first = complex_.beams[begin];
+      Index largest = begin;
+      for (end = begin; end < count && starts_with(complex_.beams[end], first); ++end)
+        if (complex_.beams[end].area > complex_.beams[largest].area) largest = end;
+      const Index origin = origin_of(complex_.beams[largest]);
+      bool mixed = false;
+      for (Index i = begin; i < end; ++i) {
+        shown_[i] = is_doubtful_part(complex_.beams[i]) ? origin : origin_of(complex_.beams[i]);
+        mixed = mixed || shown_[i] != origin;
       }
-      SideOfSliver& side = side_[b.start];
-      const Index origin = origin_of(b);
-      if (side.begin == side.end) side.begin = i, side.origin = origin;
-      side.end = i + 1;
-      side.mixed = side.mixed || side.origin != origin;
+      if (first.start != none)
+        side_[first.start] = {begin, end, origin, mixed};
+      else
+        before_gap_.emplace(first.cell[0], first.face[0]);
     }
+  }
+
+  static bool starts_with(const Beam& b, const Beam& first) {
+    return b.start == first.start && b.cell[0] == first.cell[0] && b.face[0] == first.face[0];
+  }
+  bool is_doubtful_part(const Beam& b) const {
+    const HalfSpaceId inside = complex_.cells[b.cell[0]].faces[b.face[0]].inside;
+    return width_in_plane(b.polygon, complex_.planes.normal(plane_of(inside))) <
+           doubt_factor * complex_.planes.width_tolerance();
   }
 
   // Whether beams are areas of their own: the side that they start from is not the same all over.
@@ -145,7 +162,7 @@ class SurfaceWriter {
       return complex_.is_sliver[f.cell] != 0 || by_beams ? none : rank[f.cell];
     }
     const Beam& b = complex_.beams[i - before_beams_];
-    return stands_alone(b) && origin_of(b) != none ? rank[b.cell[0]] : none;
+    return stands_alone(b) && shown_[i - before_beams_] != none ? rank[b.cell[0]] : none;
   }
 
   void find_areas(Index rank, std::vector<BoundaryArea>& areas) const {
@@ -162,7 +179,7 @@ class SurfaceWriter {
         a = {f.cell, f.face, f.origin, f.area, none, i - sides_, none};
       } else {
         const Beam& b = complex_.beams[i - before_beams_];
-        a = {b.cell[0], b.face[0], origin_of(b), b.area, none, none, i - before_beams_};
+        a = {b.cell[0], b.face[0], shown_[i - before_beams_], b.area, none, none, i - before_beams_};
       }
       areas.push_back(a);
     }
@@ -390,6 +407,7 @@ class SurfaceWriter {
   std::vector<Index> face_of_item_;             // of all faces; none = on no surface
   std::vector<Index> return_of_;                // [beams]
   std::vector<SideOfSliver> side_;              // [sides] of fragments
+  std::vector<Index> shown_;                    // [beams] origin_of(), or that of a larger one
   std::set<std::pair<Index, Index>> before_gap_;  // faces of cells that beams leave into a narrow void
 };
 
