@@ -32,14 +32,14 @@ struct Opening {
   std::vector<Vec3> corner{};  // in a row; none where it is narrow
 };
 
-// The joint that a beam has crossed first.
+// The joint that a beam has crossed: of several the first listed, as where joints overlap on one plane.
 struct Crossed {
   Index joint = none, instance = none;
   std::vector<Index> fragments;
 
   void add(const Fragment& f, Index number) {
     if (f.joint == none) return;
-    if (joint == none) joint = f.joint, instance = f.instance;
+    if (joint == none || f.joint < joint) joint = f.joint, instance = f.instance;
     if (number != none) fragments.push_back(number);
   }
 };
@@ -226,6 +226,9 @@ class BeamFinder {
     crossed.add(f, start.gap ? none : start.item);
     pass(path, polygon, f.cell[1 - start.side], f.face[1 - start.side], crossed);
     add_strips(polygon, normal, beams);
+    for (Beam& b : beams)
+      b.narrow = width_in_plane(b.polygon, normal) <
+                 doubt_factor * complex_.planes.width_tolerance();
   }
 
   // What no beam leaves through is narrow: it goes with the widest beam, so that an area has no holes. Beams that all end alike
@@ -233,13 +236,15 @@ class BeamFinder {
   static void add_strips(const std::vector<Vec3>& polygon, const Vec3& normal,
                          std::vector<Beam>& beams) {
     if (beams.empty()) return;
-    const Beam widest = *std::max_element(
+    Beam widest = *std::max_element(
         beams.begin(), beams.end(), [](const Beam& a, const Beam& b) { return a.area < b.area; });
     const auto ends_alike = [&](const Beam& b) {
       return b.cell[1] == widest.cell[1] && b.joint == widest.joint && b.origin == widest.origin;
     };
     std::vector<std::vector<Vec3>> rest{polygon};
     if (std::all_of(beams.begin(), beams.end(), ends_alike)) {
+      for (const Beam& b : beams)
+        widest.slivers.insert(widest.slivers.end(), b.slivers.begin(), b.slivers.end());
       beams.clear();
     } else if (beams.size() <= most_parts) {
       for (const Beam& b : beams) subtract(rest, b.polygon, normal);
@@ -319,6 +324,8 @@ class BeamFinder {
     beam.joint = crossed.joint;
     beam.instance = crossed.instance;
     beam.fragments = crossed.fragments;
+    for (const Index s : path.slivers)
+      if (is_rock(s)) beam.slivers.push_back(s);
     if (cell != none && beam.joint == none) {
       const Zone &one = complex_.zone(path.start_cell), &two = complex_.zone(cell);
       beam.joint = interface_between(complex_, one, two);

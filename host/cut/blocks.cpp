@@ -142,6 +142,24 @@ void find_dead_ends(Complex& complex) {
   }
 }
 
+// A sliver that only its own block shows through is a cell like others.
+void find_hidden(Complex& complex) {
+  const auto& block = complex.cell_block;
+  complex.is_hidden.assign(complex.cells.size(), 0);
+  std::vector<std::uint8_t> passed(complex.cells.size(), 0);
+  for (const Beam& b : complex.beams)
+    for (const Index s : b.slivers) {
+      passed[s] = 1;
+      if (b.narrow) continue;
+      if (b.cell[1] == none || block[b.cell[0]] != block[s] || block[b.cell[1]] != block[s])
+        complex.is_hidden[s] = complex.is_sliver[s];
+    }
+  for (const Fragment& f : complex.fragments)
+    if (block[f.cell[0]] != block[f.cell[1]])
+      for (const Index c : f.cell)
+        if (passed[c] == 0) complex.is_hidden[c] = complex.is_sliver[c];
+}
+
 }  // namespace
 
 void check_merge_points(const CellStore& cells, const PlaneTable& planes, const Model& model) {
@@ -159,6 +177,7 @@ void find_blocks(Complex& complex, const Model& model) {
       merge_parts(complex, *blocks, merge.place, part);
   number_blocks(complex, part);
   find_dead_ends(complex);
+  find_hidden(complex);
 }
 
 }  // namespace rockfold

@@ -83,12 +83,14 @@ struct Beam {
   Index cell[2] = {none, none};  ///< where it starts and ends; cell[1] = none: it ends where rock does
   Index face[2] = {none, none};  ///< local face of each
   Index start = none;     ///< 2·fragment + side of cell[0] in it; none = at a free part before a narrow void
-  Index joint = none;     ///< into Complex::origins, the first that it crosses; none = the cells are one body
+  Index joint = none;     ///< into Complex::origins, the first listed that it crosses; none = the cells are one body
   Index instance = none;  ///< JointPatch::instance of that joint
   Index origin = none;    ///< into Complex::origins: the free face where it ends, if it reaches no cell
   std::vector<Vec3> polygon;    ///< m about the table's centre, on the first cell's face, counter-clockwise from outside
   Real area = 0;                ///< m²
+  bool narrow = false;          ///< about as narrow as the tolerance: nothing is shown by it
   std::vector<Index> fragments;  ///< of joints, that it crosses
+  std::vector<Index> slivers;    ///< cells of rock that it passes
 };
 
 /// A convex part of a shape, or a shape with one closed surface.
@@ -131,6 +133,8 @@ struct Complex {
   std::vector<Index> cell_block;     ///< [cells] blocks ordered by centroid
   std::vector<CellMoments> moments;  ///< [cells]
   std::vector<std::uint8_t> is_sliver;  ///< [cells] narrower than the tolerance: part of a block, never one
+  /// [cells] slivers that other blocks, or free faces, show through: what is on their two sides is the surface, not they.
+  std::vector<std::uint8_t> is_hidden;
   Index block_count = 0;
   std::vector<Index> block_stage;  ///< [blocks] at which it is excavated; 0 = it stays
 
@@ -142,6 +146,9 @@ struct Complex {
   const Zone& zone(Index cell) const { return zones[cell_zone[cell]]; }
   /// Whether no stage removes the block of a cell.
   bool stays(Index cell) const { return block_stage[cell_block[cell]] == 0; }
+  bool touches_hidden(const Fragment& f) const {
+    return is_hidden[f.cell[0]] != 0 || is_hidden[f.cell[1]] != 0;
+  }
   bool touches_sliver(const Fragment& f) const {
     return is_sliver[f.cell[0]] != 0 || is_sliver[f.cell[1]] != 0;
   }

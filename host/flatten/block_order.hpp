@@ -12,7 +12,7 @@ namespace rockfold {
 struct BlockOrder {
   std::vector<Index> block;         ///< [ranks] the block of each rank
   std::vector<Index> rank_of_cell;    ///< [cells]
-  std::vector<Index> cells_of_block;  ///< [blocks] how many cells it has that are no slivers
+  std::vector<Index> cells_of_block;  ///< [blocks] how many cells it has that are not hidden
 
   explicit BlockOrder(const Complex& complex) {
     std::vector<Index> rank(complex.block_count, none);
@@ -21,7 +21,7 @@ struct BlockOrder {
     cells_of_block.assign(complex.block_count, 0);
     for (std::size_t c = 0; c < complex.cell_block.size(); ++c) {
       const Index b = complex.cell_block[c];
-      cells_of_block[b] += complex.is_sliver[c] == 0 ? 1 : 0;
+      cells_of_block[b] += complex.is_hidden[c] == 0 ? 1 : 0;
       if (rank[b] == none) {
         rank[b] = static_cast<Index>(block.size());
         block.push_back(b);

@@ -303,7 +303,7 @@ class SurfaceMerger {
       for (; begin != uses.end() && ends(*begin) == of; ++begin) list.push_back(*begin);
       if (list.size() > 2) sort_around(of.first, list);
       for (std::size_t i = 0; i + 1 < list.size(); i += 2) pairs_.emplace_back(list[i], list[i + 1]);
-      unpaired_ += static_cast<Index>(list.size() % 2);
+      surface_.open_edges += static_cast<Index>(list.size() % 2);
     }
   }
 
@@ -360,7 +360,7 @@ class SurfaceMerger {
     const auto shell_of = shells.components();
     surface_.shell_count =
         shell_of.empty() ? 1 : 1 + *std::max_element(shell_of.begin(), shell_of.end());
-    const auto edges = static_cast<Index>(pairs_.size()) + unpaired_;
+    const auto edges = static_cast<Index>(pairs_.size()) + surface_.open_edges;
     const Index euler = vertex_count - edges + 2 * static_cast<Index>(surface_.faces.size()) -
                         static_cast<Index>(loops_.size());
     surface_.genus = std::max<Index>(0, surface_.shell_count - euler / 2);
@@ -432,7 +432,6 @@ class SurfaceMerger {
   std::vector<Index> origin_, face_of_;                                  // [areas]
   std::vector<Loop> loops_;
   std::vector<std::pair<EdgeUse, EdgeUse>> pairs_;
-  Index unpaired_ = 0;
   BlockSurface surface_;
 };
 

@@ -33,6 +33,7 @@ struct BlockSurface {
   Index shell_count = 0;
   Index genus = 0;
   bool convex = true;
+  Index open_edges = 0;  ///< that an odd number of faces meet in
   Index vertices_identified = 0;  ///< that differ by more than rounding from the one that they became
 };
 

@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "host/cut/complex.hpp"
-#include "host/cut/width.hpp"
 #include "host/flatten/block_order.hpp"
 #include "host/flatten/block_surface.hpp"
 #include "host/flatten/bulk.hpp"
@@ -120,7 +119,7 @@ class SurfaceWriter {
       const Index origin = origin_of(complex_.beams[largest]);
       bool mixed = false;
       for (Index i = begin; i < end; ++i) {
-        shown_[i] = is_doubtful_part(complex_.beams[i]) ? origin : origin_of(complex_.beams[i]);
+        shown_[i] = complex_.beams[i].narrow ? origin : origin_of(complex_.beams[i]);
         mixed = mixed || shown_[i] != origin;
       }
       if (first.start != none)
@@ -133,12 +132,6 @@ class SurfaceWriter {
   static bool starts_with(const Beam& b, const Beam& first) {
     return b.start == first.start && b.cell[0] == first.cell[0] && b.face[0] == first.face[0];
   }
-  bool is_doubtful_part(const Beam& b) const {
-    const HalfSpaceId inside = complex_.cells[b.cell[0]].faces[b.face[0]].inside;
-    return width_in_plane(b.polygon, complex_.planes.normal(plane_of(inside))) <
-           doubt_factor * complex_.planes.width_tolerance();
-  }
-
   // Whether beams are areas of their own: the side that they start from is not the same all over.
   bool stands_alone(const Beam& b) const { return b.start == none || side_[b.start].mixed; }
 
@@ -147,8 +140,8 @@ class SurfaceWriter {
     if (i < sides_) {
       const Fragment& f = complex_.fragments[i / 2];
       const Index cell = f.cell[i % 2];
-      if (complex_.is_sliver[cell] != 0) return none;
-      if (!complex_.touches_sliver(f))
+      if (complex_.is_hidden[cell] != 0) return none;
+      if (!complex_.touches_hidden(f))
         return rank[f.cell[0]] == rank[f.cell[1]] || (f.joint == none && !f.narrow) ? none
                                                                                     : rank[cell];
       // Where no beam leaves it is narrow: only with it the surface closes.
@@ -159,7 +152,7 @@ class SurfaceWriter {
     if (i < before_beams_) {
       const FreePart& f = complex_.free_parts[i - sides_];
       const bool by_beams = f.gap != none && before_gap_.count({f.cell, f.face}) != 0;
-      return complex_.is_sliver[f.cell] != 0 || by_beams ? none : rank[f.cell];
+      return complex_.is_hidden[f.cell] != 0 || by_beams ? none : rank[f.cell];
     }
     const Beam& b = complex_.beams[i - before_beams_];
     return stands_alone(b) && shown_[i - before_beams_] != none ? rank[b.cell[0]] : none;
@@ -167,11 +160,11 @@ class SurfaceWriter {
 
   void find_areas(Index rank, std::vector<BoundaryArea>& areas) const {
     areas.clear();
-    for (const Index i : areas_[rank]) {
+    for (const Index i : items_of(rank)) {
       BoundaryArea a;
       if (i < sides_) {
         const Fragment& f = complex_.fragments[i / 2];
-        const bool has_beams = side_[i].begin < side_[i].end;
+        const bool has_beams = side_[i].begin < side_[i].end && !is_as_cut(rank);
         a = {f.cell[i % 2], f.face[i % 2], has_beams ? side_[i].origin : f.joint, f.area, i / 2, none,
              none};
       } else if (i < before_beams_) {
@@ -203,6 +196,45 @@ class SurfaceWriter {
         if (const auto at = largest.find(key(b, 1)); at != largest.end()) return_of_[b] = at->second;
   }
 
+  // The boundary of all cells of a block, slivers too, as they were cut: it closes by construction. For blocks whose beams are so
+  // entangled, at the size of the tolerance, that what they show does not.
+  Index rank_of_cut_item(Index i) const {
+    const auto& rank = order_.rank_of_cell;
+    if (i < sides_) {
+      const Fragment& f = complex_.fragments[i / 2];
+      return rank[f.cell[0]] == rank[f.cell[1]] ? none : rank[f.cell[i % 2]];
+    }
+    return i < before_beams_ ? rank[complex_.free_parts[i - sides_].cell] : none;
+  }
+
+  void group_cut_areas() {
+    std::vector<bool> any(chunks_, false);
+    for (Index k = 0; k < chunks_; ++k)
+      for (const KeptSurface& kept : kept_[k]) any[k] = any[k] || kept.surface.open_edges > 0;
+    if (std::find(any.begin(), any.end(), true) == any.end()) return;
+    as_cut_.assign(complex_.block_count, false);
+    for (auto& chunk_surfaces : kept_)
+      for (const KeptSurface& kept : chunk_surfaces)
+        if (kept.surface.open_edges > 0) as_cut_[kept.rank] = true;
+    cut_areas_ = group_items(before_beams_, complex_.block_count, [&](Index i) {
+      const Index rank = rank_of_cut_item(i);
+      return rank != none && as_cut_[rank] ? rank : none;
+    });
+    std::vector<BoundaryArea> areas;
+    for (auto& chunk_surfaces : kept_)
+      for (KeptSurface& kept : chunk_surfaces) {
+        if (!as_cut_[kept.rank]) continue;
+        find_areas(kept.rank, areas);
+        kept.surface = make_block_surface(complex_, areas);
+        begin_[order_.block[kept.rank] + 1] = size_of(kept.surface);
+      }
+  }
+
+  std::span<const Index> items_of(Index rank) const {
+    return is_as_cut(rank) ? cut_areas_[rank] : areas_[rank];
+  }
+  bool is_as_cut(Index rank) const { return !as_cut_.empty() && as_cut_[rank]; }
+
   void measure() {
     begin_.resize(complex_.block_count + 1);
     kept_.resize(chunks_);
@@ -222,6 +254,7 @@ class SurfaceWriter {
         }
       }
     });
+    group_cut_areas();
     out_.vertices_identified = std::accumulate(identified.begin(), identified.end(), Index{0});
     for (Index b = 0; b < complex_.block_count; ++b) {
       SurfaceSize& next = begin_[b + 1];
@@ -287,7 +320,7 @@ class SurfaceWriter {
     for (std::size_t i = 0; i < s.vertices.size(); ++i)
       out_.vertex[at.vertices + i] = s.vertices[i] + complex_.planes.centre();
     write_counts(b, s.edge_count, s.shell_count, s.genus, s.convex, finite);
-    const auto items = areas_[rank];
+    const auto items = items_of(rank);
     for (std::size_t i = 0; i < items.size(); ++i)
       if (s.face_of_area[i] != none) face_of_item_[items[i]] = at.faces + s.face_of_area[i];
   }
@@ -297,7 +330,7 @@ class SurfaceWriter {
     const Index b = order_.block[rank];
     const SurfaceSize at = begin_[b];
     const CellView cell = complex_.cells[areas.front().cell];
-    const auto items = areas_[rank];
+    const auto items = items_of(rank);
     for (std::size_t i = 0; i < items.size(); ++i) {
       out_.face_origin[at.faces + areas[i].face] = areas[i].origin;
       face_of_item_[items[i]] = at.faces + areas[i].face;
@@ -369,6 +402,7 @@ class SurfaceWriter {
   void find_contacts(Index rank, std::vector<Contact>& contacts) const {
     contacts.clear();
     const Index b = order_.block[rank];
+    const auto is_cut = [&](Index cell) { return is_as_cut(order_.rank_of_cell[cell]); };
     const auto add = [&](Index cell, Index face, Index other, Real area, Index item) {
       const Index behind = complex_.cell_block[cell];
       if (behind > b && face != none && other != none)
@@ -376,17 +410,18 @@ class SurfaceWriter {
     };
     const auto add_beam = [&](Index i) {
       const Beam& beam = complex_.beams[i];
-      if (return_of_[i] != none)
+      if (return_of_[i] != none && !is_cut(beam.cell[1]))
         add(beam.cell[1], face_of_beam(i), face_of_beam(return_of_[i]), beam.area, i);
     };
-    for (const Index i : areas_[rank]) {
+    for (const Index i : items_of(rank)) {
       if (i >= before_beams_) {
         add_beam(i - before_beams_);
       } else if (i < sides_) {
         const Fragment& f = complex_.fragments[i / 2];
-        if (!complex_.touches_sliver(f) && f.joint != none)
+        const bool as_cut = is_as_cut(rank) || is_cut(f.cell[1 - i % 2]);
+        if ((as_cut || !complex_.touches_hidden(f)) && f.joint != none)
           add(f.cell[1 - i % 2], face_of_item_[i], face_of_item_[i ^ 1], f.area, i / 2);
-        for (Index k = side_[i].begin; k < side_[i].end; ++k) add_beam(k);
+        for (Index k = side_[i].begin; k < side_[i].end && !as_cut; ++k) add_beam(k);
       }
     }
     std::sort(contacts.begin(), contacts.end());
@@ -406,6 +441,8 @@ class SurfaceWriter {
   std::vector<std::vector<KeptSurface>> kept_;  // [chunks] by rank
   std::vector<Index> face_of_item_;             // of all faces; none = on no surface
   std::vector<Index> return_of_;                // [beams]
+  std::vector<bool> as_cut_;                    // by rank; empty: none
+  Grouping cut_areas_;                          // by rank, of those
   std::vector<SideOfSliver> side_;              // [sides] of fragments
   std::vector<Index> shown_;                    // [beams] origin_of(), or that of a larger one
   std::set<std::pair<Index, Index>> before_gap_;  // faces of cells that beams leave into a narrow void

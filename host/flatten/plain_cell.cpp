@@ -1,5 +1,7 @@
 #include "host/flatten/plain_cell.hpp"
 
+#include <cmath>
+
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -20,6 +22,21 @@ bool is_narrow(const CellView& cell, const ConvexCell::Face& face, Real toleranc
   return area_from_above(cell, face) < 2 * tolerance * around;
 }
 
+// Whether two faces may be shown as one: one of them lies on the other's plane, to the tolerance.
+bool nearly_coplanar(const CellView& cell, std::size_t f, std::size_t g, const PlaneTable& planes) {
+  const HalfSpaceId a = cell.faces[f].inside, b = cell.faces[g].inside;
+  const Real cosine = dot(planes.normal(plane_of(a)), planes.normal(plane_of(b)));
+  if ((is_above(a) == is_above(b)) != (cosine > 0)) return false;
+  const auto lies_on = [&](const ConvexCell::Face& face, Index plane) {
+    for (std::int32_t k = 0; k < face.count; ++k) {
+      const Vertex& v = cell.vertices[cell.corners[face.begin + k].vertex];
+      if (!(std::abs(planes.distance(v, plane)) < planes.width_tolerance())) return false;
+    }
+    return true;
+  };
+  return lies_on(cell.faces[f], plane_of(b)) || lies_on(cell.faces[g], plane_of(a));
+}
+
 }  // namespace
 
 bool is_plain_cell(const Complex& complex, Index cells, const std::vector<BoundaryArea>& areas,
@@ -33,10 +50,12 @@ bool is_plain_cell(const Complex& complex, Index cells, const std::vector<Bounda
     if (origin[a.face] != none && origin[a.face] != a.origin) return false;
     origin[a.face] = a.origin;
   }
-  for (std::size_t f = 0; f < origin.size(); ++f)
-    if (origin[f] == none ||
-        is_narrow(cell, cell.faces[f], complex.planes.width_tolerance()))
+  for (std::size_t f = 0; f < origin.size(); ++f) {
+    if (origin[f] == none || is_narrow(cell, cell.faces[f], complex.planes.width_tolerance()))
       return false;
+    for (std::size_t g = 0; g < f; ++g)
+      if (origin[f] == origin[g] && nearly_coplanar(cell, f, g, complex.planes)) return false;
+  }
   return true;
 }
 
