@@ -17,8 +17,8 @@ namespace rockfold {
 namespace {
 
 constexpr Real full_turn = 6.283185307179586;
-// Of the model's size: what the position of a vertex may be off by (PlaneTable::vertex).
-constexpr Real rounding = 5e-13;
+// Of the model's size: what positions of one vertex, made by different planes, are apart. Their bound is 5e-13 (PlaneTable::vertex).
+constexpr Real rounding = 5e-14;
 
 // One directed edge of an area, between vertices that lie next to each other on its line.
 struct DirectedEdge {
@@ -28,8 +28,12 @@ struct DirectedEdge {
 
 class SurfaceMerger {
  public:
-  SurfaceMerger(const Complex& complex, const std::vector<BoundaryArea>& areas)
-      : complex_(complex), areas_(areas), tolerance_(complex.planes.width_tolerance()) {}
+  /// `strips_vanish`: whether edges run through all vertices nearer than the tolerance, so that narrow faces fold up.
+  SurfaceMerger(const Complex& complex, const std::vector<BoundaryArea>& areas, bool strips_vanish)
+      : complex_(complex),
+        areas_(areas),
+        strips_vanish_(strips_vanish),
+        tolerance_(complex.planes.width_tolerance()) {}
 
   BlockSurface run() {
     collect_edges();
@@ -73,29 +77,46 @@ class SurfaceMerger {
     return result;
   }
 
+  // The areas tile a closed surface: as soon as their edges run through all vertices that lie on them, each is run through once
+  // in either sense, and is still where vertices become one.
   void collect_edges() {
-    VertexMerger merger(tolerance_);
-    const Real moved = rounding * complex_.planes.model_size();
-    std::vector<std::vector<Index>> loop(areas_.size());
-    for (std::size_t i = 0; i < areas_.size(); ++i)
-      for (const Vec3& x : corners(static_cast<Index>(i))) {
-        loop[i].push_back(merger.add(x));
-        if (norm(merger.vertices()[loop[i].back()] - x) > moved) ++surface_.vertices_identified;
-      }
-    vertices_ = merger.vertices();
-    const VertexFinder finder(vertices_, tolerance_);
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      for (std::size_t k = 0; k < loop[i].size(); ++k) {
-        Index from = loop[i][k];
-        const Index to = loop[i][(k + 1) % loop[i].size()];
-        if (from == to) continue;
-        for (const Index on : finder.between(from, to)) {
-          edges_.push_back({from, on, static_cast<Index>(i)});
-          from = on;
-        }
-        edges_.push_back({from, to, static_cast<Index>(i)});
-      }
+    VertexMerger points(rounding * complex_.planes.model_size());
+    for (std::size_t i = 0; i < areas_.size(); ++i) {
+      const std::vector<Vec3> corner = corners(static_cast<Index>(i));
+      std::vector<Index> loop;
+      for (const Vec3& x : corner) loop.push_back(points.add(x));
+      for (std::size_t k = 0; k < loop.size(); ++k)
+        edges_.push_back({loop[k], loop[(k + 1) % loop.size()], static_cast<Index>(i)});
+    }
+    split_edges(points.vertices(), rounding * complex_.planes.model_size());
+    join_near(points.vertices());
+    if (strips_vanish_) split_edges(vertices_, tolerance_);
     cancel([](const DirectedEdge& e) { return e.area; });
+  }
+
+  void split_edges(const std::vector<Vec3>& vertices, Real tolerance) {
+    const VertexFinder finder(vertices, tolerance);
+    std::vector<DirectedEdge> parts;
+    parts.reserve(edges_.size());
+    for (DirectedEdge e : edges_) {
+      if (e.from == e.to) continue;
+      for (const Index on : finder.between(e.from, e.to)) {
+        parts.push_back({e.from, on, e.area});
+        e.from = on;
+      }
+      parts.push_back(e);
+    }
+    edges_ = std::move(parts);
+  }
+
+  void join_near(const std::vector<Vec3>& points) {
+    VertexMerger merger(tolerance_);
+    std::vector<Index> vertex;
+    for (const Vec3& x : points) vertex.push_back(merger.add(x));
+    vertices_ = merger.vertices();
+    surface_.vertices_identified = static_cast<Index>(points.size() - vertices_.size());
+    for (DirectedEdge& e : edges_) e.from = vertex[e.from], e.to = vertex[e.to];
+    std::erase_if(edges_, [](const DirectedEdge& e) { return e.from == e.to; });
   }
 
   // Takes away edges that something runs along in both senses: strips vanish, and faces become whole.
@@ -301,9 +322,24 @@ class SurfaceMerger {
       list.clear();
       const auto of = ends(*begin);
       for (; begin != uses.end() && ends(*begin) == of; ++begin) list.push_back(*begin);
-      if (list.size() > 2) sort_around(of.first, list);
+      if (list.size() > 2) {
+        sort_around(of.first, list);
+        alternate(list);
+      }
       for (std::size_t i = 0; i + 1 < list.size(); i += 2) pairs_.emplace_back(list[i], list[i + 1]);
       surface_.open_edges += static_cast<Index>(list.size() % 2);
+    }
+  }
+
+  // Two faces that belong together run through their edge in opposite senses, which angles of folded strips may not tell.
+  void alternate(std::vector<EdgeUse>& list) const {
+    for (std::size_t i = 0; i + 1 < list.size(); i += 2) {
+      const Index start = start_of(list[i]);
+      const auto back =
+          std::find_if(list.begin() + static_cast<std::ptrdiff_t>(i) + 1, list.end(),
+                       [&](const EdgeUse& u) { return start_of(u) != start; });
+      if (back != list.end())
+        std::rotate(list.begin() + static_cast<std::ptrdiff_t>(i) + 1, back, back + 1);
     }
   }
 
@@ -425,6 +461,7 @@ class SurfaceMerger {
 
   const Complex& complex_;
   const std::vector<BoundaryArea>& areas_;
+  const bool strips_vanish_;
   const Real tolerance_;
   std::vector<Vec3> vertices_;
   std::vector<DirectedEdge> edges_;
@@ -438,7 +475,11 @@ class SurfaceMerger {
 }  // namespace
 
 BlockSurface make_block_surface(const Complex& complex, const std::vector<BoundaryArea>& areas) {
-  return SurfaceMerger(complex, areas).run();
+  BlockSurface surface = SurfaceMerger(complex, areas, true).run();
+  if (surface.open_edges == 0) return surface;
+  // Strips beside strips at the size of the tolerance: then they stay.
+  BlockSurface with_strips = SurfaceMerger(complex, areas, false).run();
+  return with_strips.open_edges < surface.open_edges ? with_strips : surface;
 }
 
 }  // namespace rockfold
