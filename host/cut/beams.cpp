@@ -32,14 +32,14 @@ struct Opening {
   std::vector<Vec3> corner{};  // in a row; none where it is narrow
 };
 
-// The joint that a beam has crossed: of several the first listed, as where joints overlap on one plane.
+// The joint that a beam has crossed, of several the nearest to where it starts.
 struct Crossed {
   Index joint = none, instance = none;
   std::vector<Index> fragments;
 
   void add(const Fragment& f, Index number) {
     if (f.joint == none) return;
-    if (joint == none || f.joint < joint) joint = f.joint, instance = f.instance;
+    if (joint == none) joint = f.joint, instance = f.instance;
     if (number != none) fragments.push_back(number);
   }
 };

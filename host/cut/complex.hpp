@@ -83,7 +83,7 @@ struct Beam {
   Index cell[2] = {none, none};  ///< where it starts and ends; cell[1] = none: it ends where rock does
   Index face[2] = {none, none};  ///< local face of each
   Index start = none;     ///< 2·fragment + side of cell[0] in it; none = at a free part before a narrow void
-  Index joint = none;     ///< into Complex::origins, the first listed that it crosses; none = the cells are one body
+  Index joint = none;     ///< into Complex::origins, the first that it crosses; none = the cells are one body
   Index instance = none;  ///< JointPatch::instance of that joint
   Index origin = none;    ///< into Complex::origins: the free face where it ends, if it reaches no cell
   std::vector<Vec3> polygon;    ///< m about the table's centre, on the first cell's face, counter-clockwise from outside
