@@ -7,6 +7,7 @@
 
 #include "src/base/vector.hpp"
 #include "tests/cut/complex_check.hpp"
+#include "tests/cut/cutting_rules.hpp"
 #include "tests/cut/sample_models.hpp"
 
 namespace rockfold::test {
@@ -64,6 +65,17 @@ TEST(FourPlanesThatNearlyMeet, CloseNoBlockNarrowerThanTheTolerance) {
     EXPECT_NEAR(sum(blocks.arrays.volume), 1, 1e-12);
     EXPECT_EQ(blocks.cutting.totals.intent.slivers, 1);
   }
+}
+
+// Some of the sliver's corners are nearer than the tolerance, others not.
+TEST(FourPlanesThatNearlyMeet, LeaveShownSurfacesClosed) {
+  for (const Real miss : {3e-10, 4.1e-10, 4.5e-10, 5e-10, 5.7e-10, 6e-10, 0.8e-9, 0.99e-9})
+    for (const Real side : {-1.0, 1.0}) {
+      SCOPED_TRACE(side * miss);
+      Faults faults;
+      check_surfaces(cut(four_planes(side * miss)).arrays, faults);
+      EXPECT_EQ(faults, Faults{});
+    }
 }
 
 TEST(FourPlanesThatNearlyMeet, CloseATetrahedronWhereTheyMissByMore) {
