@@ -355,21 +355,44 @@ TEST(Window, StaysOpenAtItsCornersBehindASmallerPatch) {
   });
 }
 
-// A joint that starts on another at a very small angle: a wedge of volume slope/8.
+// A joint that starts on another at a very small angle: a wedge of volume slope/8, slope/2 wide. L = √3. Its plane cuts the cell
+// beyond its start too: a wedge as wide that is part of the block there.
+Blocks cut_with_wedge(Real slope) {
+  Model model = box_model({0, 0, 0}, {1, 1, 1});
+  add_corners(model, {{-1, -1, 0.5}, {2, -1, 0.5}, {2, 2, 0.5}, {-1, 2, 0.5}});
+  const Real z = 0.5 + 1.5 * slope;
+  add_joint(model, Vec3{-slope, 0, 1}, {0.5, 0, 0.5});
+  model.joints.back().polygon = {{0.5, -1, 0.5}, {2, -1, z}, {2, 2, z}, {0.5, 2, 0.5}};
+  Blocks blocks = cut(model);
+  EXPECT_NEAR(sum(blocks.arrays.volume), 1, 1e-12);
+  return blocks;
+}
+
 TEST(ShallowDihedral, OfFiniteJointsMakesAWedge) {
-  for (const Real slope : {3e-9, 1e-6, 1e-3}) {
+  for (const Real slope : {3.5e-9, 1e-8, 1e-6, 1e-3}) {
     SCOPED_TRACE(slope);
-    Model model = box_model({0, 0, 0}, {1, 1, 1});
-    add_corners(model, {{-1, -1, 0.5}, {2, -1, 0.5}, {2, 2, 0.5}, {-1, 2, 0.5}});
-    const Real z = 0.5 + 1.5 * slope;
-    add_joint(model, Vec3{-slope, 0, 1}, {0.5, 0, 0.5});
-    model.joints.back().polygon = {{0.5, -1, 0.5}, {2, -1, z}, {2, 2, z}, {0.5, 2, 0.5}};
-    const Blocks blocks = cut(model);
+    const Blocks blocks = cut_with_wedge(slope);
     ASSERT_EQ(blocks.arrays.block_count(), 3);
     const Real least = *std::min_element(blocks.arrays.volume.begin(), blocks.arrays.volume.end());
     EXPECT_NEAR(least / (slope / 8), 1, 1e-7);
-    EXPECT_NEAR(sum(blocks.arrays.volume), 1, 1e-12);
     EXPECT_EQ(blocks.cutting.totals.dangling_joint_area, 0);
+    EXPECT_EQ(blocks.cutting.totals.intent.slivers, 0);
+    EXPECT_EQ(blocks.cutting.totals.intent.doubts, slope < 3.4e-7 ? 2 : 0);
+  }
+}
+
+TEST(ShallowDihedral, OfFiniteJointsMakesNoWedgeNarrowerThanTheTolerance) {
+  for (const Real slope : {1.01e-10, 3e-10, 3e-9, 3.4e-9}) {
+    SCOPED_TRACE(slope);
+    const Blocks blocks = cut_with_wedge(slope);
+    ASSERT_EQ(blocks.arrays.block_count(), 2);
+    for (const Real v : blocks.arrays.volume) EXPECT_NEAR(v, 0.5, 1.01 * slope / 8);
+    Real shared = 0;
+    for (const auto& i : blocks.arrays.interfaces) shared += i.area;
+    EXPECT_NEAR(shared, 1, 1e-12);
+    EXPECT_EQ(blocks.cutting.totals.intent.slivers, 2);
+    EXPECT_EQ(blocks.cutting.totals.intent.doubts, 2);
+    EXPECT_EQ(blocks.cutting.totals.intent.near_planes, (std::vector<std::string>{"F1", "F2"}));
   }
 }
 

@@ -7,16 +7,17 @@
 
 #include "src/base/vector.hpp"
 #include "tests/cut/complex_check.hpp"
+#include "tests/cut/cutting_rules.hpp"
 #include "tests/cut/sample_models.hpp"
 
 namespace rockfold::test {
 namespace {
 
-// L = √3 m: the tolerance is 1.7e-10 m.
+// L = √3 m: what is narrower than 1e-9·L is no block, given planes nearer than 1e-10·L are one.
 const Real size = std::sqrt(3.0);
+constexpr Real tolerance = 1e-9;  // of the size
 
-// x = y = z = 1/2 and a fourth plane that misses their point by `miss` times L. Each of the others misses the point of the
-// remaining three by √3 times that; the least counts.
+// x = y = z = 1/2 and a fourth plane that misses their point by `miss` times L: it closes a tetrahedron as wide as that.
 Model four_planes(Real miss) {
   Model model = box_model({0, 0, 0}, {1, 1, 1});
   for (const Vec3& n : {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) add_joint(model, n, {0.5, 0.5, 0.5});
@@ -28,46 +29,80 @@ Real smallest(const Blocks& blocks) {
   return *std::min_element(blocks.arrays.volume.begin(), blocks.arrays.volume.end());
 }
 
+// Only slivers leave a doubt: the names of the planes, the least width and where it is.
+void expect_doubt(const Blocks& blocks, Index doubts, const std::vector<std::string>& names,
+                  Real width) {
+  const IntentReport& intent = blocks.cutting.totals.intent;
+  EXPECT_EQ(intent.doubts, doubts);
+  EXPECT_EQ(intent.near_planes, names);
+  EXPECT_NEAR(intent.least_doubt, width, 1e-6 * width + 3e-16);
+}
+void expect_no_doubt(const Blocks& blocks) {
+  expect_doubt(blocks, 0, {}, 0);
+}
+
 TEST(FourPlanesThatNearlyMeet, MeetWhereTheyMissByLess) {
-  for (const Real miss : {0.0, 1e-12, -1e-12, 1e-11, -1e-11, 0.95e-10, -0.95e-10}) {
+  for (const Real miss : {0.0, 1e-12, -1e-12, 1e-11, -1e-11, 1.1e-10, -1.1e-10, 4e-10, -4e-10}) {
+    SCOPED_TRACE(miss);
     const Blocks blocks = cut(four_planes(miss));
-    EXPECT_EQ(blocks.arrays.block_count(), 14) << miss;
-    EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{82, 132, 78})) << miss;
-    EXPECT_GT(smallest(blocks), 0.02) << miss;  // 1/48 and no sliver
-    EXPECT_NEAR(sum(blocks.arrays.volume), 1, 2e-10);
-    EXPECT_EQ(blocks.arrays.vertices_identified > 0, miss != 0) << miss;
-    EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true, .area_tolerance = 1e-9}),
-              std::vector<std::string>{});
+    EXPECT_EQ(blocks.arrays.block_count(), 14);
+    EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{82, 132, 78}));
+    EXPECT_GT(smallest(blocks), 0.02);  // 1/48 and no sliver
+    EXPECT_NEAR(sum(blocks.arrays.volume), 1, 1e-12);
+    EXPECT_EQ(blocks.cutting.totals.intent.slivers, miss != 0 ? 1 : 0);
+    EXPECT_EQ(blocks.arrays.vertices_identified > 0, miss != 0);
+    EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true}), std::vector<std::string>{});
   }
 }
 
-TEST(FourPlanesThatNearlyMeet, AreDistinctWhereTheyMissByMore) {
-  for (const Real miss : {1.1e-10, -1.1e-10, 1e-9, -1e-9, 1e-8, 1e-7}) {
+// The sliver's corners are 3·√2·miss apart: farther than the tolerance already, so that the faces beside it keep them.
+TEST(FourPlanesThatNearlyMeet, CloseNoBlockNarrowerThanTheTolerance) {
+  for (const Real miss : {5e-10, -5e-10, 0.99e-9, -0.99e-9}) {
+    SCOPED_TRACE(miss);
     const Blocks blocks = cut(four_planes(miss));
-    EXPECT_EQ(blocks.arrays.block_count(), 15) << miss;
-    EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{124, 186, 92})) << miss;
-    // The sliver tetrahedron's edges along the axes are 3·miss·L… of x + y + z = 3/2 + √3·L·miss.
+    EXPECT_EQ(blocks.arrays.block_count(), 14);
+    EXPECT_GT(smallest(blocks), 0.02);
+    EXPECT_NEAR(sum(blocks.arrays.volume), 1, 1e-12);
+    EXPECT_EQ(blocks.cutting.totals.intent.slivers, 1);
+  }
+}
+
+// Some of the sliver's corners are nearer than the tolerance, others not.
+TEST(FourPlanesThatNearlyMeet, LeaveShownSurfacesClosed) {
+  for (const Real miss : {3e-10, 4.1e-10, 4.5e-10, 5e-10, 5.7e-10, 6e-10, 0.8e-9, 0.99e-9})
+    for (const Real side : {-1.0, 1.0}) {
+      SCOPED_TRACE(side * miss);
+      Faults faults;
+      check_surfaces(cut(four_planes(side * miss)).arrays, faults);
+      EXPECT_EQ(faults, Faults{});
+    }
+}
+
+TEST(FourPlanesThatNearlyMeet, CloseATetrahedronWhereTheyMissByMore) {
+  for (const Real miss : {1.01e-9, -1.01e-9, 1e-8, -1e-8, 1e-7}) {
+    SCOPED_TRACE(miss);
+    const Blocks blocks = cut(four_planes(miss));
+    EXPECT_EQ(blocks.arrays.block_count(), 15);
+    EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{124, 186, 92}));
+    // The tetrahedron's edges along the axes are 3·miss: it is cut off by x + y + z = 3/2 + √3·L·miss.
     const Real edge = std::abs(miss) * size * std::sqrt(3.0);
-    EXPECT_NEAR(smallest(blocks) / (edge * edge * edge / 6), 1, 4 * 1.2e-16 / edge) << miss;
+    EXPECT_NEAR(smallest(blocks) / (edge * edge * edge / 6), 1, 4 * 1.2e-16 / edge);
+    EXPECT_NEAR(sum(blocks.arrays.volume), 1, 1e-12);
+    EXPECT_EQ(blocks.cutting.totals.intent.slivers, 0);
     EXPECT_EQ(blocks.arrays.vertices_identified, 0);
     EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true}), std::vector<std::string>{});
   }
 }
 
 // Within a factor 100 of the tolerance on either side: reported with the names of the planes.
-TEST(FourPlanesThatNearlyMeet, AreReportedWhereTheDecisionIsNear) {
-  for (const Real miss : {1e-11, 0.9e-10, 1e-9, 0.9e-8}) {
-    const IntentReport intent = cut(four_planes(miss)).cutting.totals.intent;
-    EXPECT_GT(intent.doubts, 0) << miss;
-    ASSERT_FALSE(intent.near_planes.empty()) << miss;
-    EXPECT_TRUE(std::is_sorted(intent.near_planes.begin(), intent.near_planes.end()));
-    for (const std::string& name : intent.near_planes)
-      EXPECT_TRUE(name[0] == 'F' && name.size() == 2) << name;
+TEST(FourPlanesThatNearlyMeet, AreReportedWithinAFactor100OfTheTolerance) {
+  for (const Real miss : {1.01e-11, -1.01e-11, 1e-10, 0.99e-9, 1.01e-9, 1e-8, -0.99e-7}) {
+    SCOPED_TRACE(miss);
+    expect_doubt(cut(four_planes(miss)), 1, {"F1", "F2", "F3", "F4"}, std::abs(miss) * size);
   }
-  for (const Real miss : {0.0, 5e-13, 1.1e-8, 1e-6}) {
-    const IntentReport intent = cut(four_planes(miss)).cutting.totals.intent;
-    EXPECT_EQ(intent.doubts, 0) << miss;
-    EXPECT_TRUE(intent.near_planes.empty()) << miss;
+  for (const Real miss : {0.0, 1e-13, 0.99e-11, -0.99e-11, 1.01e-7, 1e-6}) {
+    SCOPED_TRACE(miss);
+    expect_no_doubt(cut(four_planes(miss)));
   }
 }
 
@@ -95,40 +130,101 @@ TEST(ManyPlanesThatNearlyMeet, MeetWhereEachIsOffByNoise) {
   }
 }
 
-TEST(TwoPlanesNearlyTheSame, AreOneWithinTheTolerance) {
+TEST(TwoPlanesNearlyTheSame, AreOneWithinATenthOfTheTolerance) {
   Model model = box_model({0, 0, 0}, {1, 1, 1});
   add_joint(model, Vec3{1, 0, 0}, {0.5, 0, 0});
   add_joint(model, Vec3{1, 0.5e-10, 0}, {0.5 + 0.5e-10, 0, 0});
   const Blocks blocks = cut(model);
   EXPECT_EQ(blocks.arrays.block_count(), 2);
   EXPECT_EQ(blocks.cutting.totals.intent.planes_identified, 1);
+  EXPECT_EQ(blocks.cutting.totals.intent.slivers, 0);
+  EXPECT_EQ(blocks.cutting.totals.joint_area, 1);
 }
 
-TEST(TwoPlanesNearlyTheSame, AreTwoBeyondIt) {
-  for (const Real distance : {2e-10, 1e-9, 1e-8}) {
-    Model model = box_model({0, 0, 0}, {1, 1, 1});
-    add_joint(model, Vec3{1, 0, 0}, {0.5, 0, 0});
-    add_joint(model, Vec3{1, 0, 0}, {0.5 + distance, 0, 0});
-    const Blocks blocks = cut(model);
-    EXPECT_EQ(blocks.arrays.block_count(), 3) << distance;
-    EXPECT_NEAR(smallest(blocks) / distance, 1, 1.2e-16 / distance) << distance;
-    EXPECT_EQ(blocks.cutting.totals.intent.planes_identified, 0);
-    EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true}), std::vector<std::string>{});
+// The plate between x = 1/2 and x = 1/2 + distance.
+Blocks cut_plate(Real distance) {
+  Model model = box_model({0, 0, 0}, {1, 1, 1});
+  add_joint(model, Vec3{1, 0, 0}, {0.5, 0, 0});
+  add_joint(model, Vec3{1, 0, 0}, {0.5 + distance, 0, 0});
+  Blocks blocks = cut(model);
+  EXPECT_NEAR(sum(blocks.arrays.volume), 1, 1e-12);
+  EXPECT_EQ(blocks.cutting.totals.intent.planes_identified, 0);
+  EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true}), std::vector<std::string>{});
+  return blocks;
+}
+
+// The plate touches both blocks alike: the one that lies lower has it.
+TEST(TwoPlanesNearlyTheSame, EncloseNoBlockWithinTheTolerance) {
+  for (const Real distance : {1.01e-10 * size, 5e-10 * size, 1e-9, 0.99 * tolerance * size}) {
+    SCOPED_TRACE(distance);
+    const Blocks blocks = cut_plate(distance);
+    ASSERT_EQ(blocks.arrays.block_count(), 2);
+    EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{16, 24, 12}));
+    const Index lower = blocks.arrays.centroid[0][0] < 0.5 ? 0 : 1;
+    EXPECT_NEAR(blocks.arrays.volume[lower], 0.5 + distance, 3e-16);
+    EXPECT_NEAR(blocks.arrays.volume[1 - lower], 0.5 - distance, 3e-16);
+    EXPECT_EQ(blocks.cutting.totals.intent.slivers, 1);
+    expect_doubt(blocks, 1, {"F1", "F2"}, distance);
   }
 }
 
+TEST(TwoPlanesNearlyTheSame, EnclosePlatesBeyondIt) {
+  for (const Real distance : {1.01 * tolerance * size, 1e-8, 1e-7, 1.01e-7 * size, 1e-6}) {
+    SCOPED_TRACE(distance);
+    const Blocks blocks = cut_plate(distance);
+    EXPECT_EQ(blocks.arrays.block_count(), 3);
+    EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{24, 36, 18}));
+    EXPECT_NEAR(smallest(blocks) / distance, 1, 1.2e-16 / distance);
+    EXPECT_EQ(blocks.cutting.totals.intent.slivers, 0);
+    if (distance < 100 * tolerance * size)
+      expect_doubt(blocks, 1, {"F1", "F2"}, distance);
+    else
+      expect_no_doubt(blocks);
+  }
+}
+
+// Two wedges of this angle, slope/2 wide at the box' faces.
+Blocks cut_wedges(Real slope) {
+  Model model = box_model({0, 0, 0}, {1, 1, 1});
+  add_joint(model, Vec3{0, 0, 1}, {0.5, 0, 0.5});
+  add_joint(model, Vec3{-slope, 0, 1}, {0.5, 0, 0.5});
+  Blocks blocks = cut(model);
+  EXPECT_NEAR(sum(blocks.arrays.volume), 1, 1e-12);
+  EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true}), std::vector<std::string>{});
+  return blocks;
+}
+
 // A shallow dihedral: the line where the two planes meet is where the numbers say, however flat the wedges are.
-TEST(TwoPlanesNearlyTheSame, MakeWedgesOfAnyAngle) {
-  for (const Real slope : {3e-10, 3e-9, 1e-6, 1e-3, 2e-3}) {
-    Model model = box_model({0, 0, 0}, {1, 1, 1});
-    add_joint(model, Vec3{0, 0, 1}, {0.5, 0, 0.5});
-    add_joint(model, Vec3{-slope, 0, 1}, {0.5, 0, 0.5});
-    const Blocks blocks = cut(model);
-    EXPECT_EQ(blocks.arrays.block_count(), 4) << slope;
-    EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{32, 48, 24})) << slope;
-    EXPECT_NEAR(smallest(blocks) / (slope / 8), 1, 1e-9) << slope;
-    EXPECT_NEAR(sum(blocks.arrays.volume), 1, 1e-12);
-    EXPECT_EQ(faults_of(blocks.complex(), {.whole_faces = true}), std::vector<std::string>{});
+TEST(TwoPlanesNearlyTheSame, MakeWedgesOfAnyAngleThatAreWideEnough) {
+  for (const Real slope : {2.02 * tolerance * size, 3e-8, 3.4e-7, 3.5e-7, 1e-6, 1e-3, 2e-3}) {
+    SCOPED_TRACE(slope);
+    const Blocks blocks = cut_wedges(slope);
+    EXPECT_EQ(blocks.arrays.block_count(), 4);
+    EXPECT_EQ(sum_of_counts(blocks.arrays), (Counts{32, 48, 24}));
+    EXPECT_NEAR(smallest(blocks) / (slope / 8), 1, 1e-9);
+    EXPECT_EQ(blocks.cutting.totals.intent.slivers, 0);
+    if (slope / 2 < 100 * tolerance * size)
+      expect_doubt(blocks, 2, {"F1", "F2"}, slope / 2);
+    else
+      expect_no_doubt(blocks);
+  }
+}
+
+// Then the joint between the two blocks is F1 on one side of the line and F2 on the other.
+TEST(TwoPlanesNearlyTheSame, MakeNoWedgesNarrowerThanTheTolerance) {
+  for (const Real slope : {1.01e-10, 3e-10, 3e-9, 1.98 * tolerance * size}) {
+    SCOPED_TRACE(slope);
+    const Blocks blocks = cut_wedges(slope);
+    ASSERT_EQ(blocks.arrays.block_count(), 2);
+    for (Index b = 0; b < 2; ++b) {
+      EXPECT_EQ(counts_of(blocks.arrays, b), (Counts{10, 15, 7}));
+      EXPECT_NEAR(blocks.arrays.volume[b], 0.5, slope / 4 + 3e-16);
+    }
+    Real shared = 0;
+    for (const auto& i : blocks.arrays.interfaces) shared += i.area;
+    EXPECT_NEAR(shared, 1, 1e-12);
+    EXPECT_EQ(blocks.cutting.totals.intent.slivers, 2);
+    expect_doubt(blocks, 2, {"F1", "F2"}, slope / 2);
   }
 }
 
@@ -227,19 +323,34 @@ TEST(RotatedMirrorPlanes, AreTwentyFourTetrahedraOrFortyEight) {
   }
 }
 
-// Two joints nearly in one plane cut a plate; whether it is meant only the user can say.
-TEST(NearPlanes, AreReported) {
-  const auto near_of = [](Real apart) {
+// Two joints nearly in one plane cut a plate, or none; whether it is meant only the user can say.
+TEST(NearPlanes, AreReportedWhereTheirPlateIsAboutAsWideAsTheTolerance) {
+  struct Case {
+    Real apart;  // of the size
+    Index blocks, planes_identified, slivers, doubts;
+  };
+  for (const Case& c : {Case{1e-12, 2, 1, 0, 0},
+                        {0.99e-10, 2, 1, 0, 0},
+                        {1.01e-10, 2, 0, 1, 1},
+                        {3e-10, 2, 0, 1, 1},
+                        {0.99e-9, 2, 0, 1, 1},
+                        {1.01e-9, 3, 0, 0, 1},
+                        {0.99e-7, 3, 0, 0, 1},
+                        {1.01e-7, 3, 0, 0, 0}}) {
+    SCOPED_TRACE(c.apart);
     Model model = box_model({0, 0, 0}, {10, 10, 10});
     add_joint(model, Vec3{1, 0, 0}, {5, 0, 0});
-    add_joint(model, Vec3{1, 0, 0}, {5 + apart, 0, 0});
+    add_joint(model, Vec3{1, 0, 0}, {5 + c.apart * 10 * size, 0, 0});
     const Blocks blocks = cut(model);
-    EXPECT_EQ(blocks.arrays.block_count(), apart > 1e-9 ? 3 : 2);
-    return blocks.cutting.totals.intent.near_planes;
-  };
-  EXPECT_TRUE(near_of(1e-12).empty());
-  EXPECT_EQ(near_of(3e-9), (std::vector<std::string>{"F1", "F2"}));
-  EXPECT_TRUE(near_of(3e-7).empty());
+    const IntentReport& intent = blocks.cutting.totals.intent;
+    EXPECT_EQ(blocks.arrays.block_count(), c.blocks);
+    EXPECT_EQ(intent.planes_identified, c.planes_identified);
+    EXPECT_EQ(intent.slivers, c.slivers);
+    EXPECT_EQ(intent.doubts, c.doubts);
+    EXPECT_EQ(intent.near_planes,
+              c.doubts ? (std::vector<std::string>{"F1", "F2"}) : std::vector<std::string>{});
+    EXPECT_NEAR(sum(blocks.arrays.volume), 1000, 1e-9);
+  }
 }
 
 }  // namespace

@@ -77,18 +77,6 @@ TEST(Refusals, EverythingTakenAway) {
   expect_refusal(model, "leave no rock", "solid");
 }
 
-TEST(Refusals, SurfacesTooSmallBesideTheModel) {
-  Model model = box_model({0, 0, 0}, {10, 10, 10});
-  Solid solid = box_solid("speck", {}, {});
-  solid.place = {"m.toml", 9, 1, "solid[2]"};
-  const Real e = 1e-11;
-  solid.shape = MeshShape{"speck.obj", std::make_shared<TriangleSurface>(TriangleSurface{
-                                           {{0, 0, 11}, {e, 0, 11}, {0, e, 11}, {0, 0, 12}},
-                                           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}})};
-  model.solids.push_back(solid);
-  expect_refusal(model, "too small beside the model", "solid[2]");
-}
-
 TEST(Refusals, MoreJointsThanAnyoneMeant) {
   Model model = box_model({0, 0, 0}, {10, 10, 10});
   add_set(model, DipOrientation{30, 60}, 1e-7, {});

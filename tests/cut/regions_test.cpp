@@ -1,5 +1,6 @@
 // What regions do to blocks: solids of several materials, interfaces, `within`, merges, excavations in stages; and shapes
 // of every kind against closed forms.
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -285,6 +286,26 @@ TEST(ClosedSurfaces, HoldTheCellsInsideThem) {
   // All rock inside the void.
   model.solids[0].shape = BoxShape{{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}};
   EXPECT_THROW(cut(model), Error);
+}
+
+// An octahedron of 36 m³ about a corner of the rock: an eighth of it is taken away.
+TEST(ClosedSurfaces, MayReachFarBeyondTheRock) {
+  auto octahedron = std::make_shared<TriangleSurface>();
+  octahedron->vertices = {{3, 0, 0}, {-3, 0, 0}, {0, 3, 0}, {0, -3, 0}, {0, 0, 3}, {0, 0, -3}};
+  octahedron->triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                           {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  const Solid hole = solid_of("void", MeshShape{"void.off", octahedron}, false);
+  for (const Real x : {-1, 1})
+    for (const Real y : {-1, 1})
+      for (const Real z : {-1, 1}) {
+        SCOPED_TRACE(testing::Message() << x << y << z);
+        const Vec3 far{4 * x, 4 * y, 4 * z};
+        Model model =
+            box_model({std::min(0.0, far[0]), std::min(0.0, far[1]), std::min(0.0, far[2])},
+                      {std::max(0.0, far[0]), std::max(0.0, far[1]), std::max(0.0, far[2])});
+        model.solids.push_back(hole);
+        EXPECT_NEAR(checked_cut(model).cutting.totals.solid_volume, 64 - 4.5, 1e-12);
+      }
 }
 
 }  // namespace
