@@ -62,7 +62,7 @@ class Connector {
   // Two spots that glue joins across a facet, or inside a part where they differ in material.
   struct Link {
     Spot one, two;
-    const PartFacet* facet;  // of the first; null = inside
+    const PartFacet* facet;    // of the first; null = inside
     bool over_sliver = false;  // their parts may be any: the nodes of both
   };
 
@@ -120,26 +120,26 @@ class Connector {
 
   // Both cells' pieces by the beam; where the lattice runs through the sliver between them, in neighbouring parts.
   void add_beam_links(const Beam& beam) {
-    visit_parts_near(index_.lattice, index_.planes, beam.polygon,
-                     [&](const std::array<Index, 3>& ijk, int part) {
-                       const Index cell = covers_.lattice.cell_index(ijk[0], ijk[1], ijk[2]);
-                       const Holding one = holding(cell, part, beam.cell[0]);
-                       if (!one.any()) return;
-                       link_over_sliver(one, holding(cell, part, beam.cell[1]));
-                       for (const PartFacet& facet : form(cell).facet[part]) {
-                         auto next = ijk;
-                         if (facet.axis >= 0) {
-                           next[facet.axis] += facet.step;
-                           if (next[facet.axis] < 0 ||
-                               next[facet.axis] >= covers_.lattice.cells[facet.axis])
-                             continue;
-                         }
-                         if (lies_along(beam.polygon, index_.lattice.inside(ijk, facet)))
-                           link_over_sliver(
-                               one, holding(covers_.lattice.cell_index(next[0], next[1], next[2]),
+    const Real reach = index_.planes.width_tolerance() + length(beam);
+    visit_parts_near(
+        index_.lattice, index_.planes, beam.polygon,
+        [&](const std::array<Index, 3>& ijk, int part, const std::vector<Vec3>& area) {
+          const Index cell = covers_.lattice.cell_index(ijk[0], ijk[1], ijk[2]);
+          const Holding one = holding(cell, part, beam.cell[0]);
+          if (!one.any()) return;
+          link_over_sliver(one, holding(cell, part, beam.cell[1]));
+          for (const PartFacet& facet : form(cell).facet[part]) {
+            auto next = ijk;
+            if (facet.axis >= 0) {
+              next[facet.axis] += facet.step;
+              if (next[facet.axis] < 0 || next[facet.axis] >= covers_.lattice.cells[facet.axis])
+                continue;
+            }
+            if (farthest(area, plane_of(index_.lattice.inside(ijk, facet))) < reach)
+              link_over_sliver(one, holding(covers_.lattice.cell_index(next[0], next[1], next[2]),
                                             facet.other, beam.cell[1]));
-                       }
-                     });
+          }
+        });
   }
 
   Holding holding(Index lattice_cell, int part, Index rock) const {
@@ -147,18 +147,38 @@ class Connector {
     return found.any() ? found : cells_.find_owner(lattice_cell, part, rock);
   }
 
-  bool lies_along(const std::vector<Vec3>& polygon, HalfSpaceId facet) const {
-    const Vec3& n = index_.planes.normal(plane_of(facet));
-    const Real offset = index_.planes.offset(plane_of(facet));
-    return std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& x) {
-      return std::abs(dot(n, x) - offset) < index_.planes.width_tolerance();
-    });
+  // m: across the slivers from the first cell to the second.
+  Real length(const Beam& beam) const {
+    return farthest(beam.polygon,
+                    plane_of(complex_.cells[beam.cell[1]].faces[beam.face[1]].inside));
+  }
+
+  // m: of a polygon from a plane.
+  Real farthest(const std::vector<Vec3>& polygon, Index plane) const {
+    Real most = 0;
+    for (const Vec3& x : polygon)
+      most = std::max(most,
+                      std::abs(dot(index_.planes.normal(plane), x) - index_.planes.offset(plane)));
+    return most;
   }
 
   void link_over_sliver(const Holding& one, const Holding& two) {
     visit_spots(one, [&](const Spot& a) {
-      visit_spots(two, [&](const Spot& b) { links_.push_back({a, b, nullptr, true}); });
+      visit_spots(two, [&](const Spot& b) {
+        if (contacts_.apart(a.piece, b.piece)) return;
+        if (are_of_one_element(a, b))
+          piece_parts_.join(a.piece, b.piece);
+        else
+          links_.push_back({a, b, nullptr, true});
+      });
     });
+  }
+
+  bool are_of_one_element(const Spot& a, const Spot& b) const {
+    if (a.piece == none || b.piece == none) return false;
+    const PieceRecord &one = record(a.piece), &two = record(b.piece);
+    return one.lattice_cell == two.lattice_cell && one.part == two.part &&
+           material(one.rock) == material(two.rock);
   }
 
   void add_links(const Contact& c, bool one_material) {
@@ -192,7 +212,11 @@ class Connector {
       cut = std::max(cut, element_of_piece_[i] + 1);
     }
     for (Index s = 0; s < static_cast<Index>(pieces_.slivers.size()); ++s) {
-      const PieceKey& owner = pieces_.slivers[s].owner;
+      const auto& [piece, left_out, facet_area, owner] = pieces_.slivers[s];
+      if (left_out) {
+        index_.left_out.push_back({piece.key(), owner});
+        continue;
+      }
       const Holding h = cells_.find(owner.lattice_cell, owner.part, owner.rock);
       piece_order_.push_back({element_of_piece_[h.piece_begin], none, s});
     }

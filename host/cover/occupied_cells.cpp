@@ -1,8 +1,8 @@
 #include "host/cover/occupied_cells.hpp"
 
-#include "host/cover/slivers.hpp"
-
 #include <tuple>
+
+#include "host/cover/slivers.hpp"
 
 namespace rockfold {
 
