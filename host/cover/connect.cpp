@@ -54,16 +54,15 @@ class Connector {
   struct Placed {
     Index element, piece, sliver;
   };
-  // A regular lattice cell, or a piece.
+  // A regular lattice cell, a piece, or a sliver.
   struct Spot {
-    Index regular = none, piece = none;
+    Index regular = none, piece = none, sliver = none;
     int part = 0;
   };
-  // Two spots that glue joins across a facet, or inside a part where they differ in material.
+  // Two spots that glue joins across a facet, or inside a part where they are not one element.
   struct Link {
     Spot one, two;
     const PartFacet* facet;  // of the first; null = inside
-    bool over_sliver = false;  // their parts may be any: the nodes of both
   };
 
   // The nodes on a lattice cell's upper face along each axis, and the same among those of the next cell.
@@ -109,8 +108,7 @@ class Connector {
     for (const Fragment& f : complex_.fragments) {
       if ((f.joint != none && !welded) || f.narrow || complex_.touches_sliver(f)) continue;
       if (!complex_.stays(f.cell[0]) || !complex_.stays(f.cell[1])) continue;
-      const bool one_material = material(f.cell[0]) == material(f.cell[1]);
-      glue_.visit(f, [&](const Contact& c) { add_links(c, one_material); });
+      glue_.visit(f, [&](const Contact& c) { add_links(c); });
     }
     for (const Beam& b : complex_.beams)
       if (b.cell[1] != none && (b.joint == none || welded) && complex_.stays(b.cell[0]) &&
@@ -120,65 +118,74 @@ class Connector {
 
   // Both cells' pieces by the beam; where the lattice runs through the sliver between them, in neighbouring parts.
   void add_beam_links(const Beam& beam) {
-    visit_parts_near(index_.lattice, index_.planes, beam.polygon,
-                     [&](const std::array<Index, 3>& ijk, int part) {
-                       const Index cell = covers_.lattice.cell_index(ijk[0], ijk[1], ijk[2]);
-                       const Holding one = holding(cell, part, beam.cell[0]);
-                       if (!one.any()) return;
-                       link_over_sliver(one, holding(cell, part, beam.cell[1]));
-                       for (const PartFacet& facet : form(cell).facet[part]) {
-                         auto next = ijk;
-                         if (facet.axis >= 0) {
-                           next[facet.axis] += facet.step;
-                           if (next[facet.axis] < 0 ||
-                               next[facet.axis] >= covers_.lattice.cells[facet.axis])
-                             continue;
-                         }
-                         if (lies_along(beam.polygon, index_.lattice.inside(ijk, facet)))
-                           link_over_sliver(
-                               one, holding(covers_.lattice.cell_index(next[0], next[1], next[2]),
-                                            facet.other, beam.cell[1]));
-                       }
-                     });
+    const Real reach = index_.planes.width_tolerance() + length(beam);
+    visit_parts_near(
+        index_.lattice, index_.planes, beam.polygon,
+        [&](const std::array<Index, 3>& ijk, int part, const std::vector<Vec3>& area) {
+          const Index cell = covers_.lattice.cell_index(ijk[0], ijk[1], ijk[2]);
+          const Holding one = cells_.find_any(cell, part, beam.cell[0]);
+          add_links(one, cells_.find_any(cell, part, beam.cell[1]), nullptr);
+          for (const PartFacet& facet : form(cell).facet[part]) {
+            auto next = ijk;
+            if (facet.axis >= 0) {
+              next[facet.axis] += facet.step;
+              if (next[facet.axis] < 0 || next[facet.axis] >= covers_.lattice.cells[facet.axis])
+                continue;
+            }
+            if (farthest(area, plane_of(index_.lattice.inside(ijk, facet))) < reach)
+              add_links(one,
+                        cells_.find_any(covers_.lattice.cell_index(next[0], next[1], next[2]),
+                                        facet.other, beam.cell[1]),
+                        &facet);
+          }
+        });
   }
 
-  Holding holding(Index lattice_cell, int part, Index rock) const {
-    const Holding found = cells_.find(lattice_cell, part, rock);
-    return found.any() ? found : cells_.find_owner(lattice_cell, part, rock);
+  // m: across the slivers from the first cell to the second.
+  Real length(const Beam& beam) const {
+    return farthest(beam.polygon,
+                    plane_of(complex_.cells[beam.cell[1]].faces[beam.face[1]].inside));
   }
 
-  bool lies_along(const std::vector<Vec3>& polygon, HalfSpaceId facet) const {
-    const Vec3& n = index_.planes.normal(plane_of(facet));
-    const Real offset = index_.planes.offset(plane_of(facet));
-    return std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& x) {
-      return std::abs(dot(n, x) - offset) < index_.planes.width_tolerance();
-    });
+  // m: of a polygon from a plane.
+  Real farthest(const std::vector<Vec3>& polygon, Index plane) const {
+    Real most = 0;
+    for (const Vec3& x : polygon)
+      most = std::max(most,
+                      std::abs(dot(index_.planes.normal(plane), x) - index_.planes.offset(plane)));
+    return most;
   }
 
-  void link_over_sliver(const Holding& one, const Holding& two) {
+  void add_links(const Holding& one, const Holding& two, const PartFacet* facet) {
     visit_spots(one, [&](const Spot& a) {
-      visit_spots(two, [&](const Spot& b) { links_.push_back({a, b, nullptr, true}); });
-    });
-  }
-
-  void add_links(const Contact& c, bool one_material) {
-    if (c.over_sliver) return link_over_sliver(c.one, c.two);
-    if (c.facet == nullptr && (c.one.regular != none || c.two.regular != none)) return;
-    visit_spots(c.one, [&](const Spot& one) {
-      visit_spots(c.two, [&](const Spot& two) {
-        if (!contacts_.touch(one.piece, two.piece, c.polygon)) return;
-        if (c.facet == nullptr && one_material)
-          piece_parts_.join(one.piece, two.piece);
-        else
-          links_.push_back({one, two, c.facet});
+      visit_spots(two, [&](const Spot& b) {
+        if (!contacts_.apart(a.piece, b.piece)) add_link({a, b, facet});
       });
     });
   }
 
+  void add_links(const Contact& c) {
+    visit_spots(c.one, [&](const Spot& a) {
+      visit_spots(c.two, [&](const Spot& b) {
+        if (contacts_.touch(a.piece, b.piece, c.polygon)) add_link({a, b, c.facet});
+      });
+    });
+  }
+
+  // Inside a part pieces of one material are one element.
+  void add_link(const Link& l) {
+    if (l.facet == nullptr && l.one.piece != none && l.two.piece != none &&
+        material(record(l.one.piece).rock) == material(record(l.two.piece).rock))
+      piece_parts_.join(l.one.piece, l.two.piece);
+    else
+      links_.push_back(l);
+  }
+
   template <class Visit>
   static void visit_spots(const Holding& h, Visit visit) {
-    if (h.regular != none) visit(Spot{h.regular, none, h.part});
-    for (Index i = h.piece_begin; i < h.piece_end; ++i) visit(Spot{none, i, h.part});
+    if (h.regular != none) visit(Spot{h.regular, none, none, h.part});
+    for (Index i = h.piece_begin; i < h.piece_end; ++i) visit(Spot{none, i, none, h.part});
+    if (h.sliver != none) visit(Spot{none, none, h.sliver, h.part});
   }
 
   // Elements in the order of their first piece, so by lattice cell and part; pieces regrouped to follow it, slivers behind
@@ -192,7 +199,11 @@ class Connector {
       cut = std::max(cut, element_of_piece_[i] + 1);
     }
     for (Index s = 0; s < static_cast<Index>(pieces_.slivers.size()); ++s) {
-      const PieceKey& owner = pieces_.slivers[s].owner;
+      const auto& [piece, left_out, facet_area, owner] = pieces_.slivers[s];
+      if (left_out) {
+        index_.left_out.push_back({piece.key(), owner});
+        continue;
+      }
       const Holding h = cells_.find(owner.lattice_cell, owner.part, owner.rock);
       piece_order_.push_back({element_of_piece_[h.piece_begin], none, s});
     }
@@ -204,7 +215,8 @@ class Connector {
   void refuse_too_many(std::int64_t cut) const {
     const std::int64_t regular = covers_.regular_count();
     const std::int64_t elements = covers_.parts_per_cell() * regular + cut,
-                       nodes = nodes_ * regular + part_nodes_ * cut;
+                       slivers = static_cast<std::int64_t>(pieces_.slivers.size()),
+                       nodes = nodes_ * regular + part_nodes_ * (cut + slivers);
     refuse_elements(*model_.cover, static_cast<Real>(elements), false);
     if (nodes > std::numeric_limits<Index>::max())
       throw Error(
@@ -268,15 +280,21 @@ class Connector {
     covers_.element_faces += static_cast<std::int64_t>(p.faces.size());
   }
 
-  // An instance is one node of a regular lattice cell or of a cut element; `node` is one of the part's.
+  // An instance is one node of a regular lattice cell, of a cut element, or of a sliver's part: slivers have no functions, but what
+  // they join in a star is one. `node` is one of the part's.
   Index instance(const Spot& at, int node) const {
     if (at.regular != none)
       return nodes_ * at.regular +
              form(covers_.regular_cell[at.regular]).split->part[at.part].node[node];
-    return piece_instance(at.piece) + node;
+    return (at.piece != none ? piece_instance(at.piece) : sliver_instance(at.sliver)) + node;
   }
   Index piece_instance(Index piece) const {
     return nodes_ * covers_.regular_count() + part_nodes_ * element_of_piece_[piece];
+  }
+  Index sliver_instance(Index sliver) const { return element_instances() + part_nodes_ * sliver; }
+  // Those before slivers'.
+  Index element_instances() const {
+    return nodes_ * covers_.regular_count() + part_nodes_ * covers_.cut_count();
   }
 
   void join_across(UnionFind& stars, const Spot& one, const Spot& two,
@@ -286,10 +304,7 @@ class Connector {
   }
 
   void join_stars() {
-    const auto nodes =
-        static_cast<std::size_t>(nodes_) * static_cast<std::size_t>(covers_.regular_count()) +
-        static_cast<std::size_t>(part_nodes_) * static_cast<std::size_t>(covers_.cut_count());
-    UnionFind stars(static_cast<Index>(nodes));
+    UnionFind stars(sliver_instance(static_cast<Index>(pieces_.slivers.size())));
     for (const CellContent& c : cells_.all())
       if (c.regular == none) join_inside(stars, c);
     for (int axis = 0; axis < 3 && !is_block_; ++axis)
@@ -300,36 +315,14 @@ class Connector {
           join_face(stars, low, high, axis);
       });
     for (const Link& l : links_) join_link(stars, l);
-    star_of_.resize(nodes);
-    for (Index i = 0; i < static_cast<Index>(nodes); ++i) star_of_[i] = stars.find(i);
+    star_of_.resize(
+        element_instances());  // a star's first instance is not a sliver's, unless all are
+    for (Index i = 0; i < element_instances(); ++i) star_of_[i] = stars.find(i);
   }
 
   void join_link(UnionFind& stars, const Link& l) const {
-    if (l.over_sliver) return join_common_nodes(stars, l.one, l.two);
-    if (l.facet == nullptr) {
-      for (int a = 0; a < part_nodes_; ++a)
-        stars.join(piece_instance(l.one.piece) + a, piece_instance(l.two.piece) + a);
-    } else {
-      join_across(stars, l.one, l.two, *l.facet);
-    }
-  }
-
-  const std::int8_t* nodes_of(const Spot& at, Index& cell, int& count) const {
-    cell = at.regular != none ? covers_.regular_cell[at.regular] : record(at.piece).lattice_cell;
-    const CellPart& part =
-        form(cell).split->part[at.regular != none ? at.part : record(at.piece).part];
-    count = part.nodes;
-    return part.node.data();
-  }
-
-  void join_common_nodes(UnionFind& stars, const Spot& one, const Spot& two) const {
-    Index cell = none, other = none;
-    int n = 0, m = 0;
-    const std::int8_t *a = nodes_of(one, cell, n), *b = nodes_of(two, other, m);
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < m; ++j)
-        if (covers_.lattice.cell_node(cell, a[i]) == covers_.lattice.cell_node(other, b[j]))
-          stars.join(instance(one, i), instance(two, j));
+    if (l.facet != nullptr) return join_across(stars, l.one, l.two, *l.facet);
+    for (int a = 0; a < part_nodes_; ++a) stars.join(instance(l.one, a), instance(l.two, a));
   }
 
   // What a node's star has of a lattice cell is convex in every split (of two overlaid ones, the smaller star lies in the
@@ -337,29 +330,32 @@ class Connector {
   // Prolonged joints part it: then only pieces that touch are.
   void join_inside(UnionFind& stars, const CellContent& cell) {
     first_at_.clear();
-    const CellSplit& split = *form(cell.lattice_cell).split;
-    for (Index i = cell.piece_begin; i < cell.piece_end; ++i) {
-      const PieceRecord& p = record(i);
-      if (contacts_.is_parted(cell, p.rock)) {
+    for (Index i = cell.piece_begin; i < cell.piece_end; ++i)
+      if (contacts_.is_parted(cell, record(i).rock))
         join_touching(stars, cell, i);
-        continue;
-      }
-      const Index body = is_block_ ? p.lattice_cell : p.rock;
-      auto seen = std::find_if(first_at_.begin(), first_at_.end(),
-                               [&](const FirstAt& f) { return f.body == body; });
-      if (seen == first_at_.end()) {
-        first_at_.push_back({body, {}});
-        seen = first_at_.end() - 1;
-        seen->instance.fill(none);
-      }
-      const CellPart& part = split.part[p.part];
-      for (int a = 0; a < part.nodes; ++a) {
-        Index& first = seen->instance[part.node[a]];
-        if (first == none)
-          first = piece_instance(i) + a;
-        else
-          stars.join(first, piece_instance(i) + a);
-      }
+      else
+        join_body(stars, record(i), piece_instance(i));
+    for (Index s = cell.sliver_begin; s < cell.sliver_end; ++s)
+      if (const PieceRecord& p = pieces_.slivers[s].piece; !contacts_.is_parted(cell, p.rock))
+        join_body(stars, p, sliver_instance(s));
+  }
+
+  void join_body(UnionFind& stars, const PieceRecord& p, Index instance) {
+    const Index body = is_block_ ? p.lattice_cell : p.rock;
+    auto seen = std::find_if(first_at_.begin(), first_at_.end(),
+                             [&](const FirstAt& f) { return f.body == body; });
+    if (seen == first_at_.end()) {
+      first_at_.push_back({body, {}});
+      seen = first_at_.end() - 1;
+      seen->instance.fill(none);
+    }
+    const CellPart& part = form(p.lattice_cell).split->part[p.part];
+    for (int a = 0; a < part.nodes; ++a) {
+      Index& first = seen->instance[part.node[a]];
+      if (first == none)
+        first = instance + a;
+      else
+        stars.join(first, instance + a);
     }
   }
 
@@ -380,48 +376,17 @@ class Connector {
     for (const auto& [a, b] : face_nodes_[axis]) stars.join(nodes_ * low + a, nodes_ * high + b);
   }
 
-  // Pieces of one cell of the complex on the two sides of a lattice cell's face share what the cell has of it.
+  // What one cell of the complex has on the two sides of a lattice cell's face shares what it has of the face.
   void join_face(UnionFind& stars, const CellContent& low, const CellContent& high, int axis) {
-    visit_face(low, axis, 1, [&](Index rock, const Holding& one, const PartFacet& facet) {
-      const Holding two = cells_.find_in(high, facet.other, rock);
-      if (two.any())
-        join_on_facet(stars, one, two, facet);
-      else
-        join_past(stars, one, high, rock, facet);
-    });
-    visit_face(high, axis, -1, [&](Index rock, const Holding& one, const PartFacet& facet) {
-      if (!cells_.find_in(low, facet.other, rock).any()) join_past(stars, one, low, rock, facet);
-    });
-  }
-
-  // Calls visit(rock, holding, facet) for what cells of the complex have on a face of a lattice cell.
-  template <class Visit>
-  void visit_face(const CellContent& cell, int axis, int step, const Visit& visit) const {
-    const auto& facets = form(cell.lattice_cell).facet;
+    const auto& facets = form(low.lattice_cell).facet;
     for (std::size_t part = 0; part < facets.size(); ++part)
       for (std::size_t a = 0; a < facets[part].size(); ++a)
-        if (const PartFacet& facet = facets[part][a]; facet.axis == axis && facet.step == step)
-          cells_.visit_open(cell, static_cast<int>(part), static_cast<int>(a),
-                            [&](Index rock, const Holding& one) { visit(rock, one, facet); });
-  }
-
-  // The piece across was too small to be kept. The others that the star has there of this cell of the complex are one with it.
-  void join_past(UnionFind& stars, const Holding& one, const CellContent& other, Index rock,
-                 const PartFacet& facet) const {
-    if (other.regular != none || contacts_.is_parted(other, rock)) return;
-    const CellSplit& split = *form(other.lattice_cell).split;
-    for (int k = 0; k < facet.nodes; ++k) {
-      const std::int8_t node = split.part[facet.other].node[facet.across[k]];
-      for (Index i = other.piece_begin; i < other.piece_end; ++i) {
-        if (record(i).rock != rock) continue;
-        const CellPart& part = split.part[record(i).part];
-        for (int b = 0; b < part.nodes; ++b)
-          if (part.node[b] == node)
-            visit_spots(one, [&](const Spot& a) {
-              stars.join(instance(a, facet.node[k]), piece_instance(i) + b);
-            });
-      }
-    }
+        if (const PartFacet& facet = facets[part][a]; facet.axis == axis && facet.step == 1)
+          cells_.visit_open(low, static_cast<int>(part), static_cast<int>(a),
+                            [&](Index rock, const Holding& one) {
+                              join_on_facet(stars, one, cells_.find_any_in(high, facet.other, rock),
+                                            facet);
+                            });
   }
 
   void join_on_facet(UnionFind& stars, const Holding& one, const Holding& two,

@@ -62,7 +62,7 @@ class Visitor {
 
   /// Splits a face of a cell of the complex over the elements.
   void split(const Polygon& polygon, Index rock, Index local_face) {
-    if (!complex_.stays(rock)) return;
+    if (!complex_.stays(rock) || is_off_plane(polygon)) return;
     const HalfSpaceId inside = complex_.cells[rock].faces[local_face].inside;
     FacePolygon found;
     found.rock = rock;
@@ -75,15 +75,19 @@ class Visitor {
     });
   }
 
+  // All of the face counts, not the strip that a lattice plane cuts from it next to the region's plane.
+  bool is_off_plane(const Polygon& polygon) const {
+    const auto* plane = std::get_if<PlaneRegion>(&region_);
+    return plane != nullptr &&
+           std::any_of(polygon.corner.begin(), polygon.corner.end(), [&](const Vertex& v) {
+             return std::abs(dot(plane->normal, v.x + complex_.planes.centre() - plane->point)) >
+                    std::max(plane->tolerance, slack_);
+           });
+  }
+
   void take_corners(const Polygon& within, FacePolygon& found) const {
     found.corner.clear();
     for (const Vertex& v : within.corner) found.corner.push_back(v.x + complex_.planes.centre());
-    if (const auto* plane = std::get_if<PlaneRegion>(&region_)) {
-      const bool out = std::any_of(found.corner.begin(), found.corner.end(), [&](const Vec3& x) {
-        return std::abs(dot(plane->normal, x - plane->point)) > std::max(plane->tolerance, slack_);
-      });
-      if (out) return;
-    }
     Real least = 0;  // m²: what a box only touches it does not hold
     if (const auto* box = std::get_if<BoxRegion>(&region_)) {
       least = std::min(slack_ * slack_, 1e-6 * polygon_area(found.corner));

@@ -5,16 +5,16 @@ namespace rockfold {
 void GlueFinder::visit(const Fragment& fragment, const std::function<void(const Contact&)>& visit) {
   const Polygon polygon = complex_.polygon_of(fragment);
   std::vector<Vec3> corner;
-  walker_.walk(polygon, half_space(polygon.plane, false),
-               [&](const std::array<Index, 3>& ijk, int part, const Polygon& piece) {
-                 corner.clear();
-                 for (const Vertex& v : piece.corner) corner.push_back(v.x);
-                 if (width_in_plane(corner, planes_.normal(polygon.plane)) <
-                     planes_.width_tolerance())
-                   return;
-                 const Contact c = contact(fragment, ijk, part, piece);
-                 if (c.one.any() && c.two.any()) visit(c);
-               });
+  walker_.walk(
+      polygon, half_space(polygon.plane, false),
+      [&](const std::array<Index, 3>& ijk, int part, const Polygon& piece) {
+        corner.clear();
+        for (const Vertex& v : piece.corner) corner.push_back(v.x);
+        if (width_in_plane(corner, planes_.normal(polygon.plane)) < planes_.width_tolerance())
+          return;
+        const Contact c = contact(fragment, ijk, part, piece);
+        if (c.one.any() && c.two.any()) visit(c);
+      });
 }
 
 // The part lies below the fragment's plane where that is the plane of one of its facets.
@@ -23,14 +23,7 @@ Contact GlueFinder::contact(const Fragment& fragment, const std::array<Index, 3>
   const Lattice& lattice = lattice_.lattice();
   const Index lattice_cell = lattice.cell_index(ijk[0], ijk[1], ijk[2]);
   Contact c{{}, {}, nullptr, polygon};
-  const auto find = [&](Index cell, int of, Index rock) {
-    Holding found = cells_.find(cell, of, rock);
-    if (found.any()) return found;
-    found = cells_.find_owner(cell, of, rock);
-    c.over_sliver = c.over_sliver || found.any();
-    return found;
-  };
-  c.one = find(lattice_cell, part, fragment.cell[0]);
+  c.one = cells_.find_any(lattice_cell, part, fragment.cell[0]);
   if (!c.one.any()) return c;
   for (const PartFacet& facet : lattice_.form(ijk).facet[part]) {
     if (plane_of(lattice_.inside(ijk, facet)) != polygon.plane) continue;
@@ -40,10 +33,11 @@ Contact GlueFinder::contact(const Fragment& fragment, const std::array<Index, 3>
       if (next[facet.axis] < 0 || next[facet.axis] >= lattice.cells[facet.axis]) return c;
     }
     c.facet = &facet;
-    c.two = find(lattice.cell_index(next[0], next[1], next[2]), facet.other, fragment.cell[1]);
+    c.two = cells_.find_any(lattice.cell_index(next[0], next[1], next[2]), facet.other,
+                            fragment.cell[1]);
     return c;
   }
-  c.two = find(lattice_cell, part, fragment.cell[1]);
+  c.two = cells_.find_any(lattice_cell, part, fragment.cell[1]);
   return c;
 }
 

@@ -14,8 +14,8 @@ struct Contact {
   Holding one, two;                  ///< below and above the fragment's plane
   const PartFacet* facet = nullptr;  ///< of one's part; null = inside the part
   const Polygon& polygon;            ///< about the table's centre
-  /// One of the two stands for a sliver that it owns: their parts may be any, and no facet need lie between them.
-  bool over_sliver = false;
+
+  bool touches_sliver() const { return one.sliver != none || two.sliver != none; }
 };
 
 class GlueFinder {

@@ -61,7 +61,8 @@ class TipExtender {
     UnionFind parts(static_cast<Index>(pieces_.pieces.size()));
     visit_contacts(complex_, glue_, false, [&](const Contact& c) {
       const Index one = c.one.piece_begin, two = c.two.piece_begin;
-      if (c.facet != nullptr || c.one.regular != none || c.two.regular != none || c.over_sliver)
+      if (c.facet != nullptr || c.one.regular != none || c.two.regular != none ||
+          c.touches_sliver())
         return;
       if (material(pieces_.pieces[one].rock) == material(pieces_.pieces[two].rock))
         parts.join(one, two);
@@ -72,7 +73,7 @@ class TipExtender {
   // No lattice cell with a joint on or in it is regular any more.
   void find_tips() {
     visit_contacts(complex_, glue_, true, [&](const Contact& c) {
-      if (c.over_sliver) return;
+      if (c.touches_sliver()) return;
       const Index one = element_[c.one.piece_begin], two = element_[c.two.piece_begin];
       if (c.facet == nullptr && one != two) return;
       for (const Index element : {one, two}) tips_.emplace_back(element, c.polygon.plane);

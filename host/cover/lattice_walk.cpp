@@ -136,7 +136,7 @@ namespace {
 class PartsNear {
  public:
   PartsNear(const LatticePlanes& lattice, const PlaneTable& planes, const Vec3& normal,
-            const std::function<void(const std::array<Index, 3>&, int)>& visit)
+            const PartsNearVisitor& visit)
       : lattice_(lattice), planes_(planes), normal_(normal), visit_(visit) {}
 
   void descend(const std::vector<Vec3>& polygon, const LatticeBox& box) const {
@@ -156,7 +156,7 @@ class PartsNear {
       std::vector<Vec3> own = polygon;
       for (const PartFacet& facet : facets[part]) own = inside(own, lattice_.inside(ijk, facet));
       if (width_in_plane(own, normal_) >= planes_.width_tolerance())
-        visit_(ijk, static_cast<int>(part));
+        visit_(ijk, static_cast<int>(part), own);
     }
   }
 
@@ -181,14 +181,13 @@ class PartsNear {
   const LatticePlanes& lattice_;
   const PlaneTable& planes_;
   const Vec3 normal_;
-  const std::function<void(const std::array<Index, 3>&, int)>& visit_;
+  const PartsNearVisitor& visit_;
 };
 
 }  // namespace
 
 void visit_parts_near(const LatticePlanes& lattice, const PlaneTable& planes,
-                      const std::vector<Vec3>& polygon,
-                      const std::function<void(const std::array<Index, 3>&, int)>& visit) {
+                      const std::vector<Vec3>& polygon, const PartsNearVisitor& visit) {
   Vec3 area{};
   std::vector<Vertex> corners(polygon.size());
   for (std::size_t k = 0; k < polygon.size(); ++k) {

@@ -54,10 +54,12 @@ class LatticeWalker {
   std::vector<std::unique_ptr<Level>> levels_;
 };
 
-/// Calls visit(lattice_cell, part) for the parts that hold more of a convex polygon (m about the table's centre, corners in a row)
-/// than a strip as narrow as the tolerance; where it lies along a facet, for those on both sides. In doubles.
+using PartsNearVisitor = std::function<void(const std::array<Index, 3>& lattice_cell, int part,
+                                            const std::vector<Vec3>& polygon)>;
+
+/// Calls visit(lattice_cell, part, what it holds) for the parts that hold more of a convex polygon (m about the table's centre,
+/// corners in a row) than a strip as narrow as the tolerance; where it lies along a facet, for those on both sides. In doubles.
 void visit_parts_near(const LatticePlanes& lattice, const PlaneTable& planes,
-                      const std::vector<Vec3>& polygon,
-                      const std::function<void(const std::array<Index, 3>&, int)>& visit);
+                      const std::vector<Vec3>& polygon, const PartsNearVisitor& visit);
 
 }  // namespace rockfold

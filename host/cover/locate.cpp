@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <tuple>
 
 #include "src/arrays/shape_functions.hpp"
@@ -17,8 +16,6 @@ namespace {
 constexpr Real least_fill = 0.02;
 /// Of the spacing: how far an element's functions are continued over slivers.
 constexpr Real continued = 0.01;
-/// Of the spacing: rock that pieces without volume (has_volume) stood for reaches so far over the others.
-constexpr Real left_out = 2e-5;
 
 /// m³
 Real piece_volume(const CoverArrays& covers, Index piece) {
@@ -65,6 +62,8 @@ Locator::Locator(const Covering& covering) : covers_(covering.arrays), index_(*c
   const auto& edge = covers_.lattice.edge;
   spacing_ = std::min({norm(edge[0]), norm(edge[1]), norm(edge[2])});
   cell_volume_ = std::abs(dot(edge[0], cross(edge[1], edge[2])));
+  const Mat3 gradient = covers_.lattice.reciprocal();
+  for (int d = 0; d < 3; ++d) slack_[d] = index_.point_slack() * norm(gradient[d]);
 }
 
 void Locator::try_regular(const Vec3& x, Index regular, Found& found) const {
@@ -102,7 +101,7 @@ void Locator::try_piece(const Vec3& x, Index e, Index q, Found& found) const {
   found.push_back(h);
 }
 
-// All that may hold x, or a place so many edges of the lattice away.
+// All that may hold x, or a place so many edges of the lattice away. A sliver's element may be another lattice cell's.
 Locator::Found Locator::near(const Vec3& x, Real by) const {
   Found found;
   if (covers_.lattice.kind == LatticeKind::block) {
@@ -110,13 +109,13 @@ Locator::Found Locator::near(const Vec3& x, Real by) const {
     return found;
   }
   std::array<Vertex, 8> around;
-  const int corners = by > 0 ? 8 : 1;
-  for (int c = 0; c < corners; ++c) {
+  for (int c = 0; c < 8; ++c) {
     around[c].x = x - index_.planes.centre();
     for (int d = 0; d < 3; ++d)
-      around[c].x += ((c >> d & 1) != 0 ? by : -by) * covers_.lattice.edge[d];
+      around[c].x +=
+          ((c >> d & 1) != 0 ? 1 : -1) * std::max(by, slack_[d]) * covers_.lattice.edge[d];
   }
-  const LatticeBox box = index_.lattice.range(std::span(around).first(corners));
+  const LatticeBox box = index_.lattice.range(around);
   for (Index k = box.low[2]; k < box.high[2]; ++k)
     for (Index j = box.low[1]; j < box.high[1]; ++j)
       for (Index i = box.low[0]; i < box.high[0]; ++i) {
@@ -125,6 +124,10 @@ Locator::Found Locator::near(const Vec3& x, Real by) const {
         if (r != none) try_regular(x, r, found);
         const IndexRange elements = elements_of_cell(covers_, lattice_cell);
         for (Index e = elements.begin; e < elements.end; ++e) try_element(x, e, found);
+        index_.visit_slivers(lattice_cell, [&](Index q) {
+          const Index e = index_.piece_element[q];
+          if (covers_.element_cell[e] != lattice_cell) try_piece(x, e, q, found);
+        });
       }
   return found;
 }
@@ -172,10 +175,7 @@ Holder Locator::holding(const Vec3& x, Index block) const {
     if (!best.found() || std::tie(h.block, h.element) < std::tie(best.block, best.element))
       best = h;
   }
-  if (best.found() || covers_.lattice.kind == LatticeKind::block) return best;
-  return nearest_within(x, left_out, [&](const Holder& h) {
-    return (block == none || h.block == block) && is_in_rock(x, h.rock);
-  });
+  return best;
 }
 
 template <class Accept>
@@ -188,14 +188,6 @@ Holder Locator::nearest_within(const Vec3& x, Real reach, const Accept& accept) 
       best = h;
   }
   return best;
-}
-
-bool Locator::is_in_rock(const Vec3& x, Index rock) const {
-  const Vec3 r = x - index_.planes.centre();
-  const Real slack = index_.point_slack();
-  for (const ConvexCell::Face& face : index_.complex->cells[rock].faces)
-    if (outside(face.inside, r) > slack) return false;
-  return true;
 }
 
 bool Locator::is_sliver(const Holder& holder) const {
@@ -214,39 +206,24 @@ Index Locator::find_other(const Vec3& x, const Holder& holder) const {
   return other_of(holder, near(x), [](const Holder&) { return false; });
 }
 
-// The nearest of those that need not be avoided, or of all.
+// The nearest of those that need not be avoided, or of all; where x is in slivers, their elements may be other lattice cells'.
 template <class Avoid>
 Index Locator::other_of(const Holder& holder, const Found& found, const Avoid& avoid) const {
   const int first_split = covers_.first_split_parts();
   if (first_split == covers_.parts_per_cell()) return none;
   Holder best;
-  bool best_avoided = false;
+  std::tuple<bool, bool, Real> best_rank;
   for (const Holder& h : found) {
-    if (h.rock != holder.rock || h.lattice_cell != holder.lattice_cell) continue;
-    if (h.other != none) return h.other;
-    if (h.part < first_split) continue;
-    const bool avoided = avoid(h);
-    if (best.found() && std::tie(avoided, h.violation) >= std::tie(best_avoided, best.violation))
-      continue;
+    if (h.rock != holder.rock) continue;
+    const bool elsewhere = h.lattice_cell != holder.lattice_cell;
+    if (h.other != none && !elsewhere) return h.other;
+    if (h.part < first_split && h.other == none) continue;
+    const std::tuple rank{elsewhere, avoid(h), h.violation};
+    if (best.found() && rank >= best_rank) continue;
     best = h;
-    best_avoided = avoided;
+    best_rank = rank;
   }
-  return best.element;
-}
-
-Holder Locator::nearest(const Vec3& x, Index rock, bool second_split) const {
-  const int first_split = covers_.first_split_parts();
-  Holder best;
-  for (Holder h : near(x)) {
-    if (h.rock != rock) continue;
-    if (second_split && h.other != none) {  // of a regular lattice cell
-      h.element = h.other;
-      h.part = h.element % covers_.parts_per_cell();
-    }
-    if ((h.part >= first_split) != second_split) continue;
-    if (!best.found() || h.violation < best.violation) best = h;
-  }
-  return best;
+  return best.other != none ? best.other : best.element;
 }
 
 void Locator::add(const Vec3& x, const Holder& h, MaterialPoints& points) const {

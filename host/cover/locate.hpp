@@ -41,9 +41,6 @@ class Locator {
   /// The element of the second of two overlaid splits that holds x where `holder` does; none if there is one split.
   Index find_other(const Vec3& x, const Holder& holder) const;
 
-  /// The part of a cell of the complex that x is nearest to, in one of two overlaid splits.
-  Holder nearest(const Vec3& x, Index rock, bool second_split) const;
-
   /// Adds the point to `points` with its element's weights.
   void add(const Vec3& x, const Holder& holder, MaterialPoints& points) const;
 
@@ -53,7 +50,6 @@ class Locator {
   Holder holding(const Vec3& x, Index block) const;
   template <class Accept>
   Holder nearest_within(const Vec3& x, Real reach, const Accept& accept) const;
-  bool is_in_rock(const Vec3& x, Index rock) const;
   template <class Avoid>
   Index other_of(const Holder& holder, const Found& found, const Avoid& avoid) const;
   bool is_sliver(const Holder& holder) const;
@@ -66,6 +62,7 @@ class Locator {
   const CoverArrays& covers_;
   const PieceIndex& index_;
   Real spacing_ = 0, cell_volume_ = 0;  // m, m³; the least of the lattice's edges
+  Vec3 slack_{};                        // point_slack() in the lattice's edges
 };
 
 }  // namespace rockfold

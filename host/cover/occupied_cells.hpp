@@ -8,21 +8,23 @@
 
 namespace rockfold {
 
-/// What a lattice cell holds: all of it (a regular one), or pieces.
+/// What a lattice cell holds: all of it (a regular one), or pieces and slivers.
 struct CellContent {
   Index lattice_cell = none;
-  Index regular = none;                  ///< into Pieces::regular
-  Index piece_begin = 0, piece_end = 0;  ///< into Pieces::pieces
+  Index regular = none;                    ///< into Pieces::regular
+  Index piece_begin = 0, piece_end = 0;    ///< into Pieces::pieces
+  Index sliver_begin = 0, sliver_end = 0;  ///< into Pieces::slivers
 };
 
 /// Where a cell of the complex stands in a part of a lattice cell: in a regular cell, or as a piece (several where joints
-/// are prolonged through it).
+/// are prolonged through it), or as a sliver.
 struct Holding {
   Index regular = none;
   Index piece_begin = 0, piece_end = 0;
+  Index sliver = none;
   int part = 0;
 
-  bool any() const { return regular != none || piece_begin < piece_end; }
+  bool any() const { return regular != none || piece_begin < piece_end || sliver != none; }
 };
 
 class OccupiedCells {
@@ -31,11 +33,12 @@ class OccupiedCells {
 
   const std::vector<CellContent>& all() const { return cells_; }  ///< by lattice cell
 
-  /// What a cell of the complex has of a part. O(log n)
+  /// What a cell of the complex has of a part, slivers aside. O(log n)
   Holding find(Index lattice_cell, int part, Index rock) const;
   Holding find_in(const CellContent& cell, int part, Index rock) const;
-  /// What owns a sliver that a cell of the complex has there (Pieces::slivers). O(log n)
-  Holding find_owner(Index lattice_cell, int part, Index rock) const;
+  /// The same, or the sliver that it has there. O(log n)
+  Holding find_any(Index lattice_cell, int part, Index rock) const;
+  Holding find_any_in(const CellContent& cell, int part, Index rock) const;
 
   /// Calls visit(cell, next) for all occupied cells that are neighbours along an axis. O(n)
   template <class Visit>
@@ -57,7 +60,7 @@ class OccupiedCells {
   template <class Visit>
   void visit_open(const CellContent& cell, int part, int facet, Visit visit) const {
     if (cell.regular != none)
-      return visit(pieces_.regular[cell.regular].rock, Holding{cell.regular, 0, 0, part});
+      return visit(pieces_.regular[cell.regular].rock, Holding{cell.regular, 0, 0, none, part});
     for (Index i = cell.piece_begin, end = i; i < cell.piece_end; i = end) {
       const PieceRecord& p = pieces_.pieces[i];
       bool open = false;
@@ -65,11 +68,17 @@ class OccupiedCells {
              pieces_.pieces[end].rock == p.rock;
            ++end)
         open = open || (pieces_.pieces[end].open_facets >> facet & 1) != 0;
-      if (p.part == part && open) visit(p.rock, Holding{none, i, end, part});
+      if (p.part == part && open) visit(p.rock, Holding{none, i, end, none, part});
     }
+    for (Index s = cell.sliver_begin; s < cell.sliver_end; ++s)
+      if (const PieceRecord& p = pieces_.slivers[s].piece;
+          p.part == part && (p.open_facets >> facet & 1) != 0)
+        visit(p.rock, Holding{none, 0, 0, s, part});
   }
 
  private:
+  Holding find_sliver(Index lattice_cell, int part, Index rock) const;
+
   const Lattice& lattice_;
   const Pieces& pieces_;
   std::vector<CellContent> cells_;

@@ -11,7 +11,7 @@ bool cut_along(const std::vector<HalfSpaceId>& cuts, Index plane) {
 }
 
 // Two pieces on different sides of one plane share nothing.
-bool apart(const std::vector<HalfSpaceId>& one, const std::vector<HalfSpaceId>& two) {
+bool are_apart(const std::vector<HalfSpaceId>& one, const std::vector<HalfSpaceId>& two) {
   return std::any_of(one.begin(), one.end(), [&](HalfSpaceId h) {
     return std::find(two.begin(), two.end(), h ^ 1) != two.end();
   });
@@ -23,7 +23,11 @@ bool PieceContacts::touch(Index one, Index two, const Polygon& polygon) {
   const auto &a = cuts(one), &b = cuts(two);
   if (a.empty() && b.empty()) return true;
   if (cut_along(a, polygon.plane) && cut_along(b, polygon.plane)) return false;
-  return !apart(a, b) && area_(polygon, a, b);
+  return !are_apart(a, b) && area_(polygon, a, b);
+}
+
+bool PieceContacts::apart(Index one, Index two) const {
+  return are_apart(cuts(one), cuts(two));
 }
 
 bool PieceContacts::touch_on_facet(Index one, Index two, const PartFacet& facet) {
@@ -32,7 +36,7 @@ bool PieceContacts::touch_on_facet(Index one, Index two, const PartFacet& facet)
 
 bool PieceContacts::share_area(Index one, Index two, const PartFacet& facet) {
   const auto &a = cuts(one), &b = cuts(two);
-  if (apart(a, b)) return false;
+  if (are_apart(a, b)) return false;
   // One of them is a piece; its part's facet is also the other's.
   const PieceRecord& p = pieces_.pieces[one != none ? one : two];
   auto ijk = lattice_.lattice().cell_ijk(p.lattice_cell);
@@ -59,11 +63,10 @@ bool PieceContacts::touch_inside_cell(Index one, Index two) {
           return facet.axis < 0 && facet.other == q.part && touch_on_facet(one, two, facet);
         });
   }
-  if (apart(p.cuts, q.cuts)) return false;
+  if (are_apart(p.cuts, q.cuts)) return false;
   std::vector<HalfSpaceId> inside = q.cuts;
   for (const PartFacet& facet : form.facet[q.part]) inside.push_back(lattice_.inside(ijk, facet));
-  return !clip(planes_, clip_to_part(complex_, lattice_, planes_, p), inside)
-              .faces.empty();
+  return !clip(planes_, clip_to_part(complex_, lattice_, planes_, p), inside).faces.empty();
 }
 
 bool PieceContacts::is_parted(const CellContent& cell, Index rock) const {

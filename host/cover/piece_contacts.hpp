@@ -10,11 +10,7 @@ class PieceContacts {
  public:
   PieceContacts(const Complex& complex, const LatticePlanes& lattice, const PlaneTable& planes,
                 const Pieces& pieces)
-      : complex_(complex),
-        lattice_(lattice),
-        planes_(planes),
-        pieces_(pieces),
-        area_(planes) {
+      : complex_(complex), lattice_(lattice), planes_(planes), pieces_(pieces), area_(planes) {
     for (const PieceRecord& p : pieces.pieces) any_cut_ = any_cut_ || !p.cuts.empty();
   }
 
@@ -22,6 +18,9 @@ class PieceContacts {
 
   /// Whether two pieces share an area of a polygon that lies in both but for their cuts, and between which no cut runs.
   bool touch(Index one, Index two, const Polygon& polygon);
+
+  /// Whether a cut runs between two pieces.
+  bool apart(Index one, Index two) const;
 
   /// Whether two pieces of one cell of the complex, which has an area of the facet between their parts, share some of it.
   bool touch_on_facet(Index one, Index two, const PartFacet& facet);

@@ -20,9 +20,8 @@ std::vector<Index> PieceIndex::find_pieces(const CoverArrays& covers, Index latt
   const IndexRange elements = elements_of_cell(covers, lattice_cell);
   for (Index e = elements.begin; e < elements.end; ++e) {
     if (covers.element_part[e] != part) continue;
-    const auto [first, last] =
-        std::equal_range(piece_rock.begin() + covers.piece_begin[e],
-                         piece_rock.begin() + sliver_begin[e], rock);
+    const auto [first, last] = std::equal_range(piece_rock.begin() + covers.piece_begin[e],
+                                                piece_rock.begin() + sliver_begin[e], rock);
     for (auto q = first; q != last; ++q)
       pieces.push_back(static_cast<Index>(q - piece_rock.begin()));
   }
@@ -31,6 +30,13 @@ std::vector<Index> PieceIndex::find_pieces(const CoverArrays& covers, Index latt
   if (pieces.empty() && sliver != slivers.end() && sliver->first == key)
     pieces.push_back(sliver->second);
   return pieces;
+}
+
+const PieceKey* PieceIndex::owner_of_left_out(const PieceKey& sliver) const {
+  const auto found =
+      std::lower_bound(left_out.begin(), left_out.end(), sliver,
+                       [](const auto& entry, const PieceKey& key) { return entry.first < key; });
+  return found != left_out.end() && found->first == sliver ? &found->second : nullptr;
 }
 
 void PieceIndex::build_piece_tree(const CoverArrays& covers) {

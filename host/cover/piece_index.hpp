@@ -1,6 +1,7 @@
 // Which part of the cutting each regular lattice cell and each piece is: host-side companion of CoverArrays.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -27,6 +28,8 @@ struct PieceIndex {
   std::vector<HalfSpaceId> face_inside;  ///< of each face of each piece, the side that holds it
   std::vector<Index> sliver_begin;       ///< [E] pieces of each element from here on are slivers
   std::vector<std::pair<PieceKey, Index>> slivers;  ///< where each sliver is, and its piece; sorted
+  std::vector<std::pair<PieceKey, PieceKey>>
+      left_out;  ///< slivers that are no pieces (Sliver::left_out), and their owners; sorted
   std::vector<std::vector<HalfSpaceId>>
       piece_cuts;      ///< [Q] PieceRecord::cuts; empty if no joint is prolonged
   BoxTree piece_tree;  ///< [Q] m, about the pieces and point_slack() beyond; kind `block` only
@@ -39,6 +42,16 @@ struct PieceIndex {
   /// The pieces of a cell of the complex in a part of a lattice cell: several where joints are prolonged. O(log Q)
   std::vector<Index> find_pieces(const CoverArrays& covers, Index lattice_cell, int part,
                                  Index rock) const;
+  /// Calls visit(piece) for the slivers that lie in a lattice cell. O(log n + found)
+  template <class Visit>
+  void visit_slivers(Index lattice_cell, Visit visit) const {
+    const std::pair first{PieceKey{lattice_cell, 0, 0}, Index{0}};
+    for (auto s = std::lower_bound(slivers.begin(), slivers.end(), first);
+         s != slivers.end() && s->first.lattice_cell == lattice_cell; ++s)
+      visit(s->second);
+  }
+  /// What owns a sliver that is no piece, or null. O(log n)
+  const PieceKey* owner_of_left_out(const PieceKey& sliver) const;
   /// Fills `piece_tree`. O(Q log Q)
   void build_piece_tree(const CoverArrays& covers);
 };

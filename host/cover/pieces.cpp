@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <tuple>
 
 #include "host/cut/width.hpp"
 #include "host/parallel.hpp"
@@ -29,10 +28,10 @@ std::uint32_t open_facets(const LatticePlanes& lattice, const std::array<Index, 
 
 }  // namespace
 
-void sort_pieces(std::vector<PieceRecord>& pieces) {
-  std::sort(pieces.begin(), pieces.end(), [](const PieceRecord& a, const PieceRecord& b) {
-    return std::tie(a.lattice_cell, a.part, a.rock) < std::tie(b.lattice_cell, b.part, b.rock);
-  });
+void sort_pieces(Pieces& pieces) {
+  const auto by_key = [](const auto& a, const auto& b) { return a.key() < b.key(); };
+  std::stable_sort(pieces.pieces.begin(), pieces.pieces.end(), by_key);
+  std::sort(pieces.slivers.begin(), pieces.slivers.end(), by_key);
 }
 
 PieceRecord make_record(const LatticePlanes& lattice, const PlaneTable& planes, Index lattice_cell,
@@ -102,16 +101,18 @@ class CellCutter {
  private:
   void add(const std::array<Index, 3>& ijk, int part, Index rock, const CellView& piece,
            Pieces& out) const {
-    PieceRecord record = make_record(
-        lattice_, planes_, lattice_.lattice().cell_index(ijk[0], ijk[1], ijk[2]), part, rock, piece);
+    PieceRecord record =
+        make_record(lattice_, planes_, lattice_.lattice().cell_index(ijk[0], ijk[1], ijk[2]), part,
+                    rock, piece);
     const bool of_sliver = complex_.is_sliver[rock] != 0;
     const Real width = of_sliver ? 0 : measure_cell(piece, planes_).width;
     if (width >= planes_.width_tolerance()) {
       out.pieces.push_back(std::move(record));
       return;
     }
-    if (!of_sliver && width < negligible_width * planes_.model_size()) return;
-    Sliver sliver{std::move(record), {}, {}};
+    Sliver sliver;
+    sliver.piece = std::move(record);
+    sliver.left_out = !of_sliver && width < negligible_width * planes_.model_size();
     const auto& facets = lattice_.form(ijk).facet[part];
     for (std::size_t a = 0; a < facets.size(); ++a)
       for (const auto& face : piece.faces)
@@ -127,8 +128,8 @@ class CellCutter {
 
 }  // namespace
 
-Pieces cut_pieces(const Complex& complex, const LatticePlanes& lattice,
-                  const PlaneTable& planes, Progress& progress) {
+Pieces cut_pieces(const Complex& complex, const LatticePlanes& lattice, const PlaneTable& planes,
+                  Progress& progress) {
   const Index n = complex.cells.size();
   std::vector<Pieces> cells(n);
   std::atomic<std::int64_t> done{0};
@@ -156,19 +157,22 @@ Pieces cut_pieces(const Complex& complex, const LatticePlanes& lattice,
   }
   std::sort(all.regular.begin(), all.regular.end(),
             [](const auto& a, const auto& b) { return a.lattice_cell < b.lattice_cell; });
-  sort_pieces(all.pieces);
-  std::sort(all.slivers.begin(), all.slivers.end(),
-            [](const Sliver& a, const Sliver& b) { return a.key() < b.key(); });
+  sort_pieces(all);
   return all;
 }
 
 Pieces block_pieces(const Complex& complex, const LatticePlanes& lattice) {
   Pieces all;
-  for (Index rock = 0; rock < complex.cells.size(); ++rock)
-    if (complex.stays(rock))
-      all.pieces.push_back(make_record(lattice, complex.planes, complex.cell_block[rock], 0, rock,
-                                       complex.cells[rock]));
-  sort_pieces(all.pieces);
+  for (Index rock = 0; rock < complex.cells.size(); ++rock) {
+    if (!complex.stays(rock)) continue;
+    PieceRecord record = make_record(lattice, complex.planes, complex.cell_block[rock], 0, rock,
+                                     complex.cells[rock]);
+    if (complex.is_sliver[rock] != 0)
+      all.slivers.emplace_back().piece = std::move(record);
+    else
+      all.pieces.push_back(std::move(record));
+  }
+  sort_pieces(all);
   return all;
 }
 

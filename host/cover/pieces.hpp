@@ -10,6 +10,14 @@
 
 namespace rockfold {
 
+/// Where a piece is.
+struct PieceKey {
+  Index lattice_cell = none;
+  int part = 0;
+  Index rock = none;
+  auto operator<=>(const PieceKey&) const = default;
+};
+
 struct PieceRecord {
   Index lattice_cell = none;
   Index rock = none;               ///< cell of the complex
@@ -22,22 +30,16 @@ struct PieceRecord {
   std::vector<HalfSpaceId> cuts;
   std::vector<Vec3> vertices;                   ///< m, from the lattice cell's centre
   std::vector<std::array<Index, 3>> triangles;  ///< outward
-};
-
-/// Where a piece is.
-struct PieceKey {
-  Index lattice_cell = none;
-  int part = 0;
-  Index rock = none;
-  auto operator<=>(const PieceKey&) const = default;
+  PieceKey key() const { return {lattice_cell, part, rock}; }
 };
 
 /// A piece narrower than the tolerance has no functions of its own: those of its owner, continued, move it.
 struct Sliver {
   PieceRecord piece;
+  bool left_out = false;  ///< so narrow that its volume is rounding: its owner is all that counts
   std::vector<std::pair<int, Real>> facet_area;  ///< m², on the facets of its part
-  PieceKey owner;  ///< of a piece that is no sliver
-  PieceKey key() const { return {piece.lattice_cell, piece.part, piece.rock}; }
+  PieceKey owner;                                ///< of a piece that is no sliver
+  PieceKey key() const { return piece.key(); }
 };
 
 struct Pieces {
@@ -50,13 +52,13 @@ struct Pieces {
 };
 
 /// Cuts the cells of a complex by the lattice, in parallel over cells. Slivers have no owners yet.
-Pieces cut_pieces(const Complex& complex, const LatticePlanes& lattice,
-                  const PlaneTable& planes, Progress& progress);
+Pieces cut_pieces(const Complex& complex, const LatticePlanes& lattice, const PlaneTable& planes,
+                  Progress& progress);
 
-/// Kind `block`: the cells of the complex as they are.
+/// Kind `block`: the cells of the complex as they are; part 0 of lattice cell b is all of block b.
 Pieces block_pieces(const Complex& complex, const LatticePlanes& lattice);
 
-void sort_pieces(std::vector<PieceRecord>& pieces);  ///< in the order of Pieces, but for cuts
+void sort_pieces(Pieces& pieces);  ///< in the order of Pieces
 
 PieceRecord make_record(const LatticePlanes& lattice, const PlaneTable& planes, Index lattice_cell,
                         int part, Index rock, const CellView& cell);

@@ -16,7 +16,8 @@ class OwnerFinder {
   OwnerFinder(const Complex& complex, const LatticePlanes& lattice, Pieces& pieces)
       : complex_(complex), lattice_(lattice), pieces_(pieces), cells_(lattice.lattice(), pieces) {
     for (const Fragment& f : complex.fragments)
-      if (complex.touches_sliver(f) && complex.cell_block[f.cell[0]] == complex.cell_block[f.cell[1]])
+      if (complex.touches_sliver(f) &&
+          complex.cell_block[f.cell[0]] == complex.cell_block[f.cell[1]])
         for (int side = 0; side < 2; ++side)
           if (complex.is_sliver[f.cell[side]] != 0)
             beside_[f.cell[side]].emplace(f.joint != none, f.cell[1 - side]);
@@ -84,7 +85,8 @@ class OwnerFinder {
   const LatticePlanes& lattice_;
   Pieces& pieces_;
   const OccupiedCells cells_;
-  std::map<Index, std::set<std::pair<bool, Index>>> beside_;  // of rock that is a sliver: glue first
+  std::map<Index, std::set<std::pair<bool, Index>>>
+      beside_;  // of rock that is a sliver: glue first
 };
 
 }  // namespace
@@ -92,8 +94,9 @@ class OwnerFinder {
 const Sliver* find_sliver(const std::vector<Sliver>& slivers, Index lattice_cell, int part,
                           Index rock) {
   const PieceKey key{lattice_cell, part, rock};
-  const auto found = std::lower_bound(slivers.begin(), slivers.end(), key,
-                                      [](const Sliver& s, const PieceKey& k) { return s.key() < k; });
+  const auto found =
+      std::lower_bound(slivers.begin(), slivers.end(), key,
+                       [](const Sliver& s, const PieceKey& k) { return s.key() < k; });
   return found != slivers.end() && found->key() == key ? &*found : nullptr;
 }
 
@@ -116,7 +119,7 @@ void split_regular(const Complex& complex, const LatticePlanes& lattice, const P
   }
   if (kept.size() == which.size()) return;
   pieces.regular = std::move(kept);
-  sort_pieces(pieces.pieces);
+  sort_pieces(pieces);
 }
 
 void give_slivers_owners(const Complex& complex, const LatticePlanes& lattice,
@@ -125,13 +128,10 @@ void give_slivers_owners(const Complex& complex, const LatticePlanes& lattice,
   const std::vector<std::size_t> alone = OwnerFinder(complex, lattice, pieces).run();
   for (const std::size_t i : alone) pieces.pieces.push_back(pieces.slivers[i].piece);
   std::erase_if(pieces.slivers, [](const Sliver& s) { return s.owner.rock == none; });
-  std::stable_sort(pieces.pieces.begin(), pieces.pieces.end(),
-                   [](const PieceRecord& a, const PieceRecord& b) {
-                     return PieceKey{a.lattice_cell, a.part, a.rock} <
-                            PieceKey{b.lattice_cell, b.part, b.rock};
-                   });
+  sort_pieces(pieces);
   std::vector<bool> owning(pieces.regular.size(), false);
   for (const Sliver& s : pieces.slivers) {
+    if (s.left_out) continue;
     const auto found =
         std::lower_bound(pieces.regular.begin(), pieces.regular.end(), s.owner.lattice_cell,
                          [](const auto& r, Index cell) { return r.lattice_cell < cell; });

@@ -56,15 +56,8 @@ void SurfaceSplitter::visit_part(Index lattice_cell, int part, Index rock, const
   if (r != none && index.regular_rock[r] == rock)
     visit(regular_holder(covering_, r, part), polygon);
   else if (pieces.empty())
-    visit_left_out(part, rock, polygon, visit);
-}
-
-// On a piece that was left out for want of volume: the next one holds its surface.
-void SurfaceSplitter::visit_left_out(int part, Index rock, const Polygon& polygon,
-                                     const Visit& visit) {
-  const Vec3 x = polygon_moments(polygon).centroid + covering_.pieces->planes.centre();
-  const Holder h = locator_.nearest(x, rock, part >= covering_.arrays.first_split_parts());
-  if (h.found()) visit(h, polygon);
+    if (const PieceKey* owner = index.owner_of_left_out({lattice_cell, part, rock}))
+      visit_part(owner->lattice_cell, owner->part, owner->rock, polygon, visit);
 }
 
 }  // namespace rockfold

@@ -18,7 +18,6 @@ class SurfaceSplitter {
   SurfaceSplitter(const Complex& complex, const Covering& covering)
       : complex_(complex),
         covering_(covering),
-        locator_(covering),
         walker_(covering.pieces->lattice, covering.pieces->planes),
         clipper_(covering.pieces->planes) {}
 
@@ -33,11 +32,8 @@ class SurfaceSplitter {
   void visit_part(Index lattice_cell, int part, Index rock, const Polygon& polygon,
                   const Visit& visit);
 
-  void visit_left_out(int part, Index rock, const Polygon& polygon, const Visit& visit);
-
   const Complex& complex_;
   const Covering& covering_;
-  const Locator locator_;
   LatticeWalker walker_;
   PolygonClipper clipper_;
 };
