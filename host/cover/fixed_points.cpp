@@ -282,7 +282,7 @@ class Fixer {
   }
   void add_rows(const std::vector<FacePolygon>& surface) {
     std::vector<HeldRow> rows;
-    hold_surface(covers_, surface, spacing_, rows);
+    hold_surface(covers_, surface, spacing_, slack_, rows);
     for (const HeldRow& row : rows) add_row(row, row.area * stiffness(row.element));
   }
   bool add_surface(const Region& region) {

@@ -254,18 +254,19 @@ Points surface_points(const std::vector<FacePolygon>& surface, int degree) {
 }
 
 /// Whether the node of a cover lies in the plane of a polygon.
-bool in_plane(const CoverArrays& covers, Index cover, const FacePolygon& polygon, Real spacing) {
+bool in_plane(const CoverArrays& covers, Index cover, const FacePolygon& polygon, Real slack) {
   const Vec3 node = covers.lattice.node_position(covers.cover_node[cover]);
-  return std::abs(dot(polygon.normal, node - polygon.corner[0])) <= rounding * spacing;
+  return std::abs(dot(polygon.normal, node - polygon.corner[0])) <= slack;
 }
 
 /// Whether only covers whose nodes lie in its plane move the surface.
 bool runs_through_nodes(const CoverArrays& covers, const std::vector<FacePolygon>& surface,
-                        Real spacing) {
+                        Real spacing, Real slack) {
   for (const FacePolygon& polygon : surface)
     for (const Vec3& x : polygon.corner)
       for (const auto& [cover, weight] : node_weights(covers, polygon.element, x))
-        if (std::abs(weight) > rounding && !in_plane(covers, cover, polygon, spacing)) return false;
+        if (std::abs(weight) * spacing > slack && !in_plane(covers, cover, polygon, slack))
+          return false;
   return true;
 }
 
@@ -274,12 +275,12 @@ bool runs_through_nodes(const CoverArrays& covers, const std::vector<FacePolygon
 /// All rows at rest, the surface is; and no fewer would do, but for displacements that the other covers bring about too.
 /// `polygon`: one of the surface; `unit`: as of add_moments. However small the surface is in an element, all of its nodes there count.
 void hold_covers(const CoverArrays& covers, const Points& points, const FacePolygon& polygon,
-                 Real spacing, Real unit, std::vector<HeldRow>& rows) {
+                 Real slack, Real unit, std::vector<HeldRow>& rows) {
   std::map<Index, Points> of_cover;
   std::map<Index, Real> most_weight;
   for (const auto& p : points)
     for (const auto& [cover, weight] : node_weights(covers, p.element, p.x))
-      if (weight > 0 && in_plane(covers, cover, polygon, spacing)) {
+      if (weight > 0 && in_plane(covers, cover, polygon, slack)) {
         of_cover[cover].push_back({p.element, p.x, weight * p.area});
         most_weight[cover] = std::max(most_weight[cover], weight);
       }
@@ -377,16 +378,17 @@ std::vector<Points> join_small(std::vector<Points> all) {
 }  // namespace
 
 void hold_surface(const CoverArrays& covers, const std::vector<FacePolygon>& surface, Real spacing,
-                  std::vector<HeldRow>& rows) {
+                  Real slack, std::vector<HeldRow>& rows) {
+  slack = std::max(slack, rounding * spacing);
   const bool block = covers.lattice.kind == LatticeKind::block;
   const int of_weights = covers.lattice.kind == LatticeKind::hex8 ? 3 : block ? 0 : 1;
   const int of_functions = of_weights + covers.order;
   const int of_series = covers.series ? covers.series->degree() : 0;
   // Rock that is smaller than a lattice cell bends as its functions do, which are in units of its own size.
   const Real unit = covers.middle.empty() ? spacing : 2 * covers.reach * spacing;
-  if (!block && runs_through_nodes(covers, surface, spacing)) {
+  if (!block && runs_through_nodes(covers, surface, spacing, slack)) {
     hold_covers(covers, surface_points(surface, std::max(of_weights + 2 * covers.order, of_series)),
-                surface[0], spacing, unit, rows);
+                surface[0], slack, unit, rows);
     return;
   }
   const int degree = block ? covers.order : covers.order + 1;

@@ -140,7 +140,7 @@ TEST_P(Aligned, SolidsWithAGapBelowTheWidthAreOneBodyForTheCovers) {
 }
 
 /// Force and moment of a pressure on top of the box.
-TEST_P(Aligned, LoadsAreThoseOfTheAlignedLattice) {
+TEST_P(Aligned, LoadsAndRowsOfFixedFacesAreThoseOfTheAlignedLattice) {
   const Vec3 corner{3, -2, 5};
   Model model = jointed_box(corner);
   Traction pressure;
@@ -152,6 +152,7 @@ TEST_P(Aligned, LoadsAreThoseOfTheAlignedLattice) {
   fixed.where = PlaneRegion{corner, {0, 0, 1}, 1e-6};
   fixed.components = {true, true, true};
   model.fixed.push_back(fixed);
+  std::size_t rows_aligned = 0;
   for (const Perturbed& p : {Perturbed{0, 0},
                              {1e-15, 0},
                              {1e-12, 0},
@@ -174,7 +175,9 @@ TEST_P(Aligned, LoadsAreThoseOfTheAlignedLattice) {
     }
     EXPECT_LE(norm(force - Vec3{0, 0, -12000}), 1e-6);
     EXPECT_LE(norm(moment - cross(Vec3{2, 1.5, 2}, Vec3{0, 0, -12000})), 1e-3);
-    EXPECT_GT(fixed_points(c.blocks.cutting, c.covering, c.model).points.size(), 0u);
+    const std::size_t rows = fixed_points(c.blocks.cutting, c.covering, c.model).points.size();
+    if (rows_aligned == 0) rows_aligned = rows;
+    EXPECT_TRUE(rows == rows_aligned || p.turn > 1e-9) << rows << " rows, not " << rows_aligned;
   }
 }
 
