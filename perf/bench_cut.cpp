@@ -106,7 +106,7 @@ void adjacency(benchmark::State& state) {
     complex.fragments.clear();
     complex.free_parts.clear();
     complex.polygons.clear();
-    find_adjacency(complex);
+    find_adjacency(complex, complex.cells.size());
   }
   if (complex.fragments.size() != fragments)
     state.SkipWithError("fragments differ from one call to the next");

@@ -75,7 +75,7 @@ class WallFinder {
   std::vector<Cover> covers_;
 };
 
-// A cell at the border of the box around all rock, which is outside of all surfaces: its planes are the table's first six.
+// A cell at the border of the box around the rock and all surfaces, which is outside of them: its planes are the table's first six.
 Index outer_cell(const CellStore& cells) {
   constexpr Index box_planes = 6;
   for (Index c = 0; c < cells.size(); ++c)

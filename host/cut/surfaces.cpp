@@ -308,7 +308,13 @@ CuttingInput make_surfaces(const Model& model) {
   const Real size = norm(box.high - box.low);
   CuttingInput input{Complex(PlaneTable(centre, size)), {}, {}, std::move(placed.plane_sets)};
   Complex& complex = input.complex;
-  const Vec3 reach = 0.5 * (box.high - box.low) + 0.125 * size * Vec3{1, 1, 1};
+  // The rock, and all closed surfaces, so that the border of the start is outside of them.
+  Vec3 reach = 0.5 * (box.high - box.low);
+  for (const ShapeRegion& region : regions)
+    if (!region.geometry.surface.face.empty())
+      for (const Vec3& x : region.geometry.corners)
+        for (int d = 0; d < 3; ++d) reach[d] = std::max(reach[d], std::abs(x[d] - centre[d]));
+  reach += 0.125 * size * Vec3{1, 1, 1};
   const ConvexCell start = make_box(complex.planes, -reach, reach);
   input.start.append(start);
 

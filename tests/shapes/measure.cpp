@@ -21,8 +21,7 @@ PlaneTable table_about(const std::vector<Vec3>& corners) {
 std::vector<HalfSpaceId> half_spaces(const ConvexPart& part, PlaneTable& planes) {
   std::vector<HalfSpaceId> inside;
   for (const FacePlane& f : part.faces) {
-    HalfSpaceId up = planes.find(f.plane);
-    if (up == none) up = half_space(planes.add(f.plane), true);
+    const HalfSpaceId up = planes.find_or_add(f.plane);
     inside.push_back(f.inside_above ? up : up ^ 1);
   }
   return inside;
