@@ -145,9 +145,9 @@ void warn_of_cutting(const IntentReport& intent, Terminal& terminal) {
   for (const auto& name : intent.near_planes) names += (names.empty() ? "" : ", ") + name;
   std::string narrowest;
   if (intent.least_doubt > 0)
-    narrowest = fmt::format("; the narrowest cell, {:.2g} m wide, lies at ({:.6g}, {:.6g}, {:.6g})",
-                            intent.least_doubt, intent.doubt_at[0], intent.doubt_at[1],
-                            intent.doubt_at[2]);
+    narrowest =
+        fmt::format("; the narrowest cell, {:.2g} m wide, lies at ({:.6g}, {:.6g}, {:.6g})",
+                    intent.least_doubt, intent.doubt_at[0], intent.doubt_at[1], intent.doubt_at[2]);
   terminal.warn(
       fmt::format("{} cells or openings of the rock are about as wide as 1e-9 of the model's size, "
                   "where what is narrower is no block and no connection: other digits of the input "

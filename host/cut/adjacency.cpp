@@ -213,8 +213,8 @@ class PlaneLabeller {
     for (Part& part : parts) {
       const Real area = polygon_moments(part.polygon).area;
       result_.free_parts.push_back({open.cell, open.face, part.origin,
-                                    whole ? none : static_cast<Index>(result_.polygons.size()), area,
-                                    gap});
+                                    whole ? none : static_cast<Index>(result_.polygons.size()),
+                                    area, gap});
       if (!whole) result_.polygons.push_back(std::move(part.polygon));
     }
   }

@@ -28,7 +28,7 @@ struct Opening {
   Index item;         // into Complex::fragments, the gaps or Complex::free_parts
   Index face, other;  // of the sliver; the cell behind it, none = none
   Index other_face;
-  Real up = 0;               // cosine of the outward normal and the sliver's axis
+  Real up = 0;                 // cosine of the outward normal and the sliver's axis
   std::vector<Vec3> corner{};  // in a row; none where it is narrow
 };
 
@@ -160,8 +160,8 @@ class BeamFinder {
     const auto add_sides = [&](const Fragment& f, Opening::Kind kind, std::size_t i) {
       for (int side = 0; side < 2; ++side)
         if (const Index s = number_[f.cell[side]]; s != none)
-          openings_[s].push_back({kind, static_cast<Index>(i), f.face[side], f.cell[1 - side],
-                                  f.face[1 - side]});
+          openings_[s].push_back(
+              {kind, static_cast<Index>(i), f.face[side], f.cell[1 - side], f.face[1 - side]});
     };
     for (std::size_t i = 0; i < complex_.fragments.size(); ++i)
       add_sides(complex_.fragments[i], Opening::Kind::fragment, i);
@@ -227,8 +227,8 @@ class BeamFinder {
     pass(path, polygon, f.cell[1 - start.side], f.face[1 - start.side], crossed);
     add_strips(polygon, normal, beams);
     for (Beam& b : beams)
-      b.narrow = width_in_plane(b.polygon, normal) <
-                 doubt_factor * complex_.planes.width_tolerance();
+      b.narrow =
+          width_in_plane(b.polygon, normal) < doubt_factor * complex_.planes.width_tolerance();
   }
 
   // What no beam leaves through is narrow: it goes with the widest beam, so that an area has no holes. Beams that all end alike
@@ -236,8 +236,8 @@ class BeamFinder {
   static void add_strips(const std::vector<Vec3>& polygon, const Vec3& normal,
                          std::vector<Beam>& beams) {
     if (beams.empty()) return;
-    Beam widest = *std::max_element(
-        beams.begin(), beams.end(), [](const Beam& a, const Beam& b) { return a.area < b.area; });
+    Beam widest = *std::max_element(beams.begin(), beams.end(),
+                                    [](const Beam& a, const Beam& b) { return a.area < b.area; });
     const auto ends_alike = [&](const Beam& b) {
       return b.cell[1] == widest.cell[1] && b.joint == widest.joint && b.origin == widest.origin;
     };

@@ -124,7 +124,8 @@ void number_blocks(Complex& complex, const std::vector<Index>& part) {
   for (Index& b : complex.cell_block) b = rank[b];
   complex.block_stage.assign(complex.block_count, 0);
   for (Index c = 0; c < n; ++c)
-    if (complex.is_sliver[c] == 0) complex.block_stage[complex.cell_block[c]] = complex.zone(c).stage;
+    if (complex.is_sliver[c] == 0)
+      complex.block_stage[complex.cell_block[c]] = complex.zone(c).stage;
 }
 
 // A joint beside a sliver lies between what beams through it meet, not between the sliver and the block that owns it.
@@ -154,10 +155,9 @@ void find_hidden(Complex& complex) {
       if (b.cell[1] == none || block[b.cell[0]] != block[s] || block[b.cell[1]] != block[s])
         complex.is_hidden[s] = complex.is_sliver[s];
     }
-  for (const Fragment& f : complex.fragments)
-    if (block[f.cell[0]] != block[f.cell[1]])
-      for (const Index c : f.cell)
-        if (passed[c] == 0) complex.is_hidden[c] = complex.is_sliver[c];
+  // What no beam passes lies before free faces on both sides, or is narrow there: a skin.
+  for (std::size_t c = 0; c < passed.size(); ++c)
+    if (passed[c] == 0) complex.is_hidden[c] = complex.is_sliver[c];
 }
 
 }  // namespace

@@ -74,21 +74,27 @@ struct FreePart {
   Index origin = none;   ///< into Complex::origins
   Index polygon = none;  ///< into Complex::polygons; none = the whole face
   Real area = 0;         ///< m²
-  Index gap = none;      ///< none = nothing behind; else a void narrower than the tolerance: beams tell what is
+  Index gap =
+      none;  ///< none = nothing behind; else a void narrower than the tolerance: beams tell what is
 };
 
 /// What a face of a wide cell meets straight through slivers: cells, or voids, narrower than the tolerance. A beam that no
 /// joint crosses joins its two cells; else it is their contact. Each is there twice, once from either cell.
 struct Beam {
-  Index cell[2] = {none, none};  ///< where it starts and ends; cell[1] = none: it ends where rock does
+  Index cell[2] = {none,
+                   none};  ///< where it starts and ends; cell[1] = none: it ends where rock does
   Index face[2] = {none, none};  ///< local face of each
-  Index start = none;     ///< 2·fragment + side of cell[0] in it; none = at a free part before a narrow void
-  Index joint = none;     ///< into Complex::origins, the first that it crosses; none = the cells are one body
+  Index start =
+      none;  ///< 2·fragment + side of cell[0] in it; none = at a free part before a narrow void
+  Index joint =
+      none;  ///< into Complex::origins, the first that it crosses; none = the cells are one body
   Index instance = none;  ///< JointPatch::instance of that joint
-  Index origin = none;    ///< into Complex::origins: the free face where it ends, if it reaches no cell
-  std::vector<Vec3> polygon;    ///< m about the table's centre, on the first cell's face, counter-clockwise from outside
-  Real area = 0;                ///< m²
-  bool narrow = false;          ///< about as narrow as the tolerance: nothing is shown by it
+  Index origin =
+      none;  ///< into Complex::origins: the free face where it ends, if it reaches no cell
+  std::vector<Vec3>
+      polygon;  ///< m about the table's centre, on the first cell's face, counter-clockwise from outside
+  Real area = 0;                 ///< m²
+  bool narrow = false;           ///< about as narrow as the tolerance: nothing is shown by it
   std::vector<Index> fragments;  ///< of joints, that it crosses
   std::vector<Index> slivers;    ///< cells of rock that it passes
 };
@@ -132,7 +138,8 @@ struct Complex {
   std::vector<Index> cell_zone;      ///< [cells] into zones
   std::vector<Index> cell_block;     ///< [cells] blocks ordered by centroid
   std::vector<CellMoments> moments;  ///< [cells]
-  std::vector<std::uint8_t> is_sliver;  ///< [cells] narrower than the tolerance: part of a block, never one
+  std::vector<std::uint8_t>
+      is_sliver;  ///< [cells] narrower than the tolerance: part of a block, never one
   /// [cells] slivers that other blocks, or free faces, show through: what is on their two sides is the surface, not they.
   std::vector<std::uint8_t> is_hidden;
   Index block_count = 0;

@@ -102,7 +102,8 @@ std::vector<Index> mark_narrow_glue(Complex& complex) {
 std::vector<Index> wide_parts(const Complex& complex) {
   UnionFind parts(complex.cells.size());
   for (const Fragment& f : complex.fragments)
-    if (f.joint == none && !f.narrow && !complex.touches_sliver(f)) parts.join(f.cell[0], f.cell[1]);
+    if (f.joint == none && !f.narrow && !complex.touches_sliver(f))
+      parts.join(f.cell[0], f.cell[1]);
   for (const Beam& b : complex.beams)
     if (b.joint == none && b.cell[1] != none) parts.join(b.cell[0], b.cell[1]);
   std::vector<Index> part(complex.cells.size(), none);

@@ -114,9 +114,11 @@ void CellSplitter::write_face(const CellView& cell, const ConvexCell::Face& face
     } else if (su == 0) {
       const bool along_cut = sv <= 0;
       if (along_cut) leaves = static_cast<std::int32_t>(part.corners.size());
-      part.corners.push_back({part_vertex(cell, u, inside, part), along_cut ? inside : corner.neighbour});
+      part.corners.push_back(
+          {part_vertex(cell, u, inside, part), along_cut ? inside : corner.neighbour});
     } else if (sv > 0) {
-      part.corners.push_back({part_vertex(cell, find_cut_vertex(u, v), inside, part), corner.neighbour});
+      part.corners.push_back(
+          {part_vertex(cell, find_cut_vertex(u, v), inside, part), corner.neighbour});
     }
   }
   const auto end = static_cast<std::int32_t>(part.corners.size());

@@ -194,9 +194,9 @@ std::vector<CellMeasure> cut_by_joints(const Rock& rock, const Model& model, Com
   which.insert(which.end(), rock.gaps.begin(), rock.gaps.end());
   Subdivision cut;
   try {
-    cut = subdivide({complex.planes, rock.cells, std::move(which), std::move(surfaces), tree,
-                     applies, most},
-                    progress);
+    cut = subdivide(
+        {complex.planes, rock.cells, std::move(which), std::move(surfaces), tree, applies, most},
+        progress);
   } catch (const TooManyCells&) {
     refuse_cell_count(model, fmt::format("more than {}", most));
   }

@@ -16,13 +16,15 @@ struct Complex;  // complex.hpp
 
 /// Where numbers were taken for what the user meant (docs/decisions/0005-exact-inside.md): before cutting, and after it.
 struct IntentReport {
-  Index planes_identified = 0;   ///< joints' planes that coincide with another given one to 1e-10
-  Index edges_identified = 0;    ///< edges of finite joints that lie on a given plane but for 1e-10 of the model's size
+  Index planes_identified = 0;  ///< joints' planes that coincide with another given one to 1e-10
+  Index edges_identified =
+      0;  ///< edges of finite joints that lie on a given plane but for 1e-10 of the model's size
   Index corners_identified = 0;  ///< corners of finite joints nearer than that to another one
   Index slivers = 0;             ///< cells of rock narrower than 1e-9 of the model's size
   Index openings_closed = 0;     ///< areas of glue narrower than that, which join nothing
-  Index doubts = 0;              ///< widths of cells and of glue within a factor 100 of it, on either side
-  std::vector<std::string> identified;   ///< names of what coincides with another given plane (at most 20), sorted
+  Index doubts = 0;  ///< widths of cells and of glue within a factor 100 of it, on either side
+  std::vector<std::string>
+      identified;  ///< names of what coincides with another given plane (at most 20), sorted
   std::vector<std::string> near_planes;  ///< names of what doubts lie between (at most 20), sorted
   Real least_doubt = 0;                  ///< m: the width of the narrowest of these cells, 0 = none
   Vec3 doubt_at{};                       ///< m: where it is

@@ -133,8 +133,7 @@ class Cutter {
         box.add(boxes[*it]);
       }
       for (const Index s : task.surfaces)
-        if (job_.surfaces[s].patch->box.meets(box, slack()))
-          halves[h].surfaces.push_back(s);
+        if (job_.surfaces[s].patch->box.meets(box, slack())) halves[h].surfaces.push_back(s);
     }
     task = {};
   }

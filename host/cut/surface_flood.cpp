@@ -44,8 +44,8 @@ class WallFinder {
     std::vector<Index> walls;
     if (facets_.empty()) return walls;
     const CellView below = cells[shared.cell[0]];
-    const Polygon polygon = shared.polygon.empty() ? face_polygon(below, below.faces[shared.face[0]])
-                                                   : shared.polygon;
+    const Polygon polygon =
+        shared.polygon.empty() ? face_polygon(below, below.faces[shared.face[0]]) : shared.polygon;
     Box box;
     for (const Vertex& v : polygon.corner) box.add(v.x);
     finder_.near(box, complex_.planes.width_tolerance(), near_);

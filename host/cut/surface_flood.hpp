@@ -9,6 +9,7 @@
 namespace rockfold {
 
 /// [cells] the bodies with closed surfaces that hold each cell, ascending. O(areas shared).
-std::vector<std::vector<Index>> surfaces_around_cells(const Complex& complex, const CellStore& cells);
+std::vector<std::vector<Index>> surfaces_around_cells(const Complex& complex,
+                                                      const CellStore& cells);
 
 }  // namespace rockfold

@@ -37,8 +37,8 @@ Real least_extent(std::size_t n, Index own, const Corner& corner, const OtherPla
                   const PlaneTable& planes) {
   Real least = std::numeric_limits<Real>::infinity();
   for (std::size_t k = 0; k < n; ++k)
-    least = std::min(least, extent_from_edge(n, corner, corner(k), corner(k + 1 < n ? k + 1 : 0), own,
-                                             other(k), planes));
+    least = std::min(least, extent_from_edge(n, corner, corner(k), corner(k + 1 < n ? k + 1 : 0),
+                                             own, other(k), planes));
   return std::isfinite(least) ? least : 0;
 }
 
@@ -49,7 +49,8 @@ CellWidth cell_width(const CellView& cell, const PlaneTable& planes) {
   for (std::size_t f = 0; f < cell.faces.size(); ++f) {
     const Index plane = plane_of(cell.faces[f].inside);
     Real most = 0;
-    for (const Vertex& v : cell.vertices) most = std::max(most, std::abs(planes.distance(v, plane)));
+    for (const Vertex& v : cell.vertices)
+      most = std::max(most, std::abs(planes.distance(v, plane)));
     if (most < least.width) least = {most, f};
   }
   return least;

@@ -8,8 +8,8 @@ namespace rockfold {
 
 /// A cell's least extent across one of its faces.
 struct CellWidth {
-  Real width = 0;         ///< m: of the largest distances of a vertex from each face's plane the least
-  std::size_t face = 0;   ///< from whose plane
+  Real width = 0;  ///< m: of the largest distances of a vertex from each face's plane the least
+  std::size_t face = 0;  ///< from whose plane
 };
 CellWidth cell_width(const CellView& cell, const PlaneTable& planes);
 

@@ -35,7 +35,8 @@ Exact exact(Real x) {
   constexpr Real whole_below = 9007199254740992.0;  // 2^53
   if (std::abs(x) < whole_below && x == std::trunc(x)) return {x};
   char text[32];
-  const char* const end = std::to_chars(text, text + sizeof text, x, std::chars_format::scientific).ptr;
+  const char* const end =
+      std::to_chars(text, text + sizeof text, x, std::chars_format::scientific).ptr;
   std::int64_t digits = 0;
   int exponent = 0;
   const char* at = text + (x < 0 ? 1 : 0);

@@ -124,7 +124,8 @@ IntegerPoint& workspace() {
 
 Integer power_of_two(int exponent) {
   Integer power = 1;
-  mpz_mul_2exp(power.get_mpz_t(), power.get_mpz_t(), static_cast<mp_bitcnt_t>(std::max(exponent, 0)));
+  mpz_mul_2exp(power.get_mpz_t(), power.get_mpz_t(),
+               static_cast<mp_bitcnt_t>(std::max(exponent, 0)));
   return power;
 }
 
@@ -159,7 +160,8 @@ struct PlaneTable::Store {
       const Vec3& n = table.normal_[it->second];
       const Real sense = rockfold::dot(n, unit.normal) < 0 ? -1 : 1;
       const bool same_angle = norm(rockfold::cross(n, unit.normal)) <= identity_angle;
-      const bool same_place = std::abs(unit.offset - sense * table.offset_[it->second]) <= tolerance;
+      const bool same_place =
+          std::abs(unit.offset - sense * table.offset_[it->second]) <= tolerance;
       if (same_angle && same_place) visit(it->second, sense > 0);
     }
   }
@@ -193,7 +195,8 @@ HalfSpaceId PlaneTable::find_or_add(const ExactPlane& plane) {
   IntegerPlane own = integers(plane.n, d);
   HalfSpaceId found = none;
   store_->visit_near(*this, unit, [&](Index id, bool same_sense) {
-    if (found == none && equal(store_->plane[id], own, same_sense)) found = half_space(id, same_sense);
+    if (found == none && equal(store_->plane[id], own, same_sense))
+      found = half_space(id, same_sense);
   });
   if (found != none) return found;
   const Index id = size();
@@ -260,8 +263,8 @@ Vertex PlaneTable::vertex(Index p, Index q, Index r) const {
   v.x = (1 / det) * (da * bc + db * ca + dc * ab);
   // Coefficients carry 1.5 ε each (a plane's own scale cancels), cross products 6 ε, their sums 10 ε: of the numerator
   // Σ|d|, and of the determinant 1, where it counts |x|/|det| times.
-  v.error =
-      bound(16 * epsilon * (std::abs(da) + std::abs(db) + std::abs(dc) + norm(v.x)) / std::abs(det));
+  v.error = bound(16 * epsilon * (std::abs(da) + std::abs(db) + std::abs(dc) + norm(v.x)) /
+                  std::abs(det));
   return v;
 }
 

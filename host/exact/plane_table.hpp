@@ -115,8 +115,8 @@ class PlaneTable {
   Real rounding(const Vertex& vertex, Index plane) const {
     constexpr Real eight_epsilon = 8 * 2.220446049250313e-16;
     const auto size = [](Real a) { return a < 0 ? -a : a; };
-    return vertex.error +
-           eight_epsilon * (size(vertex.x[0]) + size(vertex.x[1]) + size(vertex.x[2]) + size(offset_[plane]));
+    return vertex.error + eight_epsilon * (size(vertex.x[0]) + size(vertex.x[1]) +
+                                           size(vertex.x[2]) + size(offset_[plane]));
   }
   int exact_side(const Vertex& vertex, Index plane) const;
   Vec3 exact_position(const std::array<Index, 3>& p) const;

@@ -10,7 +10,7 @@ namespace rockfold {
 /// Blocks by their first cells. Cells and areas lie in the order of the cutting, so that a visit in this order reads
 /// them nearly in sequence; block numbers, by height, would jump through all of memory.
 struct BlockOrder {
-  std::vector<Index> block;         ///< [ranks] the block of each rank
+  std::vector<Index> block;           ///< [ranks] the block of each rank
   std::vector<Index> rank_of_cell;    ///< [cells]
   std::vector<Index> cells_of_block;  ///< [blocks] how many cells it has that are not hidden
 

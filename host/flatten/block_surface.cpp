@@ -123,14 +123,16 @@ class SurfaceMerger {
   template <class Owner>
   void cancel(const Owner& owner) {
     const auto key = [&](const DirectedEdge& e) {
-      return std::tuple{owner(e), std::min(e.from, e.to), std::max(e.from, e.to), e.from > e.to, e.area};
+      return std::tuple{owner(e), std::min(e.from, e.to), std::max(e.from, e.to), e.from > e.to,
+                        e.area};
     };
     std::sort(edges_.begin(), edges_.end(),
               [&](const DirectedEdge& a, const DirectedEdge& b) { return key(a) < key(b); });
     std::vector<DirectedEdge> left;
     for (auto begin = edges_.begin(); begin != edges_.end();) {
       const auto same = [&](const DirectedEdge& e) {
-        return owner(e) == owner(*begin) && std::minmax(e.from, e.to) == std::minmax(begin->from, begin->to);
+        return owner(e) == owner(*begin) &&
+               std::minmax(e.from, e.to) == std::minmax(begin->from, begin->to);
       };
       const auto end = std::find_if_not(begin, edges_.end(), same);
       const auto turn = std::find_if(begin, end, [](const auto& e) { return e.from > e.to; });
@@ -182,8 +184,9 @@ class SurfaceMerger {
     std::vector<std::size_t> by_ends(edges_.size());
     std::iota(by_ends.begin(), by_ends.end(), std::size_t{0});
     const auto ends = [&](std::size_t i) { return std::pair{edges_[i].from, edges_[i].to}; };
-    std::sort(by_ends.begin(), by_ends.end(),
-              [&](std::size_t a, std::size_t b) { return std::pair{ends(a), a} < std::pair{ends(b), b}; });
+    std::sort(by_ends.begin(), by_ends.end(), [&](std::size_t a, std::size_t b) {
+      return std::pair{ends(a), a} < std::pair{ends(b), b};
+    });
     std::vector<Index> order(count);
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
@@ -203,8 +206,9 @@ class SurfaceMerger {
         surface_.faces[face].area += areas_[area].area;
         for (auto i = edges_of_area_[area].first; i < edges_of_area_[area].second; ++i) {
           const std::pair back{edges_[i].to, edges_[i].from};
-          auto it = std::lower_bound(by_ends.begin(), by_ends.end(), back,
-                                     [&](std::size_t e, const auto& wanted) { return ends(e) < wanted; });
+          auto it =
+              std::lower_bound(by_ends.begin(), by_ends.end(), back,
+                               [&](std::size_t e, const auto& wanted) { return ends(e) < wanted; });
           for (; it != by_ends.end() && ends(*it) == back; ++it) {
             const Index next = edges_[*it].area;
             if (face_of_[next] != none || origin_[next] != origin_[seed] ||
@@ -326,7 +330,8 @@ class SurfaceMerger {
         sort_around(of.first, list);
         alternate(list);
       }
-      for (std::size_t i = 0; i + 1 < list.size(); i += 2) pairs_.emplace_back(list[i], list[i + 1]);
+      for (std::size_t i = 0; i + 1 < list.size(); i += 2)
+        pairs_.emplace_back(list[i], list[i + 1]);
       surface_.open_edges += static_cast<Index>(list.size() % 2);
     }
   }
@@ -335,9 +340,8 @@ class SurfaceMerger {
   void alternate(std::vector<EdgeUse>& list) const {
     for (std::size_t i = 0; i + 1 < list.size(); i += 2) {
       const Index start = start_of(list[i]);
-      const auto back =
-          std::find_if(list.begin() + static_cast<std::ptrdiff_t>(i) + 1, list.end(),
-                       [&](const EdgeUse& u) { return start_of(u) != start; });
+      const auto back = std::find_if(list.begin() + static_cast<std::ptrdiff_t>(i) + 1, list.end(),
+                                     [&](const EdgeUse& u) { return start_of(u) != start; });
       if (back != list.end())
         std::rotate(list.begin() + static_cast<std::ptrdiff_t>(i) + 1, back, back + 1);
     }
@@ -360,8 +364,8 @@ class SurfaceMerger {
       const Vec3 into_face = cross(n, forward ? axis : -axis);
       if (placed.empty()) zero = into_face;
       const Real angle = std::atan2(dot(axis, cross(zero, into_face)), dot(zero, into_face));
-      placed.push_back({angle < -1e-12 ? angle + full_turn : angle,
-                        dot(cross(axis, into_face), n) < 0, u});
+      placed.push_back(
+          {angle < -1e-12 ? angle + full_turn : angle, dot(cross(axis, into_face), n) < 0, u});
     }
     std::sort(placed.begin(), placed.end(), [](const Placed& x, const Placed& y) {
       return x.angle != y.angle ? x.angle < y.angle : x.rock_follows < y.rock_follows;
@@ -465,8 +469,9 @@ class SurfaceMerger {
   const Real tolerance_;
   std::vector<Vec3> vertices_;
   std::vector<DirectedEdge> edges_;
-  std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> edges_of_area_;  // while they are sorted so
-  std::vector<Index> origin_, face_of_;                                  // [areas]
+  std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>>
+      edges_of_area_;                    // while they are sorted so
+  std::vector<Index> origin_, face_of_;  // [areas]
   std::vector<Loop> loops_;
   std::vector<std::pair<EdgeUse, EdgeUse>> pairs_;
   BlockSurface surface_;

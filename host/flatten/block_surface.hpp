@@ -10,9 +10,9 @@ namespace rockfold {
 
 /// A convex area of a block's boundary: of a fragment, a free part or a beam.
 struct BoundaryArea {
-  Index cell = none, face = none;  ///< of the complex
-  Index origin = none;             ///< into Complex::origins
-  Real area = 0;                   ///< m²
+  Index cell = none, face = none;                        ///< of the complex
+  Index origin = none;                                   ///< into Complex::origins
+  Real area = 0;                                         ///< m²
   Index fragment = none, free_part = none, beam = none;  ///< into the complex; one of them
 };
 
@@ -27,14 +27,16 @@ struct BlockSurface {
   std::vector<Index> loop_begin{0};    ///< [faces + 1]
   std::vector<Index> corner_begin{0};  ///< [loops + 1]
   std::vector<Index> corner_vertex;
-  std::vector<Vec3> vertices;       ///< m, about the table's centre
-  std::vector<Index> face_of_area;  ///< [areas given] the face that each became part of; none = narrower than the tolerance
+  std::vector<Vec3> vertices;  ///< m, about the table's centre
+  std::vector<Index>
+      face_of_area;  ///< [areas given] the face that each became part of; none = narrower than the tolerance
   Index edge_count = 0;
   Index shell_count = 0;
   Index genus = 0;
   bool convex = true;
   Index open_edges = 0;  ///< that an odd number of faces meet in
-  Index vertices_identified = 0;  ///< that differ by more than rounding from the one that they became
+  Index vertices_identified =
+      0;  ///< that differ by more than rounding from the one that they became
 };
 
 /// Merges the areas of one block. O(n^5/3) at worst in the number of vertices, n log n where they are spread.

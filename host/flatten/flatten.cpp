@@ -165,14 +165,15 @@ class SurfaceWriter {
       if (i < sides_) {
         const Fragment& f = complex_.fragments[i / 2];
         const bool has_beams = side_[i].begin < side_[i].end && !is_as_cut(rank);
-        a = {f.cell[i % 2], f.face[i % 2], has_beams ? side_[i].origin : f.joint, f.area, i / 2, none,
-             none};
+        a = {f.cell[i % 2], f.face[i % 2], has_beams ? side_[i].origin : f.joint, f.area, i / 2,
+             none,          none};
       } else if (i < before_beams_) {
         const FreePart& f = complex_.free_parts[i - sides_];
         a = {f.cell, f.face, f.origin, f.area, none, i - sides_, none};
       } else {
         const Beam& b = complex_.beams[i - before_beams_];
-        a = {b.cell[0], b.face[0], shown_[i - before_beams_], b.area, none, none, i - before_beams_};
+        a = {b.cell[0], b.face[0], shown_[i - before_beams_], b.area,
+             none,      none,      i - before_beams_};
       }
       areas.push_back(a);
     }
@@ -193,7 +194,8 @@ class SurfaceWriter {
     return_of_.assign(complex_.beams.size(), none);
     for (Index b = 0; b < static_cast<Index>(complex_.beams.size()); ++b)
       if (complex_.beams[b].cell[1] != none)
-        if (const auto at = largest.find(key(b, 1)); at != largest.end()) return_of_[b] = at->second;
+        if (const auto at = largest.find(key(b, 1)); at != largest.end())
+          return_of_[b] = at->second;
   }
 
   // The boundary of all cells of a block, slivers too, as they were cut: it closes by construction. For blocks whose beams are so
@@ -445,7 +447,8 @@ class SurfaceWriter {
   Grouping cut_areas_;                          // by rank, of those
   std::vector<SideOfSliver> side_;              // [sides] of fragments
   std::vector<Index> shown_;                    // [beams] origin_of(), or that of a larger one
-  std::set<std::pair<Index, Index>> before_gap_;  // faces of cells that beams leave into a narrow void
+  std::set<std::pair<Index, Index>>
+      before_gap_;  // faces of cells that beams leave into a narrow void
 };
 
 }  // namespace

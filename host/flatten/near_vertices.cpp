@@ -34,7 +34,8 @@ Index VertexMerger::add(const Vec3& x) {
     const auto [first, last] = by_cell_.equal_range(
         cell_key(low[0] + (c & 1), low[1] + (c >> 1 & 1), low[2] + (c >> 2 & 1)));
     for (auto it = first; it != last; ++it)
-      if (const Real d = norm(vertices_[it->second] - x); d < least) nearest = it->second, least = d;
+      if (const Real d = norm(vertices_[it->second] - x); d < least)
+        nearest = it->second, least = d;
   }
   if (nearest != none) return nearest;
   const auto id = static_cast<Index>(vertices_.size());
@@ -45,7 +46,10 @@ Index VertexMerger::add(const Vec3& x) {
 }
 
 VertexFinder::VertexFinder(const std::vector<Vec3>& vertices, Real tolerance)
-    : vertices_(vertices), tolerance_(tolerance), order_(vertices.size()), axis_(vertices.size(), 0) {
+    : vertices_(vertices),
+      tolerance_(tolerance),
+      order_(vertices.size()),
+      axis_(vertices.size(), 0) {
   std::iota(order_.begin(), order_.end(), 0);
   build(0, order_.size());
 }

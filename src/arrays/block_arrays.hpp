@@ -77,7 +77,8 @@ struct BlockArrays {
 
   std::vector<FaceOrigin> origins;
 
-  Index vertices_identified = 0;  ///< corners that were made one with another nearer than 1e-9 of the model's size
+  Index vertices_identified =
+      0;  ///< corners that were made one with another nearer than 1e-9 of the model's size
 
   Index block_count() const { return static_cast<Index>(volume.size()); }
 };

@@ -102,8 +102,7 @@ class ComplexChecker {
   void check_convexity(Index c, const CellView& cell) {
     for (const auto& face : cell.faces) {
       for (const Vertex& v : cell.vertices)
-        if (complex_.planes.side(v, plane_of(face.inside)) ==
-            (is_above(face.inside) ? -1 : 1))
+        if (complex_.planes.side(v, plane_of(face.inside)) == (is_above(face.inside) ? -1 : 1))
           fault("cell ", c, ": a vertex on the wrong side of plane ", plane_of(face.inside), " by ",
                 complex_.planes.distance(v, plane_of(face.inside)));
       for (const auto& corner : cell.corners.subspan(face.begin, face.count))

@@ -129,8 +129,7 @@ TEST_F(Independence, OfTheNumberOfThreads) {
       omp_set_num_threads(threads);
       const Blocks many = cut(model);
       EXPECT_EQ(first_difference(one.arrays, many.arrays), "") << threads << " threads";
-      EXPECT_EQ(many.cutting.totals.intent.doubts,
-                one.cutting.totals.intent.doubts);
+      EXPECT_EQ(many.cutting.totals.intent.doubts, one.cutting.totals.intent.doubts);
       EXPECT_EQ(many.cutting.totals.joint_area, one.cutting.totals.joint_area);
       EXPECT_EQ(many.cutting.totals.cells, one.cutting.totals.cells);
       EXPECT_EQ(many.cutting.totals.solid_volume, one.cutting.totals.solid_volume);
