@@ -63,9 +63,10 @@ TEST_P(FiniteCasesWithNoise, HaveTheSameBlocks) {
       try {
         const Blocks found = cut(model_of(shuffled, placing(at, noise, seed)));
         // Planes that noise parts overlap as two layers, each with its own name and area (G27).
-        if (found.cutting.totals.intent.slivers == 0 || GetParam().name != "G27")
+        if (found.cutting.totals.intent.slivers == 0 || GetParam().name != "G27") {
           EXPECT_EQ(differences(found, blocks_of(shuffled), at.map, 100 * (noise + at.rounding)),
                     none_differ);
+        }
         EXPECT_NEAR(sum(found.arrays.volume) / found.cutting.totals.solid_volume, 1, 1e-12);
       } catch (const std::exception& error) {
         ADD_FAILURE() << error.what();
