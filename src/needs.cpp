@@ -148,11 +148,13 @@ void warn_of_cutting(const IntentReport& intent, Terminal& terminal) {
     narrowest =
         fmt::format("; the narrowest cell, {:.2g} m wide, lies at ({:.6g}, {:.6g}, {:.6g})",
                     intent.least_doubt, intent.doubt_at[0], intent.doubt_at[1], intent.doubt_at[2]);
+  const std::string what = intent.doubts == 1
+                               ? "a cell or opening of the rock is"
+                               : fmt::format("{} cells or openings of the rock are", intent.doubts);
   terminal.warn(
-      fmt::format("{} cells or openings of the rock are about as wide as 1e-9 of the model's size, "
-                  "where what is narrower is no block and no connection: other digits of the input "
-                  "could give other blocks; they lie between: {}{}",
-                  intent.doubts, names, narrowest));
+      fmt::format("{} about as wide as 1e-9 of the model's size; what is narrower is no block and "
+                  "no connection: other digits of the input could give other blocks; between: {}{}",
+                  what, names, narrowest));
 }
 
 void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& model,

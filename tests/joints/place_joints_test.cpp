@@ -234,7 +234,7 @@ TEST(JointMeshes, BecomeTrianglesOnPlanesExactlyThroughTheirCorners) {
     for (const Vec3& p : joint.polygon) EXPECT_TRUE(lies_on(joint.plane, p));
   }
   surface->triangles.push_back({0, 1, 1});
-  expect_refusal(model, cube, "triangle 4", "joint_mesh[1]");
+  EXPECT_EQ(place_joints(model, cube).joints.size(), 2u) << "a triangle without area cuts nothing";
 }
 
 TEST(JointTables, HaveAnOriginForEachMaterialAndRowsWithoutRadiusGoThrough) {
