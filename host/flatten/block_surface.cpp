@@ -28,12 +28,8 @@ struct DirectedEdge {
 
 class SurfaceMerger {
  public:
-  /// `strips_vanish`: whether edges run through all vertices nearer than the tolerance, so that narrow faces fold up.
-  SurfaceMerger(const Complex& complex, const std::vector<BoundaryArea>& areas, bool strips_vanish)
-      : complex_(complex),
-        areas_(areas),
-        strips_vanish_(strips_vanish),
-        tolerance_(complex.planes.width_tolerance()) {}
+  SurfaceMerger(const Complex& complex, const std::vector<BoundaryArea>& areas)
+      : complex_(complex), areas_(areas), tolerance_(complex.planes.width_tolerance()) {}
 
   BlockSurface run() {
     collect_edges();
@@ -77,8 +73,9 @@ class SurfaceMerger {
     return result;
   }
 
-  // The areas tile a closed surface: as soon as their edges run through all vertices that lie on them, each is run through once
-  // in either sense, and is still where vertices become one.
+  // The areas tile a closed surface: as soon as their edges run through all vertices that lie on them, each is run through as often
+  // in the one sense as in the other, and is still where vertices become one. Edges then run through all vertices nearer than
+  // the tolerance, so that narrow faces fold up.
   void collect_edges() {
     VertexMerger points(rounding * complex_.planes.model_size());
     for (std::size_t i = 0; i < areas_.size(); ++i) {
@@ -90,7 +87,7 @@ class SurfaceMerger {
     }
     split_edges(points.vertices(), rounding * complex_.planes.model_size());
     join_near(points.vertices());
-    if (strips_vanish_) split_edges(vertices_, tolerance_);
+    split_edges(vertices_, tolerance_);
     cancel([](const DirectedEdge& e) { return e.area; });
   }
 
@@ -100,7 +97,9 @@ class SurfaceMerger {
     parts.reserve(edges_.size());
     for (DirectedEdge e : edges_) {
       if (e.from == e.to) continue;
-      for (const Index on : finder.between(e.from, e.to)) {
+      std::vector<Index> between = finder.between(std::min(e.from, e.to), std::max(e.from, e.to));
+      if (e.from > e.to) std::reverse(between.begin(), between.end());
+      for (const Index on : between) {
         parts.push_back({e.from, on, e.area});
         e.from = on;
       }
@@ -332,7 +331,9 @@ class SurfaceMerger {
       }
       for (std::size_t i = 0; i + 1 < list.size(); i += 2)
         pairs_.emplace_back(list[i], list[i + 1]);
-      surface_.open_edges += static_cast<Index>(list.size() % 2);
+      Index balance = 0;
+      for (const EdgeUse& u : list) balance += start_of(u) == of.first ? 1 : -1;
+      surface_.open_edges += std::abs(balance);
     }
   }
 
@@ -400,7 +401,7 @@ class SurfaceMerger {
     const auto shell_of = shells.components();
     surface_.shell_count =
         shell_of.empty() ? 1 : 1 + *std::max_element(shell_of.begin(), shell_of.end());
-    const auto edges = static_cast<Index>(pairs_.size()) + surface_.open_edges;
+    const auto edges = static_cast<Index>(pairs_.size());
     const Index euler = vertex_count - edges + 2 * static_cast<Index>(surface_.faces.size()) -
                         static_cast<Index>(loops_.size());
     surface_.genus = std::max<Index>(0, surface_.shell_count - euler / 2);
@@ -465,7 +466,6 @@ class SurfaceMerger {
 
   const Complex& complex_;
   const std::vector<BoundaryArea>& areas_;
-  const bool strips_vanish_;
   const Real tolerance_;
   std::vector<Vec3> vertices_;
   std::vector<DirectedEdge> edges_;
@@ -480,11 +480,7 @@ class SurfaceMerger {
 }  // namespace
 
 BlockSurface make_block_surface(const Complex& complex, const std::vector<BoundaryArea>& areas) {
-  BlockSurface surface = SurfaceMerger(complex, areas, true).run();
-  if (surface.open_edges == 0) return surface;
-  // Strips beside strips at the size of the tolerance: then they stay.
-  BlockSurface with_strips = SurfaceMerger(complex, areas, false).run();
-  return with_strips.open_edges < surface.open_edges ? with_strips : surface;
+  return SurfaceMerger(complex, areas).run();
 }
 
 }  // namespace rockfold

@@ -34,7 +34,8 @@ struct BlockSurface {
   Index shell_count = 0;
   Index genus = 0;
   bool convex = true;
-  Index open_edges = 0;  ///< that an odd number of faces meet in
+  Index open_edges =
+      0;  ///< what is missing for as many uses in one sense as in the other, in all edges
   Index vertices_identified =
       0;  ///< that differ by more than rounding from the one that they became
 };

@@ -18,6 +18,10 @@ inline const std::vector<unsigned> nasty_seeds{
     100580,  // a fan in an oblique prism: likewise
     100631,  // overlapping patches, planes near one line, map coordinates: likewise
     100800,  // planes near one point and slabs: open edges
+    101066,  // planes near one point, overlapping patches: edges run through twice in one sense
+    102452,  // a small tetrahedron, tiles and discs: likewise
+    103003,  // flakes, bricks and near-coincident planes at map coordinates: likewise
+    103714,  // flakes, overlapping patches, planes near one line: likewise
 };
 
 /// Kind and seed of nasty_model_of_kind.
