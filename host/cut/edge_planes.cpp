@@ -123,6 +123,10 @@ class EdgeFinder {
     return p != q ? p < q : i < j;
   }
 
+  bool lies_exactly_on(const Edge& e, Index plane) const {
+    return planes_.exact_side(e.a, plane) == 0 && planes_.exact_side(e.b, plane) == 0;
+  }
+
   void offer(Edge& e, Index plane) const {
     const Index own = polygons_[e.polygon].plane;
     if (plane == own || plane == e.plane) return;
@@ -130,9 +134,9 @@ class EdgeFinder {
     if (std::abs(distance(planes_, e.a, plane)) > tolerance ||
         std::abs(distance(planes_, e.b, plane)) > tolerance)
       return;
-    const bool exactly = planes_.exact_side(e.a, plane) == 0 && planes_.exact_side(e.b, plane) == 0;
+    const bool exactly = lies_exactly_on(e, plane);
     const Real sine = norm(cross(planes_.normal(plane), planes_.normal(own)));
-    if (!exactly && sine <= guard_sine) return;
+    if (sine <= guard_sine && !(exactly && lies_exactly_on(e, own))) return;
     // The steeper plane crosses the polygon's better; of equally steep ones the first.
     if (e.plane != none && (sine < e.sine - 1e-9 || (sine <= e.sine + 1e-9 && plane > e.plane)))
       return;

@@ -38,4 +38,11 @@ inline const std::vector<unsigned> terrain_seeds{
 /// Of rounded_mesh in rock.
 inline const std::vector<unsigned> mesh_seeds{};
 
+/// Of bumpy_surface as a joint.
+inline const std::vector<unsigned> bumpy_seeds{
+    1309,  // triangles on one plane beside one at 2e-8: a gap along their edge
+    1477,  // likewise
+    2086,  // likewise, as polygons
+};
+
 }  // namespace rockfold::test::corpus
