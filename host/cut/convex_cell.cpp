@@ -158,7 +158,7 @@ std::vector<std::array<Index, 3>> boundary_triangles(const CellView& cell) {
 
 }  // namespace
 
-CellMoments cell_moments(const CellView& cell, const PlaneTable& planes, bool in_doubles) {
+RoundedMeasure measure_in_doubles(const CellView& cell) {
   const Vec3 o = cell.vertices.front().x;
   Real volume6 = 0, area2 = 0, error = 0;
   Vec3 first24{};
@@ -173,26 +173,17 @@ CellMoments cell_moments(const CellView& cell, const PlaneTable& planes, bool in
       first24 += v * (a + b + c);
       area2 += norm(cross(b - a, c - a));
     }
-  if (in_doubles) volume6 = std::max<Real>(volume6, 0);
+  volume6 = std::max<Real>(volume6, 0);
   // Vertices off by `error` change the volume by at most the area times it; the bound is some 30 times what happens.
   const bool loses_digits = !(error * area2 / 2 < 1e-9 * volume6 / 6);
-  if (loses_digits && !in_doubles) {
-    const auto exact = planes.exact_moments(cell.vertices, boundary_triangles(cell));
-    return {exact.volume, exact.first};
-  }
-  return {volume6 / 6, (1.0 / 24) * first24 + (volume6 / 6) * o};
+  return {{volume6 / 6, (1.0 / 24) * first24 + (volume6 / 6) * o}, area2 / 2, loses_digits};
 }
 
-Real surface_area(const CellView& cell) {
-  Real area = 0;
-  for (const auto& face : cell.faces) {
-    const auto* corner = &cell.corners[face.begin];
-    const Vec3& o = cell.vertices[corner[0].vertex].x;
-    for (std::int32_t k = 1; k + 1 < face.count; ++k)
-      area += norm(
-          cross(cell.vertices[corner[k].vertex].x - o, cell.vertices[corner[k + 1].vertex].x - o));
-  }
-  return area / 2;
+CellMoments cell_moments(const CellView& cell, const PlaneTable& planes) {
+  const RoundedMeasure rounded = measure_in_doubles(cell);
+  if (!rounded.loses_digits) return rounded.moments;
+  const auto exact = planes.exact_moments(cell.vertices, boundary_triangles(cell));
+  return {exact.volume, exact.first};
 }
 
 ConvexCell make_box(PlaneTable& planes, const Vec3& min, const Vec3& max) {

@@ -98,12 +98,16 @@ struct CellMoments {
   Real volume = 0;  ///< m³
   Vec3 first{};     ///< ∫x dV about the table's centre, m⁴
 };
-/// In exact arithmetic where doubles might lose more than 1e-9 of the volume; with `in_doubles` never, off by some 1e-15·L of
-/// the surface, and not below 0.
-CellMoments cell_moments(const CellView& cell, const PlaneTable& planes, bool in_doubles = false);
+/// In exact arithmetic where doubles might lose more than 1e-9 of the volume.
+CellMoments cell_moments(const CellView& cell, const PlaneTable& planes);
 
-/// m²
-Real surface_area(const CellView& cell);
+/// In doubles: the volume off by some 1e-15·L of the surface, and not below 0.
+struct RoundedMeasure {
+  CellMoments moments;
+  Real area = 0;              ///< m², of the surface
+  bool loses_digits = false;  ///< the volume may be off by more than 1e-9 of it
+};
+RoundedMeasure measure_in_doubles(const CellView& cell);
 
 /// The part of a cell inside all of the half-spaces. Empty if nothing is left.
 ConvexCell clip(const PlaneTable& planes, const CellView& cell,

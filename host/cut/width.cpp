@@ -61,13 +61,14 @@ CellWidth cell_width(const CellView& cell, const PlaneTable& planes) {
 CellMeasure measure_cell(const CellView& cell, const PlaneTable& planes) {
   constexpr Real rounding = 100 * std::numeric_limits<Real>::epsilon();
   const Real tolerance = planes.width_tolerance();
-  const CellMoments in_doubles = cell_moments(cell, planes, true);
+  const RoundedMeasure rounded = measure_in_doubles(cell);
   const Real length = 2 * bounding_ball(cell).radius;
-  const Real volume = in_doubles.volume - rounding * length * length * length;
-  const Real area = surface_area(cell) + rounding * length * length;
+  const Real volume = rounded.moments.volume - rounding * length * length * length;
+  const Real area = rounded.area + rounding * length * length;
   const bool wide = 2 * volume > doubt_factor * tolerance * area;
   const Real width = wide ? std::numeric_limits<Real>::infinity() : cell_width(cell, planes).width;
-  return {width < tolerance ? in_doubles : cell_moments(cell, planes, false), width};
+  const bool in_doubles = width < tolerance || !rounded.loses_digits;
+  return {in_doubles ? rounded.moments : cell_moments(cell, planes), width};
 }
 
 Real polygon_width(const Polygon& polygon, const PlaneTable& planes) {

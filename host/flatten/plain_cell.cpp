@@ -8,18 +8,16 @@ namespace rockfold {
 
 namespace {
 
-// A convex polygon is at least as wide as its area over its circumference.
-bool is_narrow(const CellView& cell, const ConvexCell::Face& face, Real tolerance) {
-  Real around = 0;
+// A convex polygon is at least as wide as its area over its circumference, which is at most that of the circle around it.
+bool is_narrow(const CellView& cell, const ConvexCell::Face& face, Real diameter, Real tolerance) {
+  constexpr Real pi = 3.141592653589793;
   for (std::int32_t k = 0; k < face.count; ++k) {
     const Vec3& a = cell.vertices[cell.corners[face.begin + k].vertex].x;
     const Vec3& b =
         cell.vertices[cell.corners[face.begin + (k + 1 < face.count ? k + 1 : 0)].vertex].x;
-    const Real length = norm(b - a);
-    if (length < 2 * tolerance) return true;
-    around += length;
+    if (dot(b - a, b - a) < 4 * tolerance * tolerance) return true;
   }
-  return area_from_above(cell, face) < 2 * tolerance * around;
+  return area_from_above(cell, face) < 2 * tolerance * pi * diameter;
 }
 
 // Whether two faces may be shown as one: one of them lies on the other's plane, to the tolerance.
@@ -50,8 +48,10 @@ bool is_plain_cell(const Complex& complex, Index cells, const std::vector<Bounda
     if (origin[a.face] != none && origin[a.face] != a.origin) return false;
     origin[a.face] = a.origin;
   }
+  const Real diameter = 2 * bounding_ball(cell).radius;
   for (std::size_t f = 0; f < origin.size(); ++f) {
-    if (origin[f] == none || is_narrow(cell, cell.faces[f], complex.planes.width_tolerance()))
+    if (origin[f] == none ||
+        is_narrow(cell, cell.faces[f], diameter, complex.planes.width_tolerance()))
       return false;
     for (std::size_t g = 0; g < f; ++g)
       if (origin[f] == origin[g] && nearly_coplanar(cell, f, g, complex.planes)) return false;
