@@ -71,7 +71,7 @@ class Cutter {
       if (side == CellSide::split) {
         splitter_.split(cell, at.plane, &below, &above);
         child_node[0] = at.child[0], child_node[1] = at.child[1];
-        keep_near(extent, list, 0, rest);
+        keep_near(cell, extent, list, 0, rest);
         return true;
       }
       node = at.child[side == CellSide::above ? 1 : 0];
@@ -83,7 +83,7 @@ class Cutter {
       splitter_.split(cell, patch.plane, &below, &above);
       if (!section_meets(below, job_.surfaces[list[i]])) continue;
       child_node[0] = child_node[1] = node;
-      keep_near(extent, list, i + 1, rest);
+      keep_near(cell, extent, list, i + 1, rest);
       return true;
     }
     return false;
@@ -162,11 +162,25 @@ class Cutter {
            (!patch.bounded() || patch.box.meets(extent.box, slack()));
   }
 
-  void keep_near(const Extent& extent, const SurfaceList& list, std::size_t from,
-                 SurfaceList& rest) const {
+  // A ball tells little of a slab between parallel planes.
+  bool may_cross(const CellView& cell, Index plane) const {
+    bool below = false, above = false;
+    for (const Vertex& v : cell.vertices) {
+      const Real d = planes_.distance(v, plane);
+      below = below || d <= slack();
+      above = above || d >= -slack();
+      if (below && above) return true;
+    }
+    return false;
+  }
+
+  void keep_near(const CellView& cell, const Extent& extent, const SurfaceList& list,
+                 std::size_t from, SurfaceList& rest) const {
     rest.clear();
-    for (std::size_t i = from; i < list.size(); ++i)
-      if (may_meet(extent, *job_.surfaces[list[i]].patch)) rest.push_back(list[i]);
+    for (std::size_t i = from; i < list.size(); ++i) {
+      const Patch& patch = *job_.surfaces[list[i]].patch;
+      if (may_meet(extent, patch) && may_cross(cell, patch.plane)) rest.push_back(list[i]);
+    }
   }
 
   // Whether the polygon's interior meets the section, which is the last face of the part below.
