@@ -164,8 +164,10 @@ HalfSpaceId side_of_corners(const PlaneTable& planes, Index edge_plane,
   const Vec3& far = farthest_from(planes, edge_plane, corners);
   const Real d = distance(planes, far, edge_plane);
   if (std::abs(d) > planes.identity_tolerance()) return half_space(edge_plane, d > 0);
-  const int side = planes.exact_side(far, edge_plane);
-  return side == 0 ? none : half_space(edge_plane, side > 0);
+  for (const Vec3& x : corners)
+    if (const int side = planes.exact_side(x, edge_plane); side != 0)
+      return half_space(edge_plane, side > 0);
+  return none;
 }
 
 EdgePlanes edge_planes(PlaneTable& planes, const std::vector<FlatPolygon>& polygons,

@@ -92,7 +92,9 @@ class JointPlanes {
     std::vector<Index> plane(joints_.size(), none);
     for (const Index i : order) {
       const Index before = planes_.size();
-      plane[i] = plane_of(planes_.identify_or_add(own_plane(joints_[i])));
+      const ExactPlane own = own_plane(joints_[i]);
+      plane[i] = plane_of(joints_[i].joint->of_mesh ? planes_.find_or_add(own)
+                                                    : planes_.identify_or_add(own));
       if (planes_.size() == before) identified_.push_back(plane[i]);
     }
     return plane;

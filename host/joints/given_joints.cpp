@@ -112,6 +112,7 @@ void place_mesh(const JointMesh& mesh, const RockBounds& rock, PlacedJoints& pla
     if (one.plane.n[0] == 0 && one.plane.n[1] == 0 && one.plane.n[2] == 0) continue;  // no area
     one.origin = origin;
     one.within = mesh.within;
+    one.of_mesh = true;
     placed.joints.push_back(std::move(one));
   }
 }

@@ -18,6 +18,8 @@ struct PlacedJoint {
   std::vector<Vec3> polygon;
   Index origin = none;  ///< into PlacedJoints::origins
   Index within = none;  ///< into Model::solids
+  /// A triangle of a mesh: it shares edges with others, and keeps its own plane so that they stay shared.
+  bool of_mesh = false;
 };
 
 struct JointOrigin {

@@ -166,6 +166,30 @@ SeededCase check_bumpy_joint(unsigned seed) {
   return result;
 }
 
+// Its bumps are of 1e-8 to 1e-7 of the size: rock between triangles may be a third block, as thin.
+SeededCase check_planar_joint_in_floats(unsigned seed) {
+  Draw draw(seed);
+  const Real edge = draw.pick({1.0, 10.0, 300.0});
+  Model model = box_model({-edge / 2, -edge / 2, -edge / 2}, {edge / 2, edge / 2, edge / 2});
+  JointMesh mesh;
+  mesh.name = "fault";
+  mesh.surface = planar_surface_in_floats(draw, edge);
+  model.joint_meshes.push_back(mesh);
+  SeededCase result{"planar joint mesh", {}, [model, surface = mesh.surface] {
+                      return to_toml(model) + surface_text(*surface);
+                    }};
+  result.faults = faults_of_cutting(model, seed, edge, [&](const Blocks& b, Faults& faults) {
+    const Real rock = edge * edge * edge;
+    for (const Real volume : b.arrays.volume)
+      if (volume > 1e-7 * rock) expect_near("half of the rock", volume, 0.5L * rock, 1e-6, faults);
+  });
+  return result;
+}
+
+TEST(PlanarJointMeshes, InSinglePrecisionCutTheRockInTwo) {
+  check_seeds(0, 200, check_planar_joint_in_floats);
+}
+
 TEST(RoundedMeshes, AreCutWhole) {
   check_seeds(0, 8, check_mesh);
 }

@@ -234,4 +234,24 @@ BumpySurface bumpy_surface(Draw& draw, Real edge, Real bumps) {
   return result;
 }
 
+std::shared_ptr<TriangleSurface> planar_surface_in_floats(Draw& draw, Real edge) {
+  const int m = draw.integer(1, 4);
+  const Vec3 normal = draw.direction();
+  const Vec3 u = normalized(cross(normal, draw.direction()));
+  const Vec3 v = cross(normal, u);
+  auto surface = std::make_shared<TriangleSurface>();
+  for (int j = 0; j <= m; ++j)
+    for (int i = 0; i <= m; ++i) {
+      const Vec3 x = edge * ((4.0 * i / m - 2) * u + (4.0 * j / m - 2) * v);
+      surface->vertices.push_back({Real(float(x[0])), Real(float(x[1])), Real(float(x[2]))});
+    }
+  for (Index j = 0; j < m; ++j)
+    for (Index i = 0; i < m; ++i) {
+      const Index a = j * (m + 1) + i, b = a + 1, c = a + m + 1, d = c + 1;
+      surface->triangles.push_back({a, b, d});
+      surface->triangles.push_back({a, d, c});
+    }
+  return surface;
+}
+
 }  // namespace rockfold::test

@@ -38,5 +38,8 @@ struct BumpySurface {
   long double volume_below = 0;  ///< m³, in the cube
 };
 BumpySurface bumpy_surface(Draw& draw, Real edge, Real bumps);
+/// m × m squares of two triangles each on a tilted plane through the middle of a cube of edge `edge` about the origin, beyond its
+/// faces: coordinates as single precision rounds them, as in most files of triangles.
+std::shared_ptr<TriangleSurface> planar_surface_in_floats(Draw& draw, Real edge);
 
 }  // namespace rockfold::test
