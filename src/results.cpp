@@ -44,7 +44,7 @@ void add_bolting(BlockFields& fields, const BoltingReport& bolting) {
   const std::size_t blocks = fields.block_class.size();
   fields.supported_factor_of_safety.assign(blocks, std::numeric_limits<Real>::quiet_NaN());
   fields.utilisation.assign(blocks, std::numeric_limits<Real>::quiet_NaN());
-  for (const auto* list : {&bolting.keyblocks, &bolting.stable})
+  for (const auto* list : {&bolting.keyblocks, &bolting.stable, &bolting.at_rest})
     for (const BlockSupport& support : *list)
       for (const Index block : support.members) {
         fields.supported_factor_of_safety[block] = support.held.factor_of_safety;

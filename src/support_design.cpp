@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "src/report/design_names.hpp"
+
 namespace rockfold {
 
 SupportDesign design_support(const BlockArrays& blocks, const KeyblockReport& keyblocks,
@@ -20,6 +22,10 @@ void warn_of_support_design(const SupportDesign& design, Terminal& terminal) {
         terminal.warn(fmt::format(
             "{}: no bond_strength is given: any length beyond a block anchors the whole capacity",
             group.name));
+  if (design.bolting && !design.bolting->disturbed.empty())
+    terminal.warn(fmt::format(
+        "active bolts bring blocks that stay without them below the target factor of safety: {}",
+        block_list(design.bolting->disturbed)));
   if (design.search && design.search->best == none)
     terminal.warn(fmt::format(
         "pattern_search: none of the {} patterns holds all {} key blocks; look at the blocks that "

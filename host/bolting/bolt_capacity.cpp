@@ -4,9 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "host/keyblock/pyramid.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
+namespace {
+
+/// θ between the bolt and −s, without loss of digits near 0° and 180°; NaN where nothing moves.
+Real angle_against(const Vec3& axis, const Vec3& motion) {
+  if (motion == Vec3{}) return std::numeric_limits<Real>::quiet_NaN();
+  return std::atan2(norm(cross(axis, motion)), -dot(axis, motion));
+}
+
+}  // namespace
 
 Real axial_capacity(const BoltType& type, const Embedment& embedment) {
   if (!(embedment.anchored > 0)) return 0;
@@ -22,12 +32,12 @@ Real axial_capacity(const BoltType& type, const Embedment& embedment) {
 
 BoltForce bolt_force(const BoltType& type, const Vec3& axis, Real axial, const Vec3& motion) {
   constexpr Real rounding = 1e-12;
-  const Real along = -dot(axis, motion);  // cos θ
-  const Vec3 across = motion + along * axis;
-  const Real sine = norm(across);
+  const Vec3 across = motion - dot(axis, motion) * axis;
+  const Real cosine = -dot(axis, motion), sine = norm(across);
+  const Real along = std::max(cosine, Real{0});
   BoltForce result;
-  result.angle = std::atan2(sine, along);
-  const bool pulled = along > rounding, sheared = sine > rounding;
+  result.angle = angle_against(axis, motion);
+  const bool pulled = cosine >= -direction_tolerance, sheared = sine > rounding;
   const Real tension = type.efficiency == BoltEfficiency::cosine ? axial * along : axial;
   // No bond, no plate: nothing that would hold the bolt against being sheared out either.
   const Real shear = axial > 0 ? type.shear_capacity : 0;
@@ -42,6 +52,10 @@ BoltForce bolt_force(const BoltType& type, const Vec3& axis, Real axial, const V
   result.force = result.axial * axis;
   if (result.shear > 0) result.force -= (result.shear / sine) * across;
   return result;
+}
+
+BoltForce anchor_force(const Vec3& axis, Real axial, const Vec3& motion) {
+  return {axial * axis, axial, 0, angle_against(axis, motion)};
 }
 
 Index bolts_needed(Real force, Real capacity) {

@@ -19,7 +19,7 @@ struct Embedment {
 /// Zero without anchored length, and of a dmfc bolt without any of its anchor in rock beyond the block. Hoek, Kaiser & Bawden (1995); UnWedge's force diagrams.
 Real axial_capacity(const BoltType& type, const Embedment& embedment);
 
-/// What the bolt can put on a block that moves along the unit direction s, at full mobilisation.
+/// What a bolt puts on a block that moves along the unit direction s, at full mobilisation.
 struct BoltForce {
   Vec3 force{};    ///< N, on the block
   Real axial = 0;  ///< N along the bolt, ≥ 0
@@ -27,11 +27,14 @@ struct BoltForce {
   Real angle = 0;  ///< rad between the bolt and the direction against the motion
 };
 
-/// `axis` points from the block into the rock that stays, `axial` is the capacity along it. With θ the angle between axis
-/// and −s the bolt does the most work on the ellipse (N/T)² + (V/S)² = 1: N = T² cos θ / R, V = S² sin θ / R,
-/// R² = (T cos θ)² + (S sin θ)². Without shear capacity N = T. A bolt that the block does not pull (cos θ ≤ 0) gives its shear
-/// capacity alone.
+/// Of a passive bolt. `axis` points from the block into the rock that stays, `axial` is the capacity along it. With θ the
+/// angle between axis and −s the bolt does the most work on the ellipse (N/T)² + (V/S)² = 1: N = T² cos θ / R,
+/// V = S² sin θ / R, R² = (T cos θ)² + (S sin θ)². Without shear capacity N = T up to θ = 90°, inclusive to
+/// direction_tolerance. A bolt that the block pushes (θ > 90°) gives its shear capacity alone.
 BoltForce bolt_force(const BoltType& type, const Vec3& axis, Real axial, const Vec3& motion);
+
+/// Of an active bolt: its tension, whatever the motion; on the ellipse that leaves no shear.
+BoltForce anchor_force(const Vec3& axis, Real axial, const Vec3& motion);
 
 /// Single bolts that a force asks for, each with its whole capacity: ⌈force / capacity⌉.
 Index bolts_needed(Real force, Real capacity);

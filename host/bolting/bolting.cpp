@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <unordered_map>
 
+#include "host/bolting/supported_block.hpp"
 #include "host/parallel.hpp"
 #include "host/refuse.hpp"
 #include "src/base/vector.hpp"
@@ -27,16 +27,6 @@ BoltsOfBlock bolts_of_blocks(const std::vector<Bolt>& bolts) {
   return of;
 }
 
-Turning turning_of(const Rotation& r) {
-  return {r.point, r.axis, r.driving, r.resisting, norm(r.velocity)};
-}
-
-/// NaN: nothing resists.
-bool is_less_safe(const BlockSupport& a, const BlockSupport& b) {
-  const auto safety = [](Real f) { return std::isnan(f) ? -std::numeric_limits<Real>::max() : f; };
-  return safety(a.held.factor_of_safety) < safety(b.held.factor_of_safety);
-}
-
 bool is_in(Index block, const std::vector<Index>& members) {
   return std::find(members.begin(), members.end(), block) != members.end();
 }
@@ -55,6 +45,7 @@ class SupportJudge {
       : rock_(rock), report_(report), bolts_of_(bolts_of_blocks(report.bolts)) {}
 
   BlockSupport judge(const Keyblock& key) const;
+  bool is_crossed_by_anchors(const Keyblock& key) const;
 
  private:
   Index batch(Index block) const { return rock_.keyblocks.batch[block]; }
@@ -67,9 +58,7 @@ class SupportJudge {
   Real axial_left(const Bolt& bolt, const std::vector<Index>& members, Index with,
                   const Embedment& own) const;
   std::vector<Index> bolts_through(const std::vector<Index>& members) const;
-  BlockSupport in_motion(const Keyblock& key, const std::optional<Turning>& turning) const;
-  BoltCrossing crossing(Index bolt, const Keyblock& key,
-                        const std::optional<Turning>& turning) const;
+  BoltCrossing crossing(Index bolt, const Keyblock& key) const;
   void mobilise(BlockSupport& support) const;
 
   const SupportedRock& rock_;
@@ -119,37 +108,27 @@ Embedment SupportJudge::embedment(const Bolt& bolt, const std::vector<Index>& me
   return e;
 }
 
-/// A bolt's tension does not grow from block to block of one batch: the nearest to the collar takes first.
+/// A bolt's tension does not grow from block to block of one batch: the nearest to the collar takes first. Nor does an active
+/// bolt's, tensioned as it is, in blocks that stay.
 Real SupportJudge::axial_left(const Bolt& bolt, const std::vector<Index>& members, Index with,
                               const Embedment& own) const {
   Real taken = 0;
+  const bool shares = with > 0 || type_of(bolt).action == BoltAction::active;
   for (const RockSegment& segment : bolt.rock) {
     if (is_in(segment.block, members)) break;
-    if (with > 0 && batch(segment.block) == with)
+    if (shares && batch(segment.block) == with)
       taken =
           std::max(taken, axial_capacity(type_of(bolt), embedment(bolt, {segment.block}, with)));
   }
   return std::max(axial_capacity(type_of(bolt), own) - taken, Real{0});
 }
 
-BoltCrossing SupportJudge::crossing(Index id, const Keyblock& key,
-                                    const std::optional<Turning>& turning) const {
+BoltCrossing SupportJudge::crossing(Index id, const Keyblock& key) const {
   const Bolt& bolt = report_.bolts[id];
   BoltCrossing crossing;
   crossing.bolt = id;
-  const std::vector<Index>& members = key.members;
-  crossing.embedment = embedment(bolt, members, key.batch);
-  crossing.axial_capacity = axial_left(bolt, members, key.batch, crossing.embedment);
-  Vec3 motion = key.direction;
-  if (turning) {
-    motion = turning->motion(leaving_point(bolt, key.members));
-    if (!(norm(motion) > 0)) return crossing;  // on the axis: it does not move the bolt
-    motion = normalized(motion);
-  } else if (key.movement) {
-    motion = key.movement->direction;
-  }
-  crossing.force = bolt_force(type_of(bolt), bolt.direction, crossing.axial_capacity, motion);
-  crossing.capacity = norm(crossing.force.force);
+  crossing.embedment = embedment(bolt, key.members, key.batch);
+  crossing.axial_capacity = axial_left(bolt, key.members, key.batch, crossing.embedment);
   return crossing;
 }
 
@@ -183,45 +162,41 @@ std::vector<Index> SupportJudge::bolts_through(const std::vector<Index>& members
   return bolts;
 }
 
-/// Support may hold one motion and not another: the one that is least safe with it counts, and what is missing is the
-/// most that any of them lacks.
 BlockSupport SupportJudge::judge(const Keyblock& key) const {
-  std::optional<BlockSupport> worst;
-  Real missing = 0;
-  const auto look_at = [&](BlockSupport support) {
-    missing = std::max(missing, support.held.missing_force);
-    if (!worst || is_less_safe(support, *worst)) worst = std::move(support);
-  };
-  if (key.movement) look_at(in_motion(key, {}));
-  for (const Rotation& rotation : key.rotations) look_at(in_motion(key, turning_of(rotation)));
-  if (!worst) return {};
-  worst->held.adequate = missing == 0;
-  worst->held.missing_force = missing;
-  return *std::move(worst);
-}
-
-BlockSupport SupportJudge::in_motion(const Keyblock& key,
-                                     const std::optional<Turning>& turning) const {
   BlockSupport support;
   support.block = key.block;
   support.members = key.members;
-  support.mode = turning ? SlidingMode::rotation : key.movement->mode;
-  std::vector<SupportElement> elements;
-  for (const Index bolt : bolts_through(key.members)) {
-    const BoltCrossing& c = support.crossings.emplace_back(crossing(bolt, key, turning));
-    const BoltType& type = type_of(report_.bolts[bolt]);
-    elements.push_back({c.force.force, type.action == BoltAction::active, type.stiffness,
-                        leaving_point(report_.bolts[bolt], key.members)});
+  if (!rock_.shotcrete.empty()) support.shotcrete = rock_.shotcrete[key.block];
+  std::vector<BoltAtBlock> bolts;
+  for (const Index id : bolts_through(key.members)) {
+    const BoltCrossing& c = support.crossings.emplace_back(crossing(id, key));
+    const Bolt& bolt = report_.bolts[id];
+    bolts.push_back(
+        {&type_of(bolt), bolt.direction, c.axial_capacity, leaving_point(bolt, key.members)});
   }
-  if (!rock_.shotcrete.empty()) {
-    support.shotcrete = rock_.shotcrete[key.block];
-    if (norm(support.shotcrete.force) > 0)
-      elements.push_back({support.shotcrete.force, false, 0, support.shotcrete.point});
+  SupportedMotion motion = supported_motion(key, bolts, support.shotcrete, rock_.target);
+  support.mode = motion.mode;
+  for (std::size_t i = 0; i < bolts.size(); ++i) {
+    support.crossings[i].force = motion.forces[i];
+    support.crossings[i].capacity = norm(motion.forces[i].force);
   }
-  support.held = turning ? hold(*turning, elements, rock_.target)
-                         : hold(key.contact, *key.movement, elements, rock_.target);
+  support.held = std::move(motion.held);
   mobilise(support);
   return support;
+}
+
+bool SupportJudge::is_crossed_by_anchors(const Keyblock& key) const {
+  const auto bolts = bolts_through(key.members);
+  return std::any_of(bolts.begin(), bolts.end(), [&](Index bolt) {
+    return type_of(report_.bolts[bolt]).action == BoltAction::active;
+  });
+}
+
+/// Whether a block that stays misses the target with its support and is less safe than without.
+bool is_less_safe_now(const Keyblock& key, const BlockSupport& support) {
+  constexpr Real rounding = 1e-9;
+  return !support.held.adequate &&
+         !(support.held.factor_of_safety >= (1 - rounding) * key.factor_of_safety);
 }
 
 void drill_pattern(const BlockArrays& blocks, const Model& model, const BoltPattern& pattern,
@@ -268,9 +243,20 @@ std::vector<ShotcreteHold> shotcrete_on(const BlockArrays& blocks, const Keybloc
     Wall(blocks, model, wall, model.shotcrete->place);  // refuses walls that are not there
   const ShotcreteCover cover(blocks, *model.shotcrete);
   std::vector<ShotcreteHold> holds(static_cast<std::size_t>(blocks.block_count()));
-  for (const auto* list : {&keyblocks.keyblocks, &keyblocks.stable})
+  for (const auto* list : {&keyblocks.keyblocks, &keyblocks.stable, &keyblocks.at_rest})
     for (const Keyblock& key : *list) holds[key.block] = cover.hold(key.members);
   return holds;
+}
+
+std::vector<StayingBlock> staying_blocks(const KeyblockReport& keyblocks,
+                                         const BoltingReport* bolting) {
+  std::vector<StayingBlock> blocks;
+  for (std::size_t i = 0; i < keyblocks.stable.size(); ++i)
+    blocks.push_back({keyblocks.stable[i], bolting ? &bolting->stable[i] : nullptr});
+  if (bolting)
+    for (std::size_t i = 0; i < bolting->at_rest.size(); ++i)
+      blocks.push_back({keyblocks.at_rest[bolting->key_at_rest[i]], &bolting->at_rest[i]});
+  return blocks;
 }
 
 void judge_support(const SupportedRock& rock, BoltingReport& report) {
@@ -283,6 +269,16 @@ void judge_support(const SupportedRock& rock, BoltingReport& report) {
   };
   judge_all(rock.keyblocks.keyblocks, report.keyblocks);
   judge_all(rock.keyblocks.stable, report.stable);
+  report.at_rest.clear(), report.key_at_rest.clear(), report.disturbed.clear();
+  for (std::size_t i = 0; i < rock.keyblocks.at_rest.size(); ++i) {
+    const Keyblock& key = rock.keyblocks.at_rest[i];
+    if (!judge.is_crossed_by_anchors(key)) continue;
+    report.key_at_rest.push_back(static_cast<Index>(i));
+    report.at_rest.push_back(judge.judge(key));
+  }
+  for (const StayingBlock& block : staying_blocks(rock.keyblocks, &report))
+    if (is_less_safe_now(block.key, *block.support) && judge.is_crossed_by_anchors(block.key))
+      report.disturbed.push_back(block.key.block);
   report.adequate = report.first_batch = report.first_batch_adequate = 0;
   for (std::size_t i = 0; i < report.keyblocks.size(); ++i) {
     const bool adequate = report.keyblocks[i].held.adequate;

@@ -4,8 +4,8 @@
 // Table of contents:
 //   wall.hpp           walls unrolled to sheets            rock_lines.hpp     lines through blocks
 //   drill.hpp          where bolts stand                   bolt_capacity.hpp  what a bolt can do
-//   shotcrete.hpp      punching shear                      held_block.hpp     a block with its support
-//   pattern_search.hpp the lightest pattern
+//   shotcrete.hpp      punching shear                      supported_block.hpp  the motions that support leaves
+//   held_block.hpp     one motion against support          pattern_search.hpp   the lightest pattern
 #pragma once
 
 #include <optional>
@@ -32,7 +32,7 @@ struct BoltCrossing {
   Real displacement_mobilisation = 0;  ///< displacement of the block / displacement capacity
 };
 
-/// The support of one block.
+/// The support of one block. Active bolts are at full load whatever the block does: their load is their capacity.
 struct BlockSupport {
   Index block = none;
   std::vector<Index> members;               ///< of a group that fails together: all of them
@@ -50,8 +50,12 @@ struct BoltingReport {
   std::vector<Bolt> bolts;
   std::vector<BlockSupport> keyblocks;  ///< [KeyblockReport::keyblocks]
   std::vector<BlockSupport> stable;     ///< [KeyblockReport::stable]
-  Real length = 0;                      ///< m of all bolts
-  Index adequate = 0;                   ///< key blocks that reach the target
+  /// Blocks at rest that active bolts cross: they may drive them.
+  std::vector<BlockSupport> at_rest;
+  std::vector<Index> key_at_rest;  ///< [at_rest] into KeyblockReport::at_rest
+  std::vector<Index> disturbed;    ///< blocks that stay and miss the target because of active bolts
+  Real length = 0;                 ///< m of all bolts
+  Index adequate = 0;              ///< key blocks that reach the target
   /// Of the first batch: if all are held, nothing moves.
   Index first_batch = 0, first_batch_adequate = 0;
 };
@@ -74,6 +78,15 @@ BoltingReport support_blocks(const BlockArrays& blocks, const KeyblockReport& ke
 
 /// The same for bolts that have been drilled: fills all but groups, bolts and length.
 void judge_support(const SupportedRock& rock, BoltingReport& report);
+
+/// A block that stays.
+struct StayingBlock {
+  const Keyblock& key;
+  const BlockSupport* support;  ///< nullptr without bolting
+};
+/// The stable ones, then those at rest that active bolts cross.
+std::vector<StayingBlock> staying_blocks(const KeyblockReport& keyblocks,
+                                         const BoltingReport* bolting);
 
 /// Takes blocks of excavation stages out of what bolts cross: they are air.
 void leave_out_excavated(const BlockArrays& blocks, std::vector<Bolt>& bolts);

@@ -28,22 +28,18 @@ class Balance {
                    reciprocal_normal(second.normal, first.normal)};
   }
 
-  bool falls() const { return movement_.mode == SlidingMode::lifting; }
-  Real driving(const Vec3& active) const {
-    return falls() ? movement_.driving : movement_.driving + dot(active, movement_.direction);
-  }
-  Real resisting(const Vec3& active, const Vec3& passive) const {
-    if (falls()) return -dot(active + passive, movement_.direction);
-    Real sum = movement_.resisting - dot(passive, movement_.direction);
+  Real driving() const { return movement_.driving; }
+  Real resisting(const Vec3& support) const {
+    Real sum = movement_.resisting - dot(support, movement_.direction);
     for (std::size_t k = 0; k < count_; ++k) {
-      const Real change = dot(active + passive, reciprocal_[k]);
+      const Real change = dot(support, reciprocal_[k]);
       sum += friction_[k] * std::max(change, -movement_.normal_force[k]);
     }
     return sum;
   }
-  /// What one newton in the best direction adds to resisting − target·driving.
+  /// What one newton in the best direction adds to resisting − target·driving; support of a falling block only resists.
   Real best_gain(Real target) const {
-    if (falls()) return 1;
+    if (movement_.mode == SlidingMode::lifting) return 1;
     Vec3 gain = -target * movement_.direction;
     for (std::size_t k = 0; k < count_; ++k) gain += friction_[k] * reciprocal_[k];
     return norm(gain);
@@ -56,28 +52,25 @@ class Balance {
   std::array<Vec3, 2> reciprocal_{};
 };
 
-struct Forces {
-  Vec3 active{}, passive{};
-};
-
-Forces sum(std::span<const SupportElement> elements, const std::vector<Real>& mobilised) {
-  Forces forces;
+/// N: of the passive elements.
+Vec3 sum(std::span<const SupportElement> elements, const std::vector<Real>& mobilised) {
+  Vec3 force{};
   for (std::size_t i = 0; i < elements.size(); ++i)
-    (elements[i].active ? forces.active : forces.passive) += mobilised[i] * elements[i].force;
-  return forces;
+    if (!elements[i].active) force += mobilised[i] * elements[i].force;
+  return force;
 }
 
-/// m: where each element reaches its capacity.
+/// m: where each element reaches its capacity; 0 of active ones.
 std::vector<Real> yield_displacements(std::span<const SupportElement> elements) {
   std::vector<Real> yield(elements.size(), 0);
   Real last = 0;
   for (std::size_t i = 0; i < elements.size(); ++i)
-    if (elements[i].stiffness > 0) {
+    if (!elements[i].active && elements[i].stiffness > 0) {
       yield[i] = norm(elements[i].force) / elements[i].stiffness;
       last = std::max(last, yield[i]);
     }
   for (std::size_t i = 0; i < elements.size(); ++i)
-    if (!(elements[i].stiffness > 0)) yield[i] = last > 0 ? last : 1;
+    if (!elements[i].active && !(elements[i].stiffness > 0)) yield[i] = last > 0 ? last : 1;
   return yield;
 }
 
@@ -89,8 +82,8 @@ std::vector<Real> mobilised_at(const std::vector<Real>& yield, Real displacement
 }
 
 /// How far resisting exceeds driving.
-Real margin(const Balance& balance, const Forces& f, Real target = 1) {
-  return balance.resisting(f.active, f.passive) - target * balance.driving(f.active);
+Real margin(const Balance& balance, const Vec3& support) {
+  return balance.resisting(support) - balance.driving();
 }
 
 /// The least displacement at which the block is in balance: halving between displacements that are too small and large
@@ -111,11 +104,10 @@ Real displacement_of_balance(const Balance& balance, std::span<const SupportElem
 HeldBlock hold(std::span<const ContactPlane> planes, const Movement& movement,
                std::span<const SupportElement> elements, Real target) {
   const Balance balance(planes, movement);
-  const Forces full = sum(elements, std::vector<Real>(elements.size(), 1));
-  const Real size = movement.driving + norm(full.active) + norm(full.passive);
+  const Vec3 full = sum(elements, std::vector<Real>(elements.size(), 1));
+  const Real size = movement.driving + norm(full);
   HeldBlock held;
-  const Real driving = balance.driving(full.active);
-  const Real resisting = balance.resisting(full.active, full.passive);
+  const Real driving = balance.driving(), resisting = balance.resisting(full);
   held.factor_of_safety = driving > rounding * size ? resisting / driving + 0.0 : infinite;
   if (elements.empty()) held.factor_of_safety = movement.factor_of_safety();
   const Real missing = target * driving - resisting;
@@ -137,6 +129,15 @@ HeldBlock hold(std::span<const ContactPlane> planes, const Movement& movement,
   }
   held.mobilised = mobilised_at(yield, held.displacement);
   held.moved.assign(elements.size(), held.displacement);
+  return held;
+}
+
+HeldBlock at_rest(std::span<const SupportElement> elements) {
+  HeldBlock held;
+  held.factor_of_safety = infinite;
+  held.adequate = held.in_balance = true;
+  for (const SupportElement& element : elements) held.mobilised.push_back(element.active ? 1 : 0);
+  held.moved.assign(elements.size(), 0);
   return held;
 }
 

@@ -1,4 +1,5 @@
-// One block with the forces of its support: factor of safety, what is missing, how far the support is mobilised.
+// One block in one motion with the forces of its support: factor of safety, what is missing, how far the support is
+// mobilised.
 // docs/support_design.md, "A block with its support".
 #pragma once
 
@@ -12,10 +13,12 @@ namespace rockfold {
 
 /// What one bolt, or the shotcrete, can put on the block.
 struct SupportElement {
-  Vec3 force{};         ///< N, on the block, at its capacity
-  bool active = false;  ///< takes from the driving force, else adds to the resistance
-  Real stiffness = 0;   ///< N/m; 0 = loaded in step with the one that reaches its capacity last
-  Vec3 point{};         ///< m, where the force acts; for rotations
+  Vec3 force{};  ///< N, on the block, at its capacity
+  /// Its force is part of the resultant that the motion was found for: here it only moves with the block. Else it adds to the
+  /// resistance as the block moves.
+  bool active = false;
+  Real stiffness = 0;  ///< N/m; 0 = loaded in step with the one that reaches its capacity last
+  Vec3 point{};        ///< m, where the force acts; for rotations
 };
 
 /// A block that turns about an axis.
@@ -31,7 +34,7 @@ struct Turning {
 };
 
 struct HeldBlock {
-  /// With all elements at their capacity. NaN where nothing resists; infinite where active elements carry all that drives.
+  /// With all elements at their capacity. NaN where nothing resists; infinite where nothing drives.
   Real factor_of_safety = 0;
   bool adequate = false;  ///< it reaches the target
   Real missing_force =
@@ -44,16 +47,19 @@ struct HeldBlock {
   std::vector<Real> moved;  ///< m, [elements] how far the block moves at each
 };
 
-/// Keeps the movement that the block has without support. With forces P_a (active) and P_p (passive) a sliding block has
-///   F = (Σ (N_k + (P_a + P_p)·b_k) tan φ_k + Σ c A − P_p·s) / (T + P_a·s),
-/// a plane that the support lifts open (N_k + … < 0) resisting by its cohesion alone, and a falling one
-///   F = −(P_a + P_p)·s / T.
-/// Each element carries stiffness × displacement up to its capacity; the displacement is that at which F = 1.
+/// In a movement that active elements take part in, with the forces P of the passive ones:
+///   F = (Σ (N_k + P·b_k) tan φ_k + Σ c A − P·s) / T,
+/// a plane that the support lifts open (N_k + P·b_k < 0) resisting by its cohesion alone; where the block falls there are no
+/// planes. Active elements are at their capacity from the start. Each passive one carries stiffness × displacement up to its
+/// capacity; the displacement is that at which F = 1.
 HeldBlock hold(std::span<const ContactPlane> planes, const Movement& movement,
                std::span<const SupportElement> elements, Real target_factor_of_safety);
 
-/// The same for a block that turns, with the moments of the forces about its axis:
-///   F = (M_resisting − Σ m_p) / (M_driving + Σ m_a),  m = axis · ((x − point) × P).
+/// A block that nothing drives.
+HeldBlock at_rest(std::span<const SupportElement> elements);
+
+/// The same for a block that turns, with the moments of the passive forces about its axis:
+///   F = (M_resisting − Σ m) / M_driving,  m = axis · ((x − point) × P).
 /// `missing_force` acts at the arm; displacements are those at the arm, and each element's follows its own.
 HeldBlock hold(const Turning& turning, std::span<const SupportElement> elements,
                Real target_factor_of_safety);

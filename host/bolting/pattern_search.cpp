@@ -9,10 +9,14 @@
 namespace rockfold {
 namespace {
 
-/// The key blocks that have to be held; everything else of the report stays, for what is gone when.
-KeyblockReport wanted_blocks(const KeyblockReport& all, const PatternSearch& search) {
+/// The key blocks that have to be held, and the blocks that stay if anchors may drive them; everything else of the report stays, for what is gone when.
+KeyblockReport wanted_blocks(const KeyblockReport& all, const Model& model) {
+  const PatternSearch& search = *model.pattern_search;
   KeyblockReport wanted = all;
-  wanted.stable.clear();
+  const bool anchors = std::any_of(search.types.begin(), search.types.end(), [&](Index t) {
+    return model.bolt_types[t].action == BoltAction::active;
+  });
+  if (!anchors) wanted.stable.clear();
   std::erase_if(wanted.keyblocks, [&](const Keyblock& key) {
     return (search.hold == HoldTarget::first_batch && key.batch != 1) ||
            key.volume < search.smallest_block;
@@ -44,7 +48,7 @@ class Search {
         search_(*model.pattern_search),
         wall_(blocks, model, search_.pattern.on, search_.place),
         lines_(blocks, model.gravity),
-        wanted_(wanted_blocks(keyblocks, search_)),
+        wanted_(wanted_blocks(keyblocks, model)),
         shotcrete_(shotcrete_on(blocks, keyblocks, model)) {}
 
   PatternSearchReport run();
@@ -115,6 +119,7 @@ void Search::judge(PatternTrial& trial) {
   const Real target = model_.support.value_or(SupportSpec{}).target_factor_of_safety;
   judge_support({blocks_, wanted_, target, shotcrete_}, report);
   trial.held = report.adequate;
+  trial.disturbed = static_cast<Index>(report.disturbed.size());
   trial.least_factor_of_safety = std::numeric_limits<Real>::quiet_NaN();
   for (const BlockSupport& support : report.keyblocks) {
     const Real safety =
@@ -134,7 +139,7 @@ PatternSearchReport Search::run() {
   for (PatternTrial& trial : trials) {
     judge(trial);
     report.trials.push_back(trial);
-    if (trial.held == report.wanted) {
+    if (trial.held == report.wanted && trial.disturbed == 0) {
       report.best = static_cast<Index>(report.trials.size()) - 1;
       break;
     }

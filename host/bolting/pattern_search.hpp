@@ -17,6 +17,7 @@ struct PatternTrial {
   /// of bolts of one steel.
   Real weight = 0;
   Index held = 0;                   ///< of the wanted blocks, those that reach the target
+  Index disturbed = 0;              ///< blocks that stay and miss the target because of its bolts
   Real least_factor_of_safety = 0;  ///< of the wanted blocks; NaN without any
 };
 

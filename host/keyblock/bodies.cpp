@@ -261,11 +261,13 @@ BlockVerdict Bodies::judge(const Body& body, const std::vector<Index>& batch) co
   const bool falls = verdict.movement && verdict.movement->mode == SlidingMode::lifting &&
                      verdict.movement->resisting == 0;  // nothing is less safe
   if (!removable || falls || !looks_at_rotation()) return verdict;
-  add_rotations(verdict, find_rotations(patches(body, batch), {.centroid = body.centroid,
-                                                               .inertia = inertia(body),
-                                                               .mass = body.mass,
-                                                               .force = verdict.resultant,
-                                                               .moment = body.moment}));
+  verdict.patches = patches(body, batch);
+  verdict.body = {.centroid = body.centroid,
+                  .inertia = inertia(body),
+                  .mass = body.mass,
+                  .force = verdict.resultant,
+                  .moment = body.moment};
+  add_rotations(verdict, find_rotations(verdict.patches, verdict.body));
   return verdict;
 }
 

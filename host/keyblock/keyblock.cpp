@@ -47,6 +47,7 @@ class KeyblockSearch {
   std::vector<Index> move_single_blocks(const std::vector<Index>& candidates);
   std::vector<Index> move_groups();
   std::vector<Index> group_seeds() const;
+  bool is_described(const BlockVerdict& verdict) const;
   std::vector<Judged> judge(const std::vector<Index>& candidates) const;
   std::vector<Index> left() const;
   bool stays(Index block) const;
@@ -62,6 +63,7 @@ class KeyblockSearch {
   const Model& model_;
   SupportSpec spec_;
   Bodies bodies_;
+  bool anchored_;  // active bolts may move what is described
   Index stage_ = 0;
   Index batch_ = 0;
   KeyblockReport report_;
@@ -74,7 +76,8 @@ KeyblockSearch::KeyblockSearch(const BlockArrays& blocks, const Model& model)
     : blocks_(blocks),
       model_(model),
       spec_(model.support.value_or(SupportSpec{})),
-      bodies_(blocks, model) {
+      bodies_(blocks, model),
+      anchored_(has_active_bolts(model)) {
   const auto count = static_cast<std::size_t>(blocks.block_count());
   report_.block_class.assign(count, BlockClass::tapered);
   report_.batch.assign(count, 0);
@@ -98,6 +101,12 @@ std::vector<Index> KeyblockSearch::left() const {
   return blocks;
 }
 
+/// Blocks that move, or would without friction, or might with anchors.
+bool KeyblockSearch::is_described(const BlockVerdict& verdict) const {
+  return verdict.movement || !verdict.rotations.empty() ||
+         (anchored_ && verdict.block_class == BlockClass::stable);
+}
+
 /// Each candidate by itself: the order of the results is that of the candidates, whatever the
 /// threads.
 std::vector<KeyblockSearch::Judged> KeyblockSearch::judge(
@@ -112,8 +121,8 @@ std::vector<KeyblockSearch::Judged> KeyblockSearch::judge(
       return;
     Body body = bodies_.body({block}, report_.batch);
     one.verdict = bodies_.judge(body, report_.batch);
-    const bool removable = one.verdict.movement || !one.verdict.rotations.empty();
-    if (removable) one.body = std::move(body);  // what is not described needs no faces
+    if (is_described(one.verdict))
+      one.body = std::move(body);  // what is not described needs no faces
   };
   const auto count = static_cast<std::int64_t>(candidates.size());
   constexpr std::int64_t chunk = 256;  // some 0.1 ms of work: less is not worth waking the threads
@@ -180,13 +189,23 @@ Keyblock KeyblockSearch::describe(const Body& body, const BlockVerdict& verdict)
   key.weight = body.mass * norm(model_.gravity);
   key.free_area = verdict.free_area;
   key.removable = removable_space(normals_of(verdict.planes));
+  key.contact = verdict.planes;
+  key.movement = verdict.movement;
+  key.rotations = verdict.rotations;
+  key.resultant = verdict.resultant;
+  if (anchored_) {
+    key.patches = verdict.patches;
+    key.body = verdict.body;
+  }
+  if (!verdict.movement && verdict.rotations.empty()) {
+    key.mode = SlidingMode::at_rest;
+    key.factor_of_safety = std::numeric_limits<Real>::infinity();
+    return key;
+  }
   if (verdict.rotates())
     describe_rotation(key, body, verdict);
   else
     describe_translation(key, body, verdict);
-  key.contact = verdict.planes;
-  key.movement = verdict.movement;
-  key.rotations = verdict.rotations;
   const SupportForce support = support_of(body, verdict);
   key.support_force = support.force;
   key.support_direction = without_negative_zero(support.direction);
@@ -209,8 +228,7 @@ std::vector<Index> KeyblockSearch::move_single_blocks(const std::vector<Index>& 
     const auto& [body, verdict] = judged[i];
     report_.block_class[b] = verdict.block_class;
     stable_[b].reset();
-    if (verdict.block_class == BlockClass::stable &&
-        (verdict.movement || !verdict.rotations.empty()))
+    if (verdict.block_class == BlockClass::stable && is_described(verdict))
       stable_[b] = describe(body, verdict);
     if (verdict.block_class != BlockClass::key) continue;
     if (removed.empty()) start_batch();
@@ -299,7 +317,8 @@ KeyblockReport KeyblockSearch::run() {
   find_batches(left());
   for (const Index stage : stages) excavate(stage);
   for (const auto& block : stable_)
-    if (block) report_.stable.push_back(*block);
+    if (block)
+      (block->mode == SlidingMode::at_rest ? report_.at_rest : report_.stable).push_back(*block);
   for (std::size_t b = 0; b < report_.batch.size(); ++b)
     if (report_.batch[b] == excavated) {
       report_.batch[b] = 0;
@@ -309,6 +328,17 @@ KeyblockReport KeyblockSearch::run() {
 }
 
 }  // namespace
+
+bool has_active_bolts(const Model& model) {
+  const auto is_active = [](const BoltType& type) { return type.action == BoltAction::active; };
+  const auto any = [&](const auto& bolts) {
+    return std::any_of(bolts.begin(), bolts.end(),
+                       [&](const auto& b) { return is_active(b.type); });
+  };
+  return any(model.bolts) || any(model.bolt_patterns) ||
+         (model.pattern_search &&
+          std::any_of(model.bolt_types.begin(), model.bolt_types.end(), is_active));
+}
 
 KeyblockReport find_keyblocks(const BlockArrays& blocks, const Model& model) {
   return KeyblockSearch(blocks, model).run();

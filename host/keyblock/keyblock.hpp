@@ -54,6 +54,10 @@ struct Keyblock {
   Vec3 support_direction{};           ///< unit
   std::vector<ContactPlane> contact;  ///< the planes that it leans on
   std::optional<Movement> movement;   ///< the translation, into `contact`, if there is one
+  Vec3 resultant{};                   ///< r, N
+  /// What the rotations follow from. Both empty in models without active bolts, and where rotation is not looked at.
+  std::vector<ContactPatch> patches;
+  RigidBody body;
 };
 
 struct KeyblockReport {
@@ -67,7 +71,13 @@ struct KeyblockReport {
   /// gone; by block. Their sliding_force is ≤ 0, their batch 0; support_force > 0 where the factor
   /// of safety is below the target.
   std::vector<Keyblock> stable;
+  /// Removable blocks that nothing drives, once all key blocks are gone; by block. Active anchors may drive them: empty in
+  /// models without.
+  std::vector<Keyblock> at_rest;
 };
+
+/// Whether the model has bolts, or searches a pattern of bolts, that are active.
+bool has_active_bolts(const Model& model);
 
 /// Finds the key blocks in batches: remove the first batch, renew the free faces, look again, until
 /// none. A batch is all blocks that move with the same rock still around them: it depends on

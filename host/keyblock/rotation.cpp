@@ -46,24 +46,30 @@ Mat3 inertia_about(const RigidBody& body, const Vec3& arm) {
   return j;
 }
 
+/// N, with the anchors' pull.
+Vec3 resultant(const RigidBody& body) {
+  return body.force + body.pull;
+}
+
 /// What presses a block on the plane or the two planes of its hinge.
 struct Hinge {
   std::size_t first = 0, second = 0;  ///< patches; the same one for an edge or a corner of one
 };
 
-/// The part of r that presses on the hinge: N n, or N_i n_i + N_j n_j of two planes; nothing where one is not pressed.
-std::optional<Vec3> pressing_part(Patches patches, const Hinge& hinge, const Vec3& r) {
+/// The part of the loads r along the normals of the hinge: N n, or N_i n_i + N_j n_j of two planes; nothing where one of them is
+/// not pressed by r and the anchors' pull.
+std::optional<Vec3> pressing_part(Patches patches, const Hinge& hinge, const RigidBody& body) {
   const Vec3 &n_i = patches[hinge.first].normal, &n_j = patches[hinge.second].normal;
-  const Real least = direction_tolerance * norm(r);
+  const Vec3 all = resultant(body);
+  const Real least = direction_tolerance * norm(all);
   if (hinge.first == hinge.second) {
-    if (dot(r, n_i) <= least) return {};
-    return dot(r, n_i) * n_i;
+    if (dot(all, n_i) <= least) return {};
+    return dot(body.force, n_i) * n_i;
   }
   if (norm(cross(n_i, n_j)) <= direction_tolerance) return {};
-  const Real first = dot(r, reciprocal_normal(n_i, n_j)),
-             second = dot(r, reciprocal_normal(n_j, n_i));
-  if (first <= least || second <= least) return {};
-  return first * n_i + second * n_j;
+  const Vec3 b_i = reciprocal_normal(n_i, n_j), b_j = reciprocal_normal(n_j, n_i);
+  if (dot(all, b_i) <= least || dot(all, b_j) <= least) return {};
+  return dot(body.force, b_i) * n_i + dot(body.force, b_j) * n_j;
 }
 
 /// Whether some corner of the patch leaves its plane.
@@ -78,7 +84,7 @@ bool lifts(const ContactPatch& patch, const Vec3& point, const Vec3& axis) {
 Real friction_moment(Patches patches, const RigidBody& body, const Rotation& rotation) {
   Real sum = 0;
   for (const ContactPatch& patch : patches) {
-    const Real pressed = dot(body.force, patch.normal);
+    const Real pressed = dot(resultant(body), patch.normal);
     if (!(pressed > 0) || patch.friction == 0 || lifts(patch, rotation.point, rotation.axis))
       continue;
     const Vec3 foot =
@@ -92,7 +98,8 @@ struct Moments {
   Real driving = 0, resisting = 0;
 };
 
-/// About an axis: of the part of r that presses on the hinge, of the rest of r, and of the loads' own moment.
+/// About an axis: of the part of r that presses on the hinge, of the rest of r, and of the loads' own moment; the anchors'
+/// pull takes from the driving moment, or adds to it.
 Moments moments_about(const Vec3& axis, const Vec3& point, const RigidBody& body,
                       const Vec3& pressing) {
   const Vec3 velocity = cross(axis, body.centroid - point);
@@ -100,12 +107,15 @@ Moments moments_about(const Vec3& axis, const Vec3& point, const RigidBody& body
   for (const Real moment :
        {dot(pressing, velocity), dot(body.force - pressing, velocity), dot(body.moment, axis)})
     (moment > 0 ? sum.driving : sum.resisting) += std::abs(moment);
+  sum.driving += dot(body.pull, velocity) + dot(body.pull_moment, axis);
   return sum;
 }
 
 /// Below this share of |r| times the arm a moment is rounding.
 Real rounding_of_moments(const RigidBody& body, const Vec3& point) {
-  return 1e-9 * (norm(body.force) * norm(body.centroid - point) + norm(body.moment));
+  const Real arm = norm(body.centroid - point);
+  return 1e-9 *
+         ((norm(body.force) + norm(body.pull)) * arm + norm(body.moment) + norm(body.pull_moment));
 }
 
 /// (net moment)² over the moment of inertia about the axis: of motions that start together, the one
@@ -123,7 +133,7 @@ class RotationSearch {
 
   std::vector<Rotation> run() {
     for (std::size_t p = 0; p < patches_.size(); ++p) {
-      if (const auto pressing = pressing_part(patches_, {p, p}, body_.force))
+      if (const auto pressing = pressing_part(patches_, {p, p}, body_))
         for (std::size_t k = 0; k < patches_[p].corners.size(); ++k) {
           turn_about(about_edge(patches_[p], k), *pressing, {p, p});
           turn_freely(patches_[p].corners[k], *pressing, p);
@@ -142,8 +152,8 @@ class RotationSearch {
            lifts(patches_[hinge.second], rotation.point, rotation.axis);
   }
 
-  /// N, by which r presses on a plane.
-  Real pressed(std::size_t patch) const { return dot(body_.force, patches_[patch].normal); }
+  /// N, by which r and the pull press on a plane.
+  Real pressed(std::size_t patch) const { return dot(resultant(body_), patches_[patch].normal); }
 
   void turn_about(Rotation rotation, const Vec3& pressing, const Hinge& hinge) {
     const Moments moments = moments_about(rotation.axis, rotation.point, body_, pressing);
@@ -163,7 +173,7 @@ class RotationSearch {
 
   /// About lines through a corner of each of two planes, in either sense.
   void turn_about_lines(const Hinge& hinge) {
-    const auto pressing = pressing_part(patches_, hinge, body_.force);
+    const auto pressing = pressing_part(patches_, hinge, body_);
     if (!pressing) return;
     for (const Vec3& from : patches_[hinge.first].corners)
       for (const Vec3& to : patches_[hinge.second].corners) {
@@ -180,8 +190,8 @@ class RotationSearch {
   /// The free rotation about a corner, of a block that is turned over and not only twisted.
   void turn_freely(const Vec3& corner, const Vec3& pressing, std::size_t patch) {
     const Vec3 arm = body_.centroid - corner;
-    const Vec3 acceleration =
-        solution(inertia_about(body_, arm), cross(arm, body_.force) + body_.moment);
+    const Vec3 acceleration = solution(
+        inertia_about(body_, arm), cross(arm, resultant(body_)) + body_.moment + body_.pull_moment);
     if (!(norm(acceleration) > 0)) return;
     Rotation rotation;
     rotation.about = Rotation::About::corner;

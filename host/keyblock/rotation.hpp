@@ -26,10 +26,12 @@ struct RigidBody {
   Real mass = 0;    ///< kg
   Vec3 force{};     ///< r, N
   Vec3 moment{};    ///< N m, of the loads about the centroid
+  /// Of active anchors: N, and N m about the centroid. It presses on hinges with r; its moment counts on the driving side.
+  Vec3 pull{}, pull_moment{};
 };
 
 /// A rotation that no contact prevents. The moments are about the axis: of the loads that turn the
-/// block, and of those that press it back on the plane that it leaves.
+/// block, and of those that press it back on the plane that it leaves; of anchors' pull the sum is on the driving side.
 struct Rotation {
   enum class About { edge, corner };  ///< edge: or a line through corners of two planes
   About about = About::edge;

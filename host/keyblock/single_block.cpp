@@ -82,6 +82,12 @@ std::vector<ContactPlane> contact_planes(std::span<const BlockFace> faces) {
   return planes;
 }
 
+std::optional<Movement> governing_movement(std::span<const ContactPlane> planes, const Vec3& r) {
+  auto movements = possible_movements(planes, r);
+  for (Movement& m : movements) m = with_in_situ_stress(planes, m, r);
+  return least_safe(movements, r);
+}
+
 BlockVerdict judge_block(std::span<const BlockFace> faces, const Vec3& load, Real water_pressure) {
   BlockVerdict verdict;
   if (std::any_of(faces.begin(), faces.end(), [](const BlockFace& f) { return f.continues; })) {
@@ -98,9 +104,7 @@ BlockVerdict judge_block(std::span<const BlockFace> faces, const Vec3& load, Rea
   verdict.planes = std::move(planes);
   verdict.resultant = resultant(verdict.planes, load, water_pressure);
   verdict.free_area = free_area(faces);
-  auto movements = possible_movements(verdict.planes, verdict.resultant);
-  for (Movement& m : movements) m = with_in_situ_stress(verdict.planes, m, verdict.resultant);
-  verdict.movement = least_safe(movements, verdict.resultant);
+  verdict.movement = governing_movement(verdict.planes, verdict.resultant);
   const bool moves = verdict.movement && verdict.movement->sliding_force() >
                                              equilibrium_tolerance * norm(verdict.resultant);
   verdict.block_class = moves ? BlockClass::key : BlockClass::stable;

@@ -12,6 +12,9 @@
 
 namespace rockfold {
 
+/// The least safe translation under the resultant r, N, with what in-situ stress holds against it; none at rest.
+std::optional<Movement> governing_movement(std::span<const ContactPlane> planes, const Vec3& r);
+
 /// What block theory says of a block.
 enum class BlockClass {
   infinite,  ///< the rock goes on beyond one of its faces
@@ -43,6 +46,8 @@ struct BlockVerdict {
   std::optional<Movement> movement;  ///< of a removable block that r would move without friction
   /// Of a removable block whose shape is known; the least safe one first.
   std::vector<Rotation> rotations;
+  std::vector<ContactPatch> patches;  ///< what the rotations were found from; else empty
+  RigidBody body;
 
   /// Whether it is the rotation, not the translation, that governs: the lower factor of safety.
   bool rotates() const;

@@ -12,8 +12,8 @@
 
 namespace rockfold {
 
-/// How a block moves; rotation is found by rotation.hpp.
-enum class SlidingMode { lifting, single_plane, two_planes, rotation };
+/// How a block moves; rotation is found by rotation.hpp, at_rest is no Movement: nothing drives the block.
+enum class SlidingMode { lifting, single_plane, two_planes, rotation, at_rest };
 
 /// All faces of one block that lie against rock that stays and share one outward normal.
 struct ContactPlane {

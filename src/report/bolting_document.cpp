@@ -62,6 +62,7 @@ Json trial_json(const PatternTrial& trial, const Model& model, const char* weigh
           {"bolts", trial.bolts},
           {weight, trial.weight},
           {"held", trial.held},
+          {"disturbed", trial.disturbed},
           {"least_factor_of_safety", trial.least_factor_of_safety}};
 }
 
@@ -108,7 +109,8 @@ void add_design(Json& document, const Model& model, const SupportDesign& design)
                            {"length", bolting.length},
                            {"adequate", bolting.adequate},
                            {"first_batch", bolting.first_batch},
-                           {"first_batch_adequate", bolting.first_batch_adequate}};
+                           {"first_batch_adequate", bolting.first_batch_adequate},
+                           {"disturbed", ids_json(bolting.disturbed)}};
     auto& groups = document["bolting"]["groups"] = Json::array();
     for (const BoltGroup& group : bolting.groups) groups.push_back(group_json(group));
     auto& bolts = document["bolts"] = Json::array();

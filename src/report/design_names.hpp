@@ -53,4 +53,14 @@ inline std::string block_ids(const std::vector<Index>& members) {
   return text;
 }
 
+/// "12, 15 and 3 more", of at most eight.
+inline std::string block_list(const std::vector<Index>& blocks) {
+  constexpr std::size_t most = 8;
+  std::string text;
+  for (std::size_t i = 0; i < blocks.size() && i < most; ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(blocks[i] + 1);
+  if (blocks.size() > most) text += " and " + std::to_string(blocks.size() - most) + " more";
+  return text;
+}
+
 }  // namespace rockfold

@@ -59,6 +59,9 @@ std::string bolting_text(const BoltingReport& bolting, const KeyblockReport& key
   text += fact("held", fmt::format("{} of {} key blocks; of the first batch {} of {}",
                                    bolting.adequate, bolting.keyblocks.size(),
                                    bolting.first_batch_adequate, bolting.first_batch));
+  if (!bolting.disturbed.empty())
+    text += fact("disturbed", fmt::format("{} (below the target because of active bolts)",
+                                          block_list(bolting.disturbed)));
   std::vector<std::vector<std::string>> rows;
   for (const std::size_t i : by_support(keyblocks.keyblocks)) {
     if (rows.size() == most_rows) break;

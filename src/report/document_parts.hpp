@@ -25,6 +25,9 @@ void add_measures(Json& document, const RockMeasures& measures);
 /// "small_volume", "elongated" of a block's flags.
 Json flags_json(std::uint8_t flags);
 
+/// As users count them, from 1.
+Json ids_json(const std::vector<Index>& blocks);
+
 /// m³, summed in the order of the blocks.
 Real total_volume(const BlockArrays& blocks);
 

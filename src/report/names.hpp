@@ -18,6 +18,8 @@ constexpr const char* mode_name(SlidingMode mode) {
       return "two_planes";
     case SlidingMode::rotation:
       return "rotation";
+    case SlidingMode::at_rest:
+      return "at_rest";
   }
   return "";
 }

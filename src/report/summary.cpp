@@ -64,6 +64,8 @@ const char* mode_words(SlidingMode mode) {
       return "slides on two";
     case SlidingMode::rotation:
       return "turns";
+    case SlidingMode::at_rest:
+      return "rests";
   }
   return "";
 }

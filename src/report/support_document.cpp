@@ -14,13 +14,6 @@ Json rotation_json(const Rotation& rotation) {
           {"resisting_moment", rotation.resisting}};
 }
 
-/// Block ids as users count them.
-Json ids_json(const std::vector<Index>& blocks) {
-  Json ids = Json::array();
-  for (const Index b : blocks) ids.push_back(b + 1);
-  return ids;
-}
-
 /// Of a group: of its volume.
 Vec3 centroid(const Keyblock& key, const BlockArrays& blocks) {
   if (key.members.size() < 2) return blocks.centroid[static_cast<std::size_t>(key.block)];
@@ -69,24 +62,29 @@ Json support_totals_json(const BlockArrays& blocks, const KeyblockReport& report
 
 }  // namespace
 
+Json ids_json(const std::vector<Index>& blocks) {
+  Json ids = Json::array();
+  for (const Index b : blocks) ids.push_back(b + 1);
+  return ids;
+}
+
 void add_support(Json& document, const Model& model, const BlockArrays& blocks,
                  const KeyblockReport& report, const SupportDesign& design) {
   document["totals"] = support_totals_json(blocks, report);
   auto& keys = document["keyblocks"] = Json::array();
-  const auto add_to_last = [&](Json& list, const Keyblock& key,
-                               std::vector<BlockSupport> BoltingReport::*supports) {
+  const BoltingReport* bolting = design.bolting ? &*design.bolting : nullptr;
+  const auto add_to_last = [&](Json& list, const Keyblock& key, const BlockSupport* support) {
     add_spot_bolts(list.back(), key, model);
-    if (design.bolting)
-      add_block_support(list.back(), *design.bolting, (*design.bolting.*supports)[list.size() - 1]);
+    if (support) add_block_support(list.back(), *bolting, *support);
   };
-  for (const auto& key : report.keyblocks) {
-    keys.push_back(keyblock_json(key, blocks));
-    add_to_last(keys, key, &BoltingReport::keyblocks);
+  for (std::size_t i = 0; i < report.keyblocks.size(); ++i) {
+    keys.push_back(keyblock_json(report.keyblocks[i], blocks));
+    add_to_last(keys, report.keyblocks[i], bolting ? &bolting->keyblocks[i] : nullptr);
   }
   auto& stable = document["stable"] = Json::array();
-  for (const auto& block : report.stable) {
-    stable.push_back(keyblock_json(block, blocks));
-    add_to_last(stable, block, &BoltingReport::stable);
+  for (const auto& [key, support] : staying_blocks(report, bolting)) {
+    stable.push_back(keyblock_json(key, blocks));
+    add_to_last(stable, key, support);
   }
   auto& list = document["blocks"] = Json::array();
   for (Index b = 0; b < blocks.block_count(); ++b)

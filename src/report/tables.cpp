@@ -88,8 +88,8 @@ std::string keyblocks_table(const KeyblockReport& keyblocks, const SupportDesign
   const auto& bolting = design.bolting;
   for (std::size_t i = 0; i < keyblocks.keyblocks.size(); ++i)
     add(keyblocks.keyblocks[i], bolting ? &bolting->keyblocks[i] : nullptr);
-  for (std::size_t i = 0; i < keyblocks.stable.size(); ++i)
-    add(keyblocks.stable[i], bolting ? &bolting->stable[i] : nullptr);
+  for (const auto& [key, support] : staying_blocks(keyblocks, bolting ? &*bolting : nullptr))
+    add(key, support);
   return text;
 }
 
@@ -132,21 +132,22 @@ std::string crossings_table(const KeyblockReport& keyblocks, const SupportDesign
   };
   for (std::size_t i = 0; i < bolting.keyblocks.size(); ++i)
     add(keyblocks.keyblocks[i], bolting.keyblocks[i]);
-  for (std::size_t i = 0; i < bolting.stable.size(); ++i)
-    add(keyblocks.stable[i], bolting.stable[i]);
+  for (const auto& [key, support] : staying_blocks(keyblocks, &bolting)) add(key, *support);
   return text;
 }
 
 std::string search_table(const SupportDesign& design, const Model& model) {
   const bool by_mass = design.search && design.search->by_mass;
   std::string text = fmt::format(
-      "type,spacing m,length m,bolts,{},key blocks held,key blocks wanted,least factor of safety\n",
+      "type,spacing m,length m,bolts,{},key blocks held,key blocks wanted,least factor of "
+      "safety,blocks disturbed\n",
       by_mass ? "mass kg" : "length x capacity N m");
   if (!design.search) return text;
   for (const PatternTrial& trial : design.search->trials) {
     Row row;
     row << model.bolt_types[trial.type].name << trial.spacing << trial.length << trial.bolts
-        << trial.weight << trial.held << design.search->wanted << trial.least_factor_of_safety;
+        << trial.weight << trial.held << design.search->wanted << trial.least_factor_of_safety
+        << trial.disturbed;
     text += row.line();
   }
   return text;

@@ -376,6 +376,24 @@ TEST_F(SharedBolt, AnchorsInABlockThatMovesOnlyLater) {
   EXPECT_NEAR(behind.axial_capacity, 1.5 * 20e3, 1e-6);
 }
 
+// Tensioned in blocks that stay, it pulls the one with its plate: what stands between plate and anchor only carries it.
+TEST_F(SharedBolt, PullsTheBlockOfItsPlateAloneWhereAllStay) {
+  keys.batch = {0, 0, 0};
+  std::swap(keys.stable, keys.keyblocks);
+  for (Keyblock& key : keys.stable) {
+    key.batch = 0;
+    key.contact = {{.normal = {0, 0, 1}, .area = 1}};
+    key.resultant = {0, 0, -60e3};
+  }
+  BoltType& type = report.groups[0].type;
+  type.action = BoltAction::active;
+  type.plate_capacity = 100e3, type.bond_strength.reset();
+  judge_support({blocks, keys, 1, {}}, report);
+  EXPECT_NEAR(report.stable[0].crossings[0].capacity, 100e3, 1e-6);
+  EXPECT_NEAR(report.stable[0].held.factor_of_safety, 100.0 / 60, 1e-9);
+  EXPECT_EQ(report.stable[1].crossings[0].capacity, 0);
+}
+
 const std::string catalogue = R"(
 [[bolt_type]]
 name = "light"

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "host/bolting/bolting.hpp"
+#include "host/bolting/pattern_search.hpp"
 #include "src/base/vector.hpp"
 #include "tests/bolting/bolted_models.hpp"
 #include "tests/keyblock/turned_model.hpp"
@@ -121,8 +122,8 @@ TEST(BoltsOnRotations, OfATopplingColumnBalanceTheMomentsAboutItsToe) {
     const Real expected =
         active ? righting / (overturning - moment) : (righting + moment) / overturning;
     EXPECT_NEAR(support.held.factor_of_safety, expected, 1e-5 * expected);
-    // Service load: what the moments about the toe leave to be carried.
-    const Real share = (overturning - righting) / moment;
+    // Service load: what the moments about the toe leave to be carried; all of it where it is tensioned.
+    const Real share = active ? 1 : (overturning - righting) / moment;
     EXPECT_NEAR(support.crossings[0].load, share * tension, 1e-4 * tension);
   }
 }
@@ -269,6 +270,143 @@ TEST(ShotcreteOnGroups, IsPunchedAlongTheEdgeOfAll) {
   EXPECT_NEAR(support.shotcrete.force[2], -0.05e6 * 6, 1e-6);
 }
 
+/// A slab of 10 × 12 × 2 m on a bed that dips 40°, φ = 32°, with 30 anchors of 200 kN normal to it: W = 6239.16 kN.
+std::string bolted_slab(const std::string& action) {
+  return on_a_bed_of_dip(40) + R"(
+[[material]]
+density = 2650
+[[joint_material]]
+name = "bed"
+friction_angle = 32
+[[solid]]
+name = "base"
+shape = "box"
+min = [-20, -20, -20]
+max = [30, 30, 0]
+continues = ["xmin", "xmax", "ymin", "ymax", "zmin"]
+[[solid]]
+name = "slab"
+shape = "box"
+min = [0, 0, 0]
+max = [10, 12, 2]
+interface = "bed"
+[support]
+rotation = false
+[[bolt_pattern]]
+on = "slab.zmax"
+spacing = 2
+length = 5
+force_capacity = 200e3
+displacement_capacity = 0.03
+action = )" +
+         ('"' + action + "\"\n");
+}
+
+// Hoek: F = (W cos ψ + n T) tan φ / (W sin ψ), active or passive.
+TEST(BoltsNormalToTheMotion, PressTheBlockOnItsPlane) {
+  const Real weight = 2650 * 10 * 240.0;
+  for (const char* action : {"active", "passive"}) {
+    const CutRock rock = cut_rock(bolted_slab(action));
+    const BlockSupport support = supported(rock).keyblocks.at(0);
+    const auto bolts = static_cast<Real>(support.crossings.size());
+    EXPECT_GE(bolts, 30);
+    EXPECT_NEAR(support.held.factor_of_safety,
+                (weight * std::cos(40 * degree) + bolts * 200e3) * std::tan(32 * degree) /
+                    (weight * std::sin(40 * degree)),
+                1e-9);
+    EXPECT_EQ(support.mode, SlidingMode::single_plane);
+    EXPECT_NEAR(support.crossings[0].force.angle, 90 * degree, 1e-9);
+    const Real lacks =
+        weight * (std::sin(40 * degree) / std::tan(32 * degree) - std::cos(40 * degree));
+    EXPECT_NEAR(support.force_mobilisation, action[0] == 'a' ? 1 : lacks / (bolts * 200e3), 1e-9);
+  }
+}
+
+/// A block of 60 kN, 1 × 1 × 3 m, on a level floor, with rock from x = −2 on across a gap.
+std::string standing_block(const std::string& friction_angle) {
+  return "gravity = [0, 0, -10]\n" + with_rough_angle(rough_rock, friction_angle.c_str()) + R"(
+[[solid]]
+name = "base"
+shape = "box"
+min = [-6, -6, -6]
+max = [6, 6, 0]
+continues = ["xmin", "xmax", "ymin", "ymax", "zmin"]
+[[solid]]
+name = "wall"
+shape = "box"
+min = [-6, -6, 0]
+max = [-2, 6, 4]
+continues = ["xmin", "ymin", "ymax"]
+[[solid]]
+name = "block"
+shape = "box"
+min = [0, 0, 0]
+max = [1, 1, 3]
+interface = "rough"
+[support]
+target_factor_of_safety = 1.5
+)";
+}
+
+// At rest by itself. T = 20 kN, level: F = W tan φ / T of sliding, W 0.5 m / (T z) of turning over.
+TEST(AnchorsThatDrive, MoveABlockAtRest) {
+  const auto pulled = [](const std::string& friction, const std::string& z,
+                         const std::string& action) {
+    return cut_rock(standing_block(friction) +
+                    bolt("collar = [1, 0.5, " + z + "]\ndirection = [-1, 0, 0]\nlength = 6",
+                         "action = '" + action + "'"));
+  };
+  const CutRock slides = pulled("20", "0.4", "active");
+  EXPECT_TRUE(slides.keyblocks.keyblocks.empty());
+  EXPECT_TRUE(slides.keyblocks.stable.empty());
+  const BoltingReport sliding = supported(slides);
+  ASSERT_EQ(sliding.at_rest.size(), 1u);
+  EXPECT_EQ(sliding.at_rest[0].mode, SlidingMode::single_plane);
+  EXPECT_NEAR(sliding.at_rest[0].held.factor_of_safety, 60 * std::tan(20 * degree) / 20, 1e-9);
+  EXPECT_EQ(sliding.disturbed, (std::vector<Index>{slides.keyblocks.at_rest.at(0).block}));
+
+  const BoltingReport turning = supported(pulled("70", "2.9", "active"));
+  ASSERT_EQ(turning.at_rest.size(), 1u);
+  EXPECT_EQ(turning.at_rest[0].mode, SlidingMode::rotation);
+  EXPECT_NEAR(turning.at_rest[0].held.factor_of_safety, 60 * 0.5 / (20 * 2.9), 1e-9);
+  EXPECT_EQ(turning.disturbed.size(), 1u);
+
+  const BoltingReport firm = supported(pulled("70", "0.4", "active"));
+  ASSERT_EQ(firm.at_rest.size(), 1u);
+  EXPECT_NEAR(firm.at_rest[0].held.factor_of_safety, 60 * 0.5 / (20 * 0.4), 1e-9);
+  EXPECT_TRUE(firm.at_rest[0].held.adequate);
+  EXPECT_TRUE(firm.disturbed.empty());
+
+  const CutRock slack = pulled("20", "0.4", "passive");
+  EXPECT_TRUE(slack.keyblocks.at_rest.empty());
+  EXPECT_TRUE(supported(slack).at_rest.empty());
+}
+
+// The lighter pattern would slide the block on its floor; the other one does nothing to it.
+TEST(AnchorsThatDrive, AreNoPatternOfTheSearch) {
+  const CutRock rock = cut_rock(standing_block("20") + R"(
+[[bolt_type]]
+name = "tensioned"
+action = "active"
+force_capacity = 20e3
+displacement_capacity = 0.02
+mass_per_metre = 1
+[[bolt_type]]
+name = "grouted"
+force_capacity = 20e3
+displacement_capacity = 0.02
+mass_per_metre = 2
+[pattern_search]
+on = "block.xmax"
+spacing = [2]
+length = [6]
+)");
+  const PatternSearchReport report = search_pattern(rock.blocks, rock.keyblocks, rock.model);
+  ASSERT_EQ(report.trials.size(), 2u);
+  EXPECT_EQ(report.trials[0].disturbed, 1);
+  EXPECT_EQ(report.best, 1);
+}
+
 std::string example(const std::string& name) {
   std::ifstream file(ROCKFOLD_SOURCE_DIR "/tests/cases/" + name + "/model.toml");
   std::stringstream text;
@@ -281,11 +419,14 @@ struct Moving {
   SlidingMode mode;
   std::string model;
 };
-std::vector<Moving> moving_models() {
+std::vector<Moving> moving_models(const std::string& action) {
   const std::string slide =
       "[[water]]\ntable = {dip = 10, dip_direction = 200, point = [0, 7.5, 6]}\n";
   std::string wedge = example("wedge");
   wedge.replace(wedge.find("friction_angle = 30.0"), 21, "friction_angle = 20.0");
+  const auto bolt = [&](const std::string& place, const std::string& more) {
+    return rockfold::bolt(place, more + "\naction = '" + action + "'");
+  };
   return {
       {SlidingMode::lifting,
        roof_wedge + "[[water]]\nhead = 0.7\n" +
@@ -301,43 +442,49 @@ std::vector<Moving> moving_models() {
            bolt("collar = [0.7, 0.6, 1.5]\ndirection = [-1, 0.1, -0.3]\nlength = 4", "")}};
 }
 
+void expect_same_turned(const Moving& moving, std::mt19937_64& random) {
+  std::normal_distribution<Real> normal;
+  const CutRock rock = cut_rock(moving.model);
+  ASSERT_FALSE(rock.keyblocks.keyblocks.empty());
+  const Keyblock& before = rock.keyblocks.keyblocks[0];
+  EXPECT_EQ(before.mode, moving.mode);
+  const BlockSupport held = supported(rock).keyblocks.at(0);
+  ASSERT_EQ(held.crossings.size(), 1u);
+  EXPECT_GT(held.crossings[0].capacity, 0);
+  for (int trial = 0; trial < 20; ++trial) {
+    SCOPED_TRACE(trial);
+    CutRock turned = rock;
+    const Vec3 axis = normalized({normal(random), normal(random), normal(random)});
+    const Real angle = 180 * normal(random);
+    test::turn(turned.blocks, turned.model, axis, angle);
+    turned.keyblocks = find_keyblocks(turned.blocks, turned.model);
+    ASSERT_EQ(turned.keyblocks.batch, rock.keyblocks.batch);
+    const Keyblock& after = turned.keyblocks.keyblocks.at(0);
+    EXPECT_EQ(after.mode, before.mode);
+    EXPECT_NEAR(after.sliding_force, before.sliding_force, 1e-10 * before.weight);
+    EXPECT_NEAR(after.support_force, before.support_force, 1e-10 * before.weight);
+    EXPECT_LT(norm(after.direction - test::rotated(before.direction, axis, angle)), 1e-10);
+    if (std::isfinite(before.factor_of_safety)) {
+      EXPECT_NEAR(after.factor_of_safety, before.factor_of_safety, 1e-10);
+    }
+    const BlockSupport now = supported(turned).keyblocks.at(0);
+    EXPECT_EQ(now.mode, held.mode);
+    constexpr Real rounding = 1e-10;
+    EXPECT_NEAR(now.held.factor_of_safety, held.held.factor_of_safety,
+                rounding * std::max(1.0, held.held.factor_of_safety));
+    EXPECT_NEAR(now.crossings.at(0).capacity, held.crossings[0].capacity,
+                rounding * held.crossings[0].capacity);
+  }
+}
+
 // Limit equilibrium in all modes, with water, bolts and their forces, whichever way the model looks, to 1e-10.
 TEST(SupportedBlocks, OfATurnedModelAreTheSame) {
   std::mt19937_64 random(31);
-  std::normal_distribution<Real> normal;
-  for (const Moving& moving : moving_models()) {
-    const CutRock rock = cut_rock(moving.model);
-    ASSERT_FALSE(rock.keyblocks.keyblocks.empty());
-    const Keyblock& before = rock.keyblocks.keyblocks[0];
-    EXPECT_EQ(before.mode, moving.mode);
-    const BlockSupport held = supported(rock).keyblocks.at(0);
-    ASSERT_EQ(held.crossings.size(), 1u);
-    EXPECT_GT(held.crossings[0].capacity, 0);
-    for (int trial = 0; trial < 20; ++trial) {
-      SCOPED_TRACE(trial);
-      CutRock turned = rock;
-      const Vec3 axis = normalized({normal(random), normal(random), normal(random)});
-      const Real angle = 180 * normal(random);
-      test::turn(turned.blocks, turned.model, axis, angle);
-      turned.keyblocks = find_keyblocks(turned.blocks, turned.model);
-      ASSERT_EQ(turned.keyblocks.batch, rock.keyblocks.batch);
-      const Keyblock& after = turned.keyblocks.keyblocks.at(0);
-      EXPECT_EQ(after.mode, before.mode);
-      EXPECT_NEAR(after.sliding_force, before.sliding_force, 1e-10 * before.weight);
-      EXPECT_NEAR(after.support_force, before.support_force, 1e-10 * before.weight);
-      EXPECT_LT(norm(after.direction - test::rotated(before.direction, axis, angle)), 1e-10);
-      if (std::isfinite(before.factor_of_safety)) {
-        EXPECT_NEAR(after.factor_of_safety, before.factor_of_safety, 1e-10);
-      }
-      const BlockSupport now = supported(turned).keyblocks.at(0);
-      EXPECT_EQ(now.mode, held.mode);
-      constexpr Real rounding = 1e-10;
-      EXPECT_NEAR(now.held.factor_of_safety, held.held.factor_of_safety,
-                  rounding * std::max(1.0, held.held.factor_of_safety));
-      EXPECT_NEAR(now.crossings.at(0).capacity, held.crossings[0].capacity,
-                  rounding * held.crossings[0].capacity);
+  for (const char* action : {"passive", "active"})
+    for (const Moving& moving : moving_models(action)) {
+      SCOPED_TRACE(action);
+      expect_same_turned(moving, random);
     }
-  }
 }
 
 }  // namespace

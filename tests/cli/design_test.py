@@ -121,5 +121,70 @@ class BoltedTunnel(ProgramTest):
         self.assertEqual(found[0], found[1])
 
 
+# Rock beside a gap; a block of 60 kN rests on a floor of 20 degrees, and an anchor of 20 kN pulls it across.
+PULLED_BLOCK = """
+gravity = [0, 0, -10]
+[[material]]
+density = 2000
+[[joint_material]]
+name = "floor"
+friction_angle = 20
+[[solid]]
+name = "base"
+shape = "box"
+min = [-6, -6, -6]
+max = [6, 6, 0]
+continues = ["xmin", "xmax", "ymin", "ymax", "zmin"]
+[[solid]]
+name = "wall"
+shape = "box"
+min = [-6, -6, 0]
+max = [-2, 6, 4]
+continues = ["xmin", "ymin", "ymax"]
+[[solid]]
+name = "block"
+shape = "box"
+min = [0, 0, 0]
+max = [1, 1, 3]
+interface = "floor"
+[support]
+[[bolt]]
+name = "anchor"
+collar = [1, 0.5, 0.4]
+direction = [-1, 0, 0]
+length = 6
+coupling = "DMFC"
+force_capacity = 20e3
+displacement_capacity = 0.02
+[[table]]
+output = "keyblocks.csv"
+kind = "keyblocks"
+"""
+
+
+class AnchorThatDrives(ProgramTest):
+    def test_names_the_block_that_rests_without_it(self):
+        self.write("pulled.toml", PULLED_BLOCK)
+        document = self.json_of("support", "pulled.toml")
+        self.assertEqual(document["keyblocks"], [])
+        (block,) = document["stable"]
+        self.assertEqual(block["mode"], "at_rest")
+        self.assertIsNone(block["factor_of_safety"])
+        self.assertEqual(block["sliding_force"], 0)
+        self.assertEqual(block["supported_mode"], "single_plane")
+        expected = 60 * math.tan(math.radians(20)) / 20
+        self.assertAlmostEqual(block["supported_factor_of_safety"], expected)
+        self.assertEqual(block["utilisation"], 100)
+        self.assertFalse(block["adequate"])
+        self.assertEqual(document["bolting"]["disturbed"], [block["block"]])
+        done = self.run_program("support", "pulled.toml")
+        self.assertRegex(done.stderr, f"active bolts bring blocks .*: {block['block']}\n")
+        self.assertRegex(done.stdout, f"disturbed +{block['block']} ")
+        with open(self.folder / "keyblocks.csv", newline="", encoding="utf-8") as file:
+            (row,) = csv.DictReader(file)
+        self.assertEqual(row["mode"], "at_rest")
+        self.assertAlmostEqual(float(row["supported factor of safety"]), expected)
+
+
 if __name__ == "__main__":
     unittest.main()

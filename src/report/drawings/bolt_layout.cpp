@@ -102,9 +102,8 @@ void Layout::find_looks(const KeyblockReport& keyblocks) {
                      : bolting->keyblocks[i].held.adequate ? &held
                                                            : &not_held;
   }
-  for (std::size_t i = 0; i < keyblocks.stable.size(); ++i) {
-    const Keyblock& stable = keyblocks.stable[i];
-    const bool adequate = bolting ? bolting->stable[i].held.adequate : !(stable.support_force > 0);
+  for (const auto& [stable, support] : staying_blocks(keyblocks, bolting ? &*bolting : nullptr)) {
+    const bool adequate = support ? support->held.adequate : !(stable.support_force > 0);
     if (!adequate) look_[stable.block] = &short_of;
   }
   if (!bolting) return;
