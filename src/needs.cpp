@@ -167,8 +167,7 @@ void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& mode
                               statistics.elongated_blocks, *model.cut.max_aspect_ratio));
 }
 
-void require_candidates(const Options& options, const Model& model, const BlockArrays& blocks,
-                        Terminal& terminal) {
+void warn_of_immobile_blocks(const BlockArrays& blocks, Terminal& terminal) {
   bool finite = blocks.block_count() == 0, free = finite;
   for (Index b = 0; b < blocks.block_count() && !free; ++b) {
     if (blocks.finite[b] == 0) continue;
@@ -177,19 +176,12 @@ void require_candidates(const Options& options, const Model& model, const BlockA
       free |= blocks.origins[blocks.face_origin[f]].kind != FaceOrigin::Kind::joint;
   }
   if (free) return;
-  const std::string message =
+  terminal.warn(
       finite
-          ? "no finite block has a free face: every one is enclosed by other blocks, so that none "
-            "can move. Leave a face of a solid out of continues, or add an [[excavation]]"
-          : "no block is finite: each touches a face beyond which the rock continues, so that none "
-            "can move. Fewer faces in continues, or more joints, would make finite blocks";
-  if (options.command != Command::support) {
-    terminal.warn(message);
-    return;
-  }
-  const Place& place = model.solids.front().place;
-  throw Error(ErrorKind::model, message,
-              {place.file, place.line, place.column, place.key + ".continues"});
+          ? "no block can move: every finite one is enclosed by other blocks, none has a free "
+            "face. A face of a solid left out of continues, or an [[excavation]], would free some"
+          : "no block can move: none is finite, each touches a face beyond which the rock "
+            "continues. Fewer faces in continues, or more joints, would make finite blocks");
 }
 
 void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal) {

@@ -118,7 +118,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   std::optional<KeyblockReport> keyblocks;
   std::optional<SupportDesign> design;
   if (wants_support(options, model)) {
-    require_candidates(options, model, blocks, terminal);
+    warn_of_immobile_blocks(blocks, terminal);
     keyblocks = clock.measure("keyblock", "finding key blocks",
                               [&] { return find_keyblocks(blocks, model); });
     design = clock.measure("support", "designing support", [&] {

@@ -112,6 +112,11 @@ std::string analysis_name(AnalysisType type) {
   return "";
 }
 
+bool any_removable(const KeyblockReport& report) {
+  return std::any_of(report.block_class.begin(), report.block_class.end(),
+                     [](BlockClass c) { return c == BlockClass::stable || c == BlockClass::key; });
+}
+
 }  // namespace
 
 std::string fact(const std::string& name, const std::string& value) {
@@ -175,7 +180,9 @@ std::string support_summary(const KeyblockReport& report, const BlockArrays& blo
                             std::size_t most) {
   auto keys = report.keyblocks;
   if (keys.empty())
-    return fact("key blocks", "none: no block moves under these loads") + doubtful_summary(report);
+    return fact("key blocks", any_removable(report) ? "none: no block moves under these loads"
+                                                    : "none: no block can move") +
+           doubtful_summary(report);
   std::stable_sort(keys.begin(), keys.end(),
                    [](const auto& a, const auto& b) { return a.support_force > b.support_force; });
   Real force = 0, volume = 0;
