@@ -185,6 +185,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
 int check_model(const Options& options) {
   Model model = read_model(options.input, options.overrides, Purpose::check);
   load_files(model);
+  check_output_names(options, model);
   if (!model.solids.empty()) {
     const Real volume = check_cutting(model);
     if (model.cover) check_cover_size(*model.cover, volume);
