@@ -14,6 +14,7 @@
 #include "src/output_path.hpp"
 #include "src/report/names.hpp"
 #include "src/run/fixed_contradiction.hpp"
+#include "src/whole_model.hpp"
 
 namespace rockfold {
 
@@ -86,7 +87,7 @@ Model load_model(const Options& options, Terminal& terminal) {
   Model model =
       options.command == Command::demo
           ? parse_model(find_example("slope").text, "slope.toml", options.overrides, purpose)
-          : read_model(options.input, options.overrides, purpose);
+          : read_whole_model(options.input, options.overrides, purpose);
   if (options.seed) reseed(model, *options.seed);
   load_files(model);
   if (options.command == Command::support && !model.support) model.support = SupportSpec{};

@@ -61,6 +61,7 @@ class Loader {
   /// Runs `load` with the file's place and keeps its errors.
   template <typename Load>
   void attempt(const std::string& file, const Place& entry, const Load& load) {
+    if (file.empty()) return;  // none could be read
     const Place place{file, 0, 0, entry.key + ".file"};
     try {
       load(place);

@@ -147,15 +147,8 @@ std::string text_with(std::string_view text, const std::vector<std::string>& ove
   return result;
 }
 
-}  // namespace
-
-Model read_model(const std::string& path, const std::vector<std::string>& overrides,
-                 Purpose purpose) {
-  return parse_model(file_text(path), path, overrides, purpose);
-}
-
-Model parse_model(std::string_view text, const std::string& name,
-                  const std::vector<std::string>& overrides, Purpose purpose) {
+ReadModel try_parse(std::string_view text, const std::string& name,
+                    const std::vector<std::string>& overrides, Purpose purpose) {
   Value root = parse_toml(text, 0, name);
   std::vector<std::string> sources{name};
   for (const auto& override_text : overrides) {
@@ -169,8 +162,28 @@ Model parse_model(std::string_view text, const std::string& name,
   read_top_level(draft, root);
   read_sections(draft);
   add_missing(draft, purpose);
-  if (!out.empty()) out.fail();
-  return std::move(draft.model);
+  ReadModel read{std::move(draft.model), {}};
+  if (!out.empty()) read.wrong = out.error();
+  return read;
+}
+
+}  // namespace
+
+Model read_model(const std::string& path, const std::vector<std::string>& overrides,
+                 Purpose purpose) {
+  return parse_model(file_text(path), path, overrides, purpose);
+}
+
+Model parse_model(std::string_view text, const std::string& name,
+                  const std::vector<std::string>& overrides, Purpose purpose) {
+  ReadModel read = try_parse(text, name, overrides, purpose);
+  if (read.wrong) throw *read.wrong;
+  return std::move(read.model);
+}
+
+ReadModel try_read_model(const std::string& path, const std::vector<std::string>& overrides,
+                         Purpose purpose) {
+  return try_parse(file_text(path), path, overrides, purpose);
 }
 
 }  // namespace rockfold

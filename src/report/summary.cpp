@@ -54,6 +54,14 @@ std::string excavations_text(const Model& model) {
          counted(stages.size(), "stage", "stages");
 }
 
+/// With the digits that map coordinates need.
+std::string extent_text(const NamedExtent& extent) {
+  if (!extent.bounded) return "without bounds";
+  const auto& [low, high] = extent.box;
+  return fmt::format("x {:.10g} to {:.10g}, y {:.10g} to {:.10g}, z {:.10g} to {:.10g} m", low[0],
+                     high[0], low[1], high[1], low[2], high[2]);
+}
+
 const char* mode_words(SlidingMode mode) {
   switch (mode) {
     case SlidingMode::lifting:
@@ -123,7 +131,7 @@ std::string fact(const std::string& name, const std::string& value) {
   return fmt::format("  {:<22} {}\n", name, value);
 }
 
-std::string check_summary(const Model& model) {
+std::string check_summary(const Model& model, const std::vector<NamedExtent>& extents) {
   std::string text = model.path + ": ok\n";
   text += fact("title", model.title.empty() ? "-" : model.title);
   text += fact("rock", counted(model.solids.size(), "solid", "solids") + ", " +
@@ -134,6 +142,7 @@ std::string check_summary(const Model& model) {
                    counted_if_any(model.joint_meshes.size(), "mesh", "meshes") +
                    counted_if_any(model.joint_tables.size(), "table", "tables") +
                    counted(model.joint_materials.size(), "joint material", "joint materials"));
+  for (const NamedExtent& extent : extents) text += fact("  " + extent.name, extent_text(extent));
   if (!model.merges.empty())
     text += fact("merges", counted(model.merges.size(), "region", "regions"));
   if (!model.excavations.empty()) text += fact("excavations", excavations_text(model));
