@@ -12,6 +12,7 @@
 #include "src/examples.hpp"
 #include "src/model/read_model.hpp"
 #include "src/output_path.hpp"
+#include "src/report/error_text.hpp"
 #include "src/report/names.hpp"
 #include "src/run/fixed_contradiction.hpp"
 #include "src/whole_model.hpp"
@@ -95,7 +96,12 @@ Model load_model(const Options& options, Terminal& terminal) {
   if (options.command != Command::theory &&
       std::filesystem::path(result_path(options)).extension() != ".vtkhdf")
     terminal.warn("ParaView knows result files by their name: let it end in .vtkhdf");
+  warn_of_model(model, terminal);
   return model;
+}
+
+void warn_of_model(const Model& model, Terminal& terminal) {
+  for (const Diagnostic& warning : model.warnings) terminal.warn(diagnostic_line(warning));
 }
 
 std::vector<Vec3> monitor_points(const Model& model) {

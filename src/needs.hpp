@@ -22,6 +22,9 @@ bool wants_run(const Options& options);
 /// command lacks in it.
 Model load_model(const Options& options, Terminal& terminal);
 
+/// What is allowed in the model and its files and hardly meant, each with its place.
+void warn_of_model(const Model& model, Terminal& terminal);
+
 std::vector<Vec3> monitor_points(const Model& model);
 
 /// Throws Error(model) with every monitor that lies outside the rock.

@@ -187,6 +187,7 @@ int check_model(const Options& options, Terminal& terminal) {
   const Model model = read_whole_model(options.input, options.overrides, Purpose::check);
   check_output_names(options, model);
   if (!model.solids.empty()) check_rock(model);
+  warn_of_model(model, terminal);
   print_check(options, model, named_extents(model), terminal);
   return 0;
 }

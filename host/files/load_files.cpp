@@ -88,7 +88,8 @@ class Loader {
   SharedSurface load_terrain(const Place& place) {
     auto& ground = terrains_[place.file];
     if (!ground)
-      ground = std::make_shared<const TriangleSurface>(read_terrain(read_data_file(place), place));
+      ground = std::make_shared<const TriangleSurface>(
+          read_terrain(read_data_file(place), place, &model_.warnings));
     return ground;
   }
 

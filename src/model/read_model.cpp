@@ -22,6 +22,33 @@ constexpr std::size_t largest_file = std::size_t{64} << 20;
   throw Error(ErrorKind::io, why, Place{path, 0, 0, ""});
 }
 
+/// What a file is that is no text; "" if it may be one.
+std::string kind_of_binary(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  struct Signature {
+    std::string_view begin, kind;
+  };
+  static constexpr Signature signatures[] = {
+      {"\x89HDF\r\n\x1a\n"sv, "an HDF5 file: of a result `rockfold info` tells what it holds"},
+      {"\xFF\xFE"sv, "text in UTF-16: save it as UTF-8"},
+      {"\xFE\xFF"sv, "text in UTF-16: save it as UTF-8"},
+      {"PK\x03\x04"sv, "a ZIP archive, as office programs write"},
+      {"\x1F\x8B"sv, "compressed by gzip: unpack it first"},
+      {"%PDF"sv, "a PDF document"},
+      {"\x89PNG"sv, "a picture"},
+      {"\xD0\xCF\x11\xE0"sv, "a document of an office program"},
+  };
+  for (const auto& [begin, kind] : signatures)
+    if (bytes.starts_with(begin)) return std::string(kind);
+  constexpr std::size_t looked_at = 4096;
+  const auto front = bytes.substr(0, looked_at);
+  if (front.find('\0') == std::string_view::npos) return "";
+  // Of western text in UTF-16 every other byte is zero.
+  const bool wide = front.size() >= 4 && (front[0] == 0) != (front[1] == 0) &&
+                    (front[0] == 0) == (front[2] == 0) && (front[1] == 0) == (front[3] == 0);
+  return wide ? "text in UTF-16: save it as UTF-8" : "binary";
+}
+
 std::string file_text(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
@@ -40,6 +67,9 @@ std::string file_text(const std::string& path) {
                   "is larger than " + std::to_string(largest_file >> 20) + " MiB: no model file");
   }
   if (file.bad()) reject_file(path, "cannot be read: input error");
+  if (const auto kind = kind_of_binary(text); !kind.empty())
+    throw Error(ErrorKind::model, "is " + kind + "; must be a model, TOML text in UTF-8",
+                Place{path, 0, 0, ""});
   return text;
 }
 

@@ -79,5 +79,48 @@ class Check(ProgramTest):
         self.errors("[[joint_mesh]]\nfile = 'none.obj'\n" + ROCK, status=3)
 
 
+class Slips(ProgramTest):
+    def said(self, text, *words):
+        path = self.folder / "m.toml"
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        said = self.run_program("check", "m.toml", status=2).stderr
+        for word in words:
+            self.assertIn(word, said)
+        return said
+
+    def test_decimal_commas(self):
+        joints = ROCK + "[[joint_set]]\ndip = 60\ndip_direction = 90\nspacing = {}\n"
+        for value in ("2,5", "'2,5'"):
+            said = self.said(joints.format(value), "m.toml:16:", "decimals stand behind a point: 2.5, not 2,5 (a decimal comma)")
+            self.assertEqual(said.count("m.toml"), 1)
+        self.said(ROCK.replace("[0, 0, 0]", "[0, 0 0]"), "TOML syntax")
+        self.write("m.toml", joints.format(2))
+        said = self.run_program("check", "m.toml", "--set", "joint_set.1.spacing=2,5", status=2).stderr
+        self.assertIn("2.5, not 2,5", said)
+
+    def test_a_part_of_a_key(self):
+        self.said(ROCK + "[[joint_set]]\ndip = 60\ndip_direction = 90\n[joint_set.random]\nspacing = 2\nkappa = 20\n",
+                  'unknown key "kappa", did you mean "fisher_kappa"?')
+
+    def test_files_that_are_no_text(self):
+        for kind, words in ((ROCK.encode("utf-16"), "text in UTF-16"), (ROCK.encode("utf-16-le"), "text in UTF-16"),
+                            (ROCK.encode("utf-16-be"), "text in UTF-16"), (b"\x89HDF\r\n\x1a\n\0\0", "rockfold info"),
+                            (b"PK\x03\x04\x14\0", "ZIP archive"), (b"solid \0\0\1\2\3", "is binary")):
+            self.said(kind, words, "must be a model, TOML text in UTF-8")
+
+    def test_more_columns_than_posts_have(self):
+        self.write("ground.xyz", "0 0 5 255\n9 0 5 255\n9 8 5 7\n0 8 7 8\n")
+        self.write("m.toml", "[[solid]]\nname = 'ground'\nshape = 'terrain'\nfile = 'ground.xyz'\nbase = -3\n")
+        document = self.json_of("check", "m.toml")
+        self.assertEqual(len(document["warnings"]), 1)
+        self.assertIn("ground.xyz:1:7: solid[1].file: 1 column behind x, y and z is passed over", document["warnings"][0])
+
+
+class Help(ProgramTest):
+    def test_is_a_command_too(self):
+        self.assertEqual(self.run_program("help").stdout, self.run_program("--help").stdout)
+        self.assertEqual(self.run_program("help", "cut").stdout, self.run_program("cut", "--help").stdout)
+
+
 if __name__ == "__main__":
     unittest.main()
