@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "host/files/load_files.hpp"
+#include "host/joints/missed_rock.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 #include "src/examples.hpp"
@@ -97,11 +98,36 @@ Model load_model(const Options& options, Terminal& terminal) {
       std::filesystem::path(result_path(options)).extension() != ".vtkhdf")
     terminal.warn("ParaView knows result files by their name: let it end in .vtkhdf");
   warn_of_model(model, terminal);
+  if (options.command != Command::theory) warn_of_joints_beside_rock(model, terminal);
+  if (wants_support(options, model)) warn_of_free_rock(model, terminal);
   return model;
 }
 
 void warn_of_model(const Model& model, Terminal& terminal) {
   for (const Diagnostic& warning : model.warnings) terminal.warn(diagnostic_line(warning));
+}
+
+void warn_of_joints_beside_rock(const Model& model, Terminal& terminal) {
+  for (const Diagnostic& warning : joints_beside_rock(model))
+    terminal.warn(diagnostic_line(warning));
+}
+
+void warn_of_free_rock(const Model& model, Terminal& terminal) {
+  const SupportSpec spec = model.support.value_or(SupportSpec{});
+  const bool has_joints = !model.joints.empty() || !model.joint_sets.empty() ||
+                          !model.joint_meshes.empty() || !model.joint_tables.empty();
+  const auto continues = [](const Solid& solid) {
+    return std::find(solid.continues.begin(), solid.continues.end(), true) != solid.continues.end();
+  };
+  if (!has_joints || model.solids.empty() || (!spec.joint_faces_only && !model.fixed.empty()) ||
+      std::any_of(model.solids.begin(), model.solids.end(), continues))
+    return;
+  Place place = model.solids.front().place;
+  place.key += ".continues";
+  terminal.warn(diagnostic_line(
+      {place,
+       "no solid has any: all faces are free, the underside too, and blocks fall out of it. "
+       "Name the faces beyond which the rock goes on, as in continues = [\"zmin\"]"}));
 }
 
 std::vector<Vec3> monitor_points(const Model& model) {

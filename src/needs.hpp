@@ -24,6 +24,9 @@ Model load_model(const Options& options, Terminal& terminal);
 
 /// What is allowed in the model and its files and hardly meant, each with its place.
 void warn_of_model(const Model& model, Terminal& terminal);
+void warn_of_joints_beside_rock(const Model& model, Terminal& terminal);
+/// Block theory of rock that goes on nowhere.
+void warn_of_free_rock(const Model& model, Terminal& terminal);
 
 std::vector<Vec3> monitor_points(const Model& model);
 

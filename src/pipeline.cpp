@@ -188,6 +188,8 @@ int check_model(const Options& options, Terminal& terminal) {
   check_output_names(options, model);
   if (!model.solids.empty()) check_rock(model);
   warn_of_model(model, terminal);
+  if (!model.solids.empty()) warn_of_joints_beside_rock(model, terminal);
+  if (model.support) warn_of_free_rock(model, terminal);
   print_check(options, model, named_extents(model), terminal);
   return 0;
 }

@@ -10,6 +10,7 @@
 #include "src/model/nearest.hpp"
 #include "src/model/overrides.hpp"
 #include "src/model/parse_toml.hpp"
+#include "src/model/plausibility.hpp"
 
 namespace rockfold {
 
@@ -192,6 +193,7 @@ ReadModel try_parse(std::string_view text, const std::string& name,
   read_top_level(draft, root);
   read_sections(draft);
   add_missing(draft, purpose);
+  if (out.empty()) draft.model.warnings = implausible_numbers(draft.root, draft.model, out);
   ReadModel read{std::move(draft.model), {}};
   if (!out.empty()) read.wrong = out.error();
   return read;

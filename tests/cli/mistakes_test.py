@@ -116,6 +116,72 @@ class Slips(ProgramTest):
         self.assertIn("ground.xyz:1:7: solid[1].file: 1 column behind x, y and z is passed over", document["warnings"][0])
 
 
+class Implausible(ProgramTest):
+    def warnings(self, text, command="check"):
+        self.write("m.toml", text)
+        warnings = self.json_of(command, "m.toml")["warnings"]
+        said = self.run_program(command, "m.toml").stderr
+        for warning in warnings:
+            self.assertIn("warning: " + warning, said)
+        return warnings
+
+    def warned(self, text, *words, command="check"):
+        (warning,) = self.warnings(text, command)
+        for word in words:
+            self.assertIn(word, warning)
+
+    def test_numbers_in_other_units(self):
+        self.assertEqual(self.warnings(ROCK), [])
+        modulus, density = "young_modulus = 30e9", "density = 2700"
+        for given, line, words in ((modulus.replace("30e9", "30"), 3, "material[1].young_modulus: is 30 Pa: did you mean 3e10 (30 GPa)?"),
+                                   (modulus.replace("30e9", "30e3"), 3, "did you mean 3e10 (30000.0 MPa)?"),
+                                   ("density = 2.7", 2, "is 2.7 kg/m3: did you mean 2700 (2.7 t/m3)?"),
+                                   ("density = 27", 2, "did you mean 2752 (27 kN/m3, a unit weight)?"),
+                                   ("density = 27e3", 2, "did you mean 2752 (27000.0 N/m3, a unit weight)?")):
+            old = modulus if "young" in given else density
+            self.warned(ROCK.replace(old, given), f"m.toml:{line}:", words)
+        bolt = "[[bolt]]\nforce_capacity = 150\ndisplacement_capacity = 0.02\ncollar = [10, 5, 5]\ndirection = [-1, 0, 0]\nlength = 3\n"
+        self.warned(ROCK + bolt, "bolt[1].force_capacity: is 150 N: did you mean 150000 (150 kN)?")
+        # Without weight a model may well have no units.
+        self.assertEqual(self.warnings("gravity = [0, 0, 0]\n" + ROCK.replace("30e9", "1").replace("2700", "1")), [])
+
+    def test_angles_in_radians(self):
+        joint = "[[joint]]\ndip = {}\ndip_direction = {}\n" + POINT
+        radians = ROCK.replace("friction_angle = 30", "friction_angle = 0.52")
+        self.warned(radians + joint.format(1.047, 2.1), "joint[1].dip: is 1.047 deg", "radians?")
+        for text in (ROCK + joint.format(1.047, 2.1), radians + joint.format(60, 2.1), radians + joint.format(1, 120),
+                     radians.replace("0.52", "0") + joint.format(0, 0)):
+            self.assertEqual(self.warnings(text), [])
+
+    def test_gravity_that_points_up_or_acts_alone(self):
+        self.warned("gravity = [0, 0, 9.81]\n" + ROCK, "m.toml:1:11: gravity: points up")
+        still = "gravity = [0, 0, 0]\n" + ROCK + STATIC
+        self.warned(still, "gravity: is zero and nothing else acts")
+        self.assertEqual(self.warnings(still + "[[traction]]\nwhere = {face = 'rock.zmax'}\npressure = 1e5\n"), [])
+
+    def test_joints_beside_the_rock(self):
+        dips = "dip = 0\ndip_direction = 0\n"
+        self.warned(ROCK + "[[joint]]\n" + dips + "point = [0, 0, 31]\n", "m.toml:13:", "joint[1]: lies beside the rock and cuts nothing")
+        self.warned(ROCK + "[[joint]]\n" + dips + "point = [15, 0, 15]\nradius = 4\n", "joint[1]: lies beside")
+        self.assertEqual(self.warnings(ROCK + "[[joint]]\n" + dips + "point = [15, 0, 15]\nradius = 6\n"), [])
+        joints = ROCK + "[[joint_set]]\n" + dips + "spacing = 10\norigin = [0, 0, 15]\n"
+        self.assertEqual(self.warnings(joints), [])
+        self.warned(joints + "count = 5\n", "joint_set[1]: 2 of 5 planes lie beside the rock", command="cut")
+        self.warned(joints.replace("spacing = 10", "spacing = 100").replace("15", "50"), "joint_set[1]: has no plane that meets the rock")
+        self.warned(joints.replace("[0, 0, 15]", "[90, 0, 15]") + "radius = 3\n", "all 3 discs lie beside the rock")
+        self.write("discs.csv", "dip\tdip_direction\tx\ty\tz\tradius\n0\t0\t5\t5\t5\t1\n0\t0\t5\t5\t50\t1\n0\t0\t5\t5\t50\t\n")
+        self.warned(ROCK + "[[joint_table]]\nfile = 'discs.csv'\n", "joint_table[1]: 2 of 3 joints lie beside the rock")
+        self.write("fault.obj", TETRAHEDRON.replace("v ", "v 5000"))
+        self.warned(ROCK + "[[joint_mesh]]\nfile = 'fault.obj'\n", "joint_mesh[1]: all 4 triangles lie beside the rock")
+
+    def test_rock_that_goes_on_nowhere(self):
+        joint = "[[joint]]\ndip = 50\ndip_direction = 90\n" + POINT
+        free = ROCK.replace('continues = ["zmin"]\n', "") + joint
+        self.warned(free, "solid[1].continues: no solid has any", command="support")
+        self.assertEqual(self.warnings(ROCK + joint, "support"), [])
+        self.assertEqual(self.warnings(free, "cut"), [])
+
+
 class Help(ProgramTest):
     def test_is_a_command_too(self):
         self.assertEqual(self.run_program("help").stdout, self.run_program("--help").stdout)
