@@ -116,11 +116,13 @@ void print_theory(const Options& options, const Model& model, const TheoryReport
         fact("time", fmt::format("{:.2f} s", seconds.back().second)));
 }
 
-void print_check(const Options& options, const Model& model) {
+void print_check(const Options& options, const Model& model,
+                 const std::vector<NamedExtent>& extents, Terminal& terminal) {
   if (options.json)
-    print_document(check_document({"check", model.title, options.seed}, model), {}, {});
+    print_document(check_document({"check", model.title, options.seed}, model, extents),
+                   terminal.warnings(), {});
   else if (!options.quiet)
-    put(check_summary(model));
+    put(check_summary(model, extents));
 }
 
 void print_info(const Options& options, const ResultInfo& info) {

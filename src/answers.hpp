@@ -8,6 +8,7 @@
 #include "host/keyblock/keyblock.hpp"
 #include "host/keyblock/theory.hpp"
 #include "host/measure/measure.hpp"
+#include "host/shapes/extents.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/command_line.hpp"
 #include "src/io/result_file.hpp"
@@ -35,7 +36,8 @@ struct Answer {
 void print_answer(const Answer& answer, Terminal& terminal, const PhaseSeconds& seconds);
 void print_theory(const Options& options, const Model& model, const TheoryReport& report,
                   Terminal& terminal, const PhaseSeconds& seconds);
-void print_check(const Options& options, const Model& model);
+void print_check(const Options& options, const Model& model,
+                 const std::vector<NamedExtent>& extents, Terminal& terminal);
 void print_info(const Options& options, const ResultInfo& info);
 
 /// Lists the examples, or writes the one that is named.

@@ -38,9 +38,11 @@ void add_common_options(CLI::App& app, Options& options) {
   app.add_flag("--json", options.json);
   app.add_flag("--quiet,-q", options.quiet);
   app.add_option_function<std::string>("--threads", [&options](const std::string& text) {
+    if (options.threads > 0) reject("--threads is given twice");  // before and after the command
     options.threads = static_cast<int>(whole_number("--threads", text, 1, most_threads));
   });
   app.add_option_function<std::string>("--seed", [&options](const std::string& text) {
+    if (options.seed) reject("--seed is given twice");
     options.seed = whole_number("--seed", text, 0, std::numeric_limits<std::uint64_t>::max());
   });
   app.add_option_function<std::vector<std::string>>(
@@ -125,6 +127,14 @@ std::string help_asked(const CLI::App& app) {
   return program_help();
 }
 
+/// `rockfold help`, `rockfold help COMMAND`, as of other programs.
+std::string help_on(const std::string& word) {
+  for (const auto& help : command_helps())
+    if (word == help.name) return command_help_text(help);
+  if (!word.empty() && word[0] != '-') reject_command(word);
+  return program_help();
+}
+
 }  // namespace
 
 std::string command_name(Command command) {
@@ -140,6 +150,10 @@ bool wants_json(int argc, const char* const* argv) {
 }
 
 Options parse_command_line(int argc, const char* const* argv) {
+  int word = 1;
+  while (word < argc && argv[word][0] == '-') ++word;
+  if (word < argc && std::string_view(argv[word]) == "help")
+    throw Notice{help_on(word + 1 < argc ? argv[word + 1] : "")};
   Options options;
   CLI::App app("", "rockfold");
   app.allow_extras();
@@ -154,8 +168,9 @@ Options parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::CallForVersion& version_asked) {
     throw Notice{version_asked.what()};
   } catch (const CLI::ArgumentMismatch& error) {
-    reject(std::string(error.what()).substr(0, std::string(error.what()).find(':')) +
-           " needs a value");
+    const std::string what = error.what();
+    const bool too_many = what.find("At Most") != std::string::npos;
+    reject(what.substr(0, what.find(':')) + (too_many ? " is given twice" : " needs a value"));
   } catch (const CLI::ParseError& error) {
     reject(error.what());
   }

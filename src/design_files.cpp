@@ -27,6 +27,13 @@ std::vector<std::string> design_paths(const Model& model, const std::string& res
   return paths;
 }
 
+std::vector<Place> design_places(const Model& model) {
+  std::vector<Place> places;
+  for (const Drawing& drawing : model.drawings) places.push_back(drawing.place_of_file);
+  for (const TableFile& table : model.tables) places.push_back(table.place_of_file);
+  return places;
+}
+
 void write_design_files(const BlockArrays& blocks, const KeyblockReport& keyblocks,
                         const SupportDesign& design, const Model& model,
                         const std::string& result) {

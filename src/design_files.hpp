@@ -9,8 +9,10 @@
 
 namespace rockfold {
 
-/// Where the drawings and then the tables go: names in the model are relative to the result's folder.
+/// Where the drawings and then the tables go: their names in the model are those of files in the result's folder.
 std::vector<std::string> design_paths(const Model& model, const std::string& result);
+/// Where the model names each of them.
+std::vector<Place> design_places(const Model& model);
 
 /// Writes them all; each takes its name when it is whole. Throws Error(io).
 void write_design_files(const BlockArrays& blocks, const KeyblockReport& keyblocks,

@@ -104,7 +104,7 @@ constexpr const char* program_end =
     "Example:\n"
     "  rockfold examples slope && rockfold support slope.toml\n"
     "      write an example model, then find its key blocks\n\n"
-    "More about a command: rockfold COMMAND --help\n";
+    "More about a command: rockfold COMMAND --help, or rockfold help COMMAND\n";
 
 }  // namespace
 

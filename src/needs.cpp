@@ -7,13 +7,16 @@
 #include <fmt/format.h>
 
 #include "host/files/load_files.hpp"
+#include "host/joints/missed_rock.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 #include "src/examples.hpp"
 #include "src/model/read_model.hpp"
 #include "src/output_path.hpp"
+#include "src/report/error_text.hpp"
 #include "src/report/names.hpp"
 #include "src/run/fixed_contradiction.hpp"
+#include "src/whole_model.hpp"
 
 namespace rockfold {
 
@@ -86,7 +89,7 @@ Model load_model(const Options& options, Terminal& terminal) {
   Model model =
       options.command == Command::demo
           ? parse_model(find_example("slope").text, "slope.toml", options.overrides, purpose)
-          : read_model(options.input, options.overrides, purpose);
+          : read_whole_model(options.input, options.overrides, purpose);
   if (options.seed) reseed(model, *options.seed);
   load_files(model);
   if (options.command == Command::support && !model.support) model.support = SupportSpec{};
@@ -94,7 +97,37 @@ Model load_model(const Options& options, Terminal& terminal) {
   if (options.command != Command::theory &&
       std::filesystem::path(result_path(options)).extension() != ".vtkhdf")
     terminal.warn("ParaView knows result files by their name: let it end in .vtkhdf");
+  warn_of_model(model, terminal);
+  if (options.command != Command::theory) warn_of_joints_beside_rock(model, terminal);
+  if (wants_support(options, model)) warn_of_free_rock(model, terminal);
   return model;
+}
+
+void warn_of_model(const Model& model, Terminal& terminal) {
+  for (const Diagnostic& warning : model.warnings) terminal.warn(diagnostic_line(warning));
+}
+
+void warn_of_joints_beside_rock(const Model& model, Terminal& terminal) {
+  for (const Diagnostic& warning : joints_beside_rock(model))
+    terminal.warn(diagnostic_line(warning));
+}
+
+void warn_of_free_rock(const Model& model, Terminal& terminal) {
+  const SupportSpec spec = model.support.value_or(SupportSpec{});
+  const bool has_joints = !model.joints.empty() || !model.joint_sets.empty() ||
+                          !model.joint_meshes.empty() || !model.joint_tables.empty();
+  const auto continues = [](const Solid& solid) {
+    return std::find(solid.continues.begin(), solid.continues.end(), true) != solid.continues.end();
+  };
+  if (!has_joints || model.solids.empty() || (!spec.joint_faces_only && !model.fixed.empty()) ||
+      std::any_of(model.solids.begin(), model.solids.end(), continues))
+    return;
+  Place place = model.solids.front().place;
+  place.key += ".continues";
+  terminal.warn(diagnostic_line(
+      {place,
+       "no solid has any: all faces are free, the underside too, and blocks fall out of it. "
+       "Name the faces beyond which the rock goes on, as in continues = [\"zmin\"]"}));
 }
 
 std::vector<Vec3> monitor_points(const Model& model) {
@@ -167,8 +200,7 @@ void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& mode
                               statistics.elongated_blocks, *model.cut.max_aspect_ratio));
 }
 
-void require_candidates(const Options& options, const Model& model, const BlockArrays& blocks,
-                        Terminal& terminal) {
+void warn_of_immobile_blocks(const BlockArrays& blocks, Terminal& terminal) {
   bool finite = blocks.block_count() == 0, free = finite;
   for (Index b = 0; b < blocks.block_count() && !free; ++b) {
     if (blocks.finite[b] == 0) continue;
@@ -177,19 +209,12 @@ void require_candidates(const Options& options, const Model& model, const BlockA
       free |= blocks.origins[blocks.face_origin[f]].kind != FaceOrigin::Kind::joint;
   }
   if (free) return;
-  const std::string message =
+  terminal.warn(
       finite
-          ? "no finite block has a free face: every one is enclosed by other blocks, so that none "
-            "can move. Leave a face of a solid out of continues, or add an [[excavation]]"
-          : "no block is finite: each touches a face beyond which the rock continues, so that none "
-            "can move. Fewer faces in continues, or more joints, would make finite blocks";
-  if (options.command != Command::support) {
-    terminal.warn(message);
-    return;
-  }
-  const Place& place = model.solids.front().place;
-  throw Error(ErrorKind::model, message,
-              {place.file, place.line, place.column, place.key + ".continues"});
+          ? "no block can move: every finite one is enclosed by other blocks, none has a free "
+            "face. A face of a solid left out of continues, or an [[excavation]], would free some"
+          : "no block can move: none is finite, each touches a face beyond which the rock "
+            "continues. Fewer faces in continues, or more joints, would make finite blocks");
 }
 
 void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal) {

@@ -22,6 +22,12 @@ bool wants_run(const Options& options);
 /// command lacks in it.
 Model load_model(const Options& options, Terminal& terminal);
 
+/// What is allowed in the model and its files and hardly meant, each with its place.
+void warn_of_model(const Model& model, Terminal& terminal);
+void warn_of_joints_beside_rock(const Model& model, Terminal& terminal);
+/// Block theory of rock that goes on nowhere.
+void warn_of_free_rock(const Model& model, Terminal& terminal);
+
 std::vector<Vec3> monitor_points(const Model& model);
 
 /// Throws Error(model) with every monitor that lies outside the rock.
@@ -31,10 +37,8 @@ void warn_of_cutting(const IntentReport& intent, Terminal& terminal);
 /// Blocks below cut.min_volume or above cut.max_aspect_ratio: they stay, but the user should look.
 void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& model,
                             Terminal& terminal);
-/// Throws Error(model), at the first solid's "continues", where `support` has nothing to look at: no
-/// block is finite, or none of the finite ones has a free face. Other commands warn.
-void require_candidates(const Options& options, const Model& model, const BlockArrays& blocks,
-                        Terminal& terminal);
+/// No block is finite, or none of the finite ones has a free face: block theory has nothing to look at.
+void warn_of_immobile_blocks(const BlockArrays& blocks, Terminal& terminal);
 void warn_of_missing_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal);
 /// Strains are linear in the displacement yet, which is right for small rotations only.
 void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal);

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -48,10 +49,17 @@ void write_new_file(const std::string& path, const std::string& text) {
 struct InputFile {
   std::string path, what;
 };
-// A file that will be written; `remedy`: what to do if it must not be.
+// A file that will be written; `remedy`: what to do if it must not be. `place`: where the model names it, if it does.
 struct OutputFile {
   std::string path, what, remedy;
+  std::optional<Place> place = {};
 };
+
+// What is wrong with the name of an output: the model's mistake where the model gives it.
+[[noreturn]] void refuse(const OutputFile& output, const std::string& what) {
+  if (output.place) throw Error(ErrorKind::model, what, *output.place);
+  fail(ErrorKind::usage, output.path, what);
+}
 
 std::vector<InputFile> inputs_of(const Options& options, const Model& model) {
   std::vector<InputFile> inputs;
@@ -69,10 +77,13 @@ std::vector<OutputFile> outputs_of(const Options& options, const Model& model) {
       {xdmf_path(result), "the .xdmf file that goes with the result", of_result}};
   for (const std::string& path : options.exports)
     outputs.push_back({path, "the export", "give each --export a name of its own"});
-  if (wants_support(options, model))
-    for (const std::string& path : design_paths(model, result))
-      outputs.push_back(
-          {path, "the drawing or table", "give each [[drawing]] and [[table]] a file of its own"});
+  if (options.command == Command::check || wants_support(options, model)) {
+    const auto paths = design_paths(model, result);
+    const auto places = design_places(model);
+    for (std::size_t i = 0; i < paths.size(); ++i)
+      outputs.push_back({paths[i], "the drawing or table",
+                         "give each [[drawing]] and [[table]] a name of its own", places[i]});
+  }
   return outputs;
 }
 
@@ -107,22 +118,27 @@ std::string result_path(const Options& options) {
   return fs::path(options.input).replace_extension(".vtkhdf").string();
 }
 
-void check_output_paths(const Options& options, const Model& model) {
+void check_output_names(const Options& options, const Model& model) {
   const std::vector<OutputFile> outputs = outputs_of(options, model);
   const std::vector<InputFile> inputs = inputs_of(options, model);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const OutputFile& output = outputs[i];
+    if (options.command == Command::check && !output.place) continue;
     for (const InputFile& input : inputs)
       if (same_file(output.path, input.path))
-        fail(ErrorKind::usage, output.path,
-             fmt::format("{} would overwrite {}; {}", output.what, input.what, output.remedy));
+        refuse(output, fmt::format("{}{} would overwrite {}; {}", output.what,
+                                   output.place ? " '" + output.path + "'" : "", input.what,
+                                   output.remedy));
     for (std::size_t j = 0; j < i; ++j)
       if (same_file(output.path, outputs[j].path))
-        fail(ErrorKind::usage, output.path,
-             fmt::format("{} would overwrite {} '{}': two files of one name; {}", output.what,
-                         outputs[j].what, outputs[j].path, output.remedy));
-    check_writable(output.path);
+        refuse(output, fmt::format("{} would overwrite {} '{}': two files of one name; {}",
+                                   output.what, outputs[j].what, outputs[j].path, output.remedy));
   }
+}
+
+void check_output_paths(const Options& options, const Model& model) {
+  check_output_names(options, model);
+  for (const OutputFile& output : outputs_of(options, model)) check_writable(output.path);
 }
 
 void write_new_files(const std::vector<std::pair<std::string, std::string>>& files) {

@@ -14,9 +14,13 @@ namespace rockfold {
 /// rockfold_demo.vtkhdf in the current folder.
 std::string result_path(const Options& options);
 
-/// Throws Error where an output of the command (the result, the .xdmf beside it, each export) cannot be written: it is the
-/// model, a file that the model reads or another output, by any of its names (usage); it is a folder, or its folder is
-/// missing or closed to us (io). Older outputs will be replaced, when the new ones are whole.
+/// Throws Error where an output of the command (the result, the .xdmf beside it, each export, each drawing and table) is the model, a
+/// file that the model reads or another output, by any of its names: usage, or model at the key where the model names the output.
+/// Of `check`: those that the model names, for a result without -o.
+void check_output_names(const Options& options, const Model& model);
+
+/// Likewise; and where an output is a folder, or its folder is missing or closed to us (io). Older outputs will be replaced, when the
+/// new ones are whole.
 void check_output_paths(const Options& options, const Model& model);
 
 /// Writes new text files, given by path and text: all or none. Throws Error(io), also where a file

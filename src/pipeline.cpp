@@ -6,26 +6,27 @@
 #include "host/cover/cover.hpp"
 #include "host/cover/loads.hpp"
 #include "host/cut/cut.hpp"
-#include "host/files/load_files.hpp"
 #include "host/flatten/face_polygons.hpp"
 #include "host/flatten/flatten.hpp"
 #include "host/keyblock/keyblock.hpp"
 #include "host/keyblock/theory.hpp"
 #include "host/measure/measure.hpp"
 #include "host/measure/parts.hpp"
+#include "host/shapes/extents.hpp"
 #include "kernels/device/device.hpp"
 #include "src/answers.hpp"
 #include "src/design_files.hpp"
 #include "src/io/exports/export.hpp"
 #include "src/memory.hpp"
-#include "src/model/read_model.hpp"
 #include "src/needs.hpp"
 #include "src/output_path.hpp"
 #include "src/results.hpp"
+#include "src/rock_check.hpp"
 #include "src/run/run_analysis.hpp"
 #include "src/signals.hpp"
 #include "src/support_design.hpp"
 #include "src/threads.hpp"
+#include "src/whole_model.hpp"
 
 namespace rockfold {
 
@@ -118,7 +119,7 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   std::optional<KeyblockReport> keyblocks;
   std::optional<SupportDesign> design;
   if (wants_support(options, model)) {
-    require_candidates(options, model, blocks, terminal);
+    warn_of_immobile_blocks(blocks, terminal);
     keyblocks = clock.measure("keyblock", "finding key blocks",
                               [&] { return find_keyblocks(blocks, model); });
     design = clock.measure("support", "designing support", [&] {
@@ -182,14 +183,14 @@ int analyse_rock(const Options& options, Terminal& terminal) {
   return interrupted_status();
 }
 
-int check_model(const Options& options) {
-  Model model = read_model(options.input, options.overrides, Purpose::check);
-  load_files(model);
-  if (!model.solids.empty()) {
-    const Real volume = check_cutting(model);
-    if (model.cover) check_cover_size(*model.cover, volume);
-  }
-  print_check(options, model);
+int check_model(const Options& options, Terminal& terminal) {
+  const Model model = read_whole_model(options.input, options.overrides, Purpose::check);
+  check_output_names(options, model);
+  if (!model.solids.empty()) check_rock(model);
+  warn_of_model(model, terminal);
+  if (!model.solids.empty()) warn_of_joints_beside_rock(model, terminal);
+  if (model.support) warn_of_free_rock(model, terminal);
+  print_check(options, model, named_extents(model), terminal);
   return 0;
 }
 
@@ -214,7 +215,7 @@ int run_command(const Options& options, Terminal& terminal) {
   use_threads(options.threads);
   switch (options.command) {
     case Command::check:
-      return check_model(options);
+      return check_model(options, terminal);
     case Command::theory:
       return tell_theory(options, terminal);
     case Command::info:

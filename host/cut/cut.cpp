@@ -270,6 +270,16 @@ std::vector<Index> planes_about(const CellView& cell, const PlaneTable& planes) 
   return along.size() > 1 ? along : all;
 }
 
+// On its boundary too, to the tolerance.
+bool holds(const CellView& cell, const Vec3& point, const PlaneTable& planes) {
+  const Vec3 x = point - planes.centre();
+  return std::all_of(cell.faces.begin(), cell.faces.end(), [&](const auto& face) {
+    const Index plane = plane_of(face.inside);
+    const Real above = dot(planes.normal(plane), x) - planes.offset(plane);
+    return (is_above(face.inside) ? above : -above) >= -planes.width_tolerance();
+  });
+}
+
 IntentReport intent_report(const Complex& complex, const GivenIntent& given,
                            const std::vector<CellMeasure>& measures,
                            const std::vector<Index>& doubtful_glue) {
@@ -319,14 +329,23 @@ CutTotals totals_of(const Complex& complex, const Rock& rock) {
 
 }  // namespace
 
-Real check_cutting(const Model& model) {
+UncutRock check_cutting(const Model& model, const std::vector<Vec3>& points) {
   const Uncut uncut = shape_rock(model);
   const Rock& rock = uncut.rock;
+  UncutRock found;
+  found.of_point.assign(points.size(), UncutRock::At::outside);
   Sum volume;
-  for (std::size_t i = 0; i < rock.of_rock.size(); ++i)
-    if (uncut.complex->zones[rock.zone[rock.of_rock[i]]].stage == 0)
-      volume += rock.measures[i].moments.volume;
-  return volume.value();
+  for (std::size_t i = 0; i < rock.of_rock.size(); ++i) {
+    const Index cell = rock.of_rock[i];
+    const bool stays = uncut.complex->zones[rock.zone[cell]].stage == 0;
+    if (stays) volume += rock.measures[i].moments.volume;
+    const auto at = stays ? UncutRock::At::stays : UncutRock::At::excavated;
+    for (std::size_t p = 0; p < points.size(); ++p)
+      if (found.of_point[p] < at && holds(rock.cells[cell], points[p], uncut.complex->planes))
+        found.of_point[p] = at;
+  }
+  found.volume = volume.value();
+  return found;
 }
 
 Cutting cut_blocks(const Model& model, Progress& progress) {

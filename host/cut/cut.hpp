@@ -2,6 +2,7 @@
 // DESIGN.md "Cutting"; the geometry itself is host/cut/complex.hpp.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -43,9 +44,16 @@ struct Cutting {
   CutTotals totals;
 };
 
+/// The rock before joints cut it.
+struct UncutRock {
+  enum class At : std::uint8_t { outside, excavated, stays };
+  Real volume = 0;  ///< m³, of what no stage removes
+  std::vector<At>
+      of_point;  ///< [points] where each lies; on a boundary to 1e-9 of the model's size: in what stays
+};
+
 /// Throws what cut_blocks would throw before joints cut the rock: of shapes, the placing of joints, merges, estimated cells.
-/// Returns the volume of the rock that no stage removes, m³.
-Real check_cutting(const Model& model);
+UncutRock check_cutting(const Model& model, const std::vector<Vec3>& points);
 
 /// Cuts the model's solids by its joints. Throws Error(model) if no rock remains or the joints would make too many cells.
 /// Independent of the number of threads, bit for bit, and of the order of joints but for the last digits of areas: where

@@ -61,6 +61,7 @@ class Loader {
   /// Runs `load` with the file's place and keeps its errors.
   template <typename Load>
   void attempt(const std::string& file, const Place& entry, const Load& load) {
+    if (file.empty()) return;  // none could be read
     const Place place{file, 0, 0, entry.key + ".file"};
     try {
       load(place);
@@ -87,7 +88,8 @@ class Loader {
   SharedSurface load_terrain(const Place& place) {
     auto& ground = terrains_[place.file];
     if (!ground)
-      ground = std::make_shared<const TriangleSurface>(read_terrain(read_data_file(place), place));
+      ground = std::make_shared<const TriangleSurface>(
+          read_terrain(read_data_file(place), place, &model_.warnings));
     return ground;
   }
 

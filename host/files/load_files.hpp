@@ -5,7 +5,7 @@
 
 namespace rockfold {
 
-/// Fills MeshShape::surface, TerrainShape::ground, JointMesh::surface and JointTable::rows of a model from their files.
+/// Of a model that could be read in part too. Fills MeshShape::surface, TerrainShape::ground, JointMesh::surface and JointTable::rows of a model from their files.
 /// Throws Error with all that is wrong: kind io for a file that cannot be read, model for one whose content is wrong (with
 /// the file's own line where it has lines, and what is broken: NaN, truncation, another format, a solid's surface that is
 /// open, self-intersecting or inside out and where).

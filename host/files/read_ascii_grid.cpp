@@ -233,7 +233,8 @@ TriangleSurface read_ascii_grid(std::string_view text, const Place& place) {
   return ground_of_grid(GridReader(text, faults).read(), faults);
 }
 
-TriangleSurface read_terrain(std::string_view text, const Place& place) {
+TriangleSurface read_terrain(std::string_view text, const Place& place,
+                             std::vector<Diagnostic>* warnings) {
   Lines lines(text);
   while (lines.next()) {
     const auto word = lower_case(Words(lines.line()).next());
@@ -242,7 +243,7 @@ TriangleSurface read_terrain(std::string_view text, const Place& place) {
     return word == "ncols" || word == "nrows" || word.rfind("xll", 0) == 0 ||
                    word.rfind("yll", 0) == 0 || word == "cellsize" || word == "nodata_value"
                ? read_ascii_grid(text, place)
-               : read_xyz(text, place);
+               : read_xyz(text, place, warnings);
   }
   Faults(place).fail("holds nothing but blanks");
 }

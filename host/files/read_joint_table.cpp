@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "host/files/text.hpp"
+#include "src/model/decimal_comma.hpp"
 #include "src/model/nearest.hpp"
 #include "src/model/range.hpp"
 
@@ -20,6 +21,7 @@ namespace {
 enum Column { dip, dip_direction, x, y, z, radius, material, column_count };
 constexpr std::array<const char*, column_count> column_names = {
     "dip", "dip_direction", "x", "y", "z", "radius", "material"};
+constexpr const char* heading = "dip, dip_direction, x, y, z, radius[, material]";
 
 Range range_of(Column column) {
   if (column == dip) return between(0, 90, "deg");
@@ -37,7 +39,7 @@ std::vector<Field> split(std::string_view line, char separator, int number, Faul
   std::vector<Field> fields;
   std::size_t at = 0;
   while (true) {
-    while (at < line.size() && (line[at] == ' ' || line[at] == '\t')) ++at;
+    while (at < line.size() && line[at] != separator && (line[at] == ' ' || line[at] == '\t')) ++at;
     Field field{"", static_cast<int>(at) + 1};
     std::size_t end = std::min(line.find(separator, at), line.size());
     if (at < line.size() && line[at] == '"') {
@@ -62,6 +64,17 @@ std::vector<Field> split(std::string_view line, char separator, int number, Faul
   }
 }
 
+/// What stands between the fields of a heading.
+char separator_of(std::string_view line) {
+  for (const char c : {';', ','})
+    if (line.find(c) != std::string_view::npos) return c;
+  return '\t';
+}
+
+bool is_number(const Field& field) {
+  return parse_number(field.text) || has_decimal_comma(field.text);
+}
+
 class TableReader {
  public:
   TableReader(Index default_material, const std::vector<JointMaterial>& materials, Faults& faults)
@@ -79,8 +92,7 @@ class TableReader {
       else
         read_row(lines.line());
     }
-    if (fields_in_line_ == 0)
-      faults_.fail("must begin with a heading: dip, dip_direction, x, y, z, radius[, material]");
+    if (fields_in_line_ == 0) faults_.fail("must begin with a heading: " + std::string(heading));
     if (rows_.empty() && faults_.empty()) faults_.add(0, 0, "holds no joints below its heading");
     faults_.throw_if_any();
     return std::move(rows_);
@@ -88,8 +100,10 @@ class TableReader {
 
  private:
   void read_heading(std::string_view line) {
-    separator_ = line.find(';') != std::string_view::npos ? ';' : ',';
+    separator_ = separator_of(line);
     const auto fields = split(line, separator_, line_, faults_);
+    if (std::any_of(fields.begin(), fields.end(), is_number))
+      faults_.fail(line_, 0, "holds numbers, must be a heading: " + std::string(heading));
     const std::vector<std::string> known(column_names.begin(), column_names.end());
     for (std::size_t i = 0; i < fields.size(); ++i) {
       const auto name = lower_case(fields[i].text);
@@ -138,9 +152,9 @@ class TableReader {
     if (value && range.holds(*value)) return *value + 0.0;
     faults_.add(
         line_, field.column,
-        value
-            ? fmt::format("{} {}, is {:g}", column_names[column], range.refusal(*value), *value)
-            : fmt::format("{} {}, is {}", column_names[column], range.text(), quoted(field.text)));
+        value ? fmt::format("{} {}, is {:g}", column_names[column], range.refusal(*value), *value)
+              : fmt::format("{} {}, is {}{}", column_names[column], range.text(),
+                            quoted(field.text), decimal_comma_hint(field.text)));
     return 0;
   }
 

@@ -14,11 +14,14 @@ namespace rockfold {
 TriangleSurface read_ascii_grid(std::string_view text, const Place& place);
 
 /// Three numbers a line, separated by blanks, commas or semicolons; a heading and '#' comments are
-/// passed over. Posts of a full grid are joined as such, others by Delaunay's triangulation.
-TriangleSurface read_xyz(std::string_view text, const Place& place);
+/// passed over. Posts of a full grid are joined as such, others by Delaunay's triangulation. More columns are passed over
+/// too: `warnings` says so, unless it is null.
+TriangleSurface read_xyz(std::string_view text, const Place& place,
+                         std::vector<Diagnostic>* warnings = nullptr);
 
 /// Chooses between the two by the first word of the text.
-TriangleSurface read_terrain(std::string_view text, const Place& place);
+TriangleSurface read_terrain(std::string_view text, const Place& place,
+                             std::vector<Diagnostic>* warnings = nullptr);
 
 /// Throws Error(model), with the lowest post, if the ground is not above `base` (m) everywhere.
 void check_above(const TriangleSurface& ground, Real base, const Place& place);

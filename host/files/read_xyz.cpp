@@ -8,7 +8,9 @@
 #include "host/files/read_terrain.hpp"
 #include "host/files/terrain_surface.hpp"
 #include "host/files/text.hpp"
+#include "src/base/error.hpp"
 #include "src/base/vector.hpp"
+#include "src/model/decimal_comma.hpp"
 
 namespace rockfold {
 
@@ -19,30 +21,93 @@ struct Posts {
   std::vector<int> line;
 };
 
-Posts read_posts(std::string_view text, Faults& faults) {
-  constexpr std::string_view separators = ",;";
-  Posts posts;
-  bool may_be_heading = true;
-  for (Lines lines(text); lines.next();) {
-    Words words(lines.line(), separators);
-    Words first = words;
-    const auto word = first.next();
-    if (word.empty() || word.front() == '#') continue;
-    const bool is_heading = may_be_heading && !parse_number(word);
-    may_be_heading = false;
-    if (is_heading) continue;
-    const Vec3 point = parse_point(words, lines.number(), faults);
-    const auto more = words.next();
-    if (!more.empty() && more.front() != '#')
-      faults.add(lines.number(), words.column(),
-                 "a line must hold three numbers x, y, z (decimals behind a point), goes on with " +
-                     quoted(more));
-    posts.points.push_back(point);
-    posts.line.push_back(lines.number());
-  }
-  faults.throw_if_any();
-  return posts;
+constexpr std::string_view separators = ",;";
+
+/// The words that follow in a line, up to a comment.
+std::size_t count_rest(Words words) {
+  std::size_t count = 0;
+  for (auto word = words.next(); !word.empty() && word.front() != '#'; word = words.next()) ++count;
+  return count;
 }
+
+/// Of a line with more than three numbers: why commas in it may stand for decimal points; "" if they do not.
+std::string comma_fault(std::string_view line) {
+  constexpr const char* expected =
+      "a line must hold three numbers x, y, z (decimals behind a point)";
+  if (line.find(',') == std::string_view::npos) return "";
+  Words words(line, ";");
+  std::size_t count = 0;
+  for (auto word = words.next(); !word.empty() && word.front() != '#'; word = words.next(), ++count)
+    if (has_decimal_comma(word)) return expected + decimal_comma_hint(word);
+  const bool commas_alone = count == 1 && line.find('.') == std::string_view::npos;
+  return commas_alone ? fmt::format(
+                            "{}: these commas may separate numbers or decimals, use blanks "
+                            "or semicolons between numbers",
+                            expected)
+                      : "";
+}
+
+/// Reads x, y and z of each line. Columns behind them, as many as in the first one, are passed over with a warning.
+class PostReader {
+ public:
+  PostReader(const Place& place, Faults& faults, std::vector<Diagnostic>* warnings)
+      : place_(place), faults_(faults), warnings_(warnings) {}
+
+  Posts read(std::string_view text) {
+    bool may_be_heading = true;
+    for (Lines lines(text); lines.next();) {
+      Words words(lines.line(), separators);
+      Words first = words;
+      const auto word = first.next();
+      if (word.empty() || word.front() == '#') continue;
+      const bool is_heading = may_be_heading && !parse_number(word);
+      may_be_heading = false;
+      if (is_heading) continue;
+      read_line(lines, words);
+    }
+    faults_.throw_if_any();
+    return std::move(posts_);
+  }
+
+ private:
+  void read_line(const Lines& lines, Words words) {
+    const Vec3 point = parse_point(words, lines.number(), faults_);
+    const std::size_t more = count_rest(words);
+    if (posts_.points.empty()) look_at_columns(lines, words, more);
+    if (more > columns_passed_over_) {
+      for (std::size_t k = 0; k < columns_passed_over_; ++k) words.next();
+      const auto word = words.next();
+      const auto fault = comma_fault(lines.line());
+      faults_.add(lines.number(), words.column(),
+                  !fault.empty() ? fault
+                                 : "a line must hold three numbers x, y, z (decimals behind a "
+                                   "point), goes on with " +
+                                       quoted(word));
+    }
+    posts_.points.push_back(point);
+    posts_.line.push_back(lines.number());
+  }
+
+  /// The first line says how many columns there are.
+  void look_at_columns(const Lines& lines, Words words, std::size_t more) {
+    if (more == 0 || !comma_fault(lines.line()).empty()) return;
+    columns_passed_over_ = more;
+    if (!warnings_) return;
+    Place place = place_;
+    place.line = lines.number();
+    const auto word = words.next();
+    place.column = words.column();
+    warnings_->push_back(
+        {place, fmt::format("{} behind x, y and z {} passed over, here from {}",
+                            counted(more, "column"), more == 1 ? "is" : "are", quoted(word))});
+  }
+
+  const Place& place_;
+  Faults& faults_;
+  std::vector<Diagnostic>* warnings_;
+  Posts posts_;
+  std::size_t columns_passed_over_ = 0;
+};
 
 /// Numbers of the posts by x, then y, then line.
 std::vector<std::size_t> sorted_by_place(const std::vector<Vec3>& points) {
@@ -120,9 +185,10 @@ std::vector<Real> distinct_values(const std::vector<Vec3>& posts, std::size_t ax
 
 }  // namespace
 
-TriangleSurface read_xyz(std::string_view text, const Place& place) {
+TriangleSurface read_xyz(std::string_view text, const Place& place,
+                         std::vector<Diagnostic>* warnings) {
   Faults faults(place);
-  Posts distinct = distinct_posts(read_posts(text, faults), faults);
+  Posts distinct = distinct_posts(PostReader(place, faults, warnings).read(text), faults);
   if (distinct.points.size() < 3)
     faults.fail(fmt::format("a ground needs three posts at least, has {}", distinct.points.size()));
   check_distances(distinct, faults);

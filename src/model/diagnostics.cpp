@@ -37,7 +37,7 @@ void Diagnostics::add_unreadable(const Spot& spot, const std::string& key,
   ++unreadable_;
 }
 
-void Diagnostics::fail() {
+Error Diagnostics::error() {
   const bool model_is_right = unreadable_ == found_.size() + left_out_;
   std::stable_sort(found_.begin(), found_.end(),
                    [](const auto& a, const auto& b) { return earlier(a.first, b.first); });
@@ -45,7 +45,7 @@ void Diagnostics::fail() {
   for (auto& [spot, diagnostic] : found_) all.push_back(std::move(diagnostic));
   if (left_out_ > 0)
     all.push_back({{sources_[0], 0, 0, ""}, "and " + std::to_string(left_out_) + " more errors"});
-  throw Error(model_is_right ? ErrorKind::io : ErrorKind::model, std::move(all));
+  return {model_is_right ? ErrorKind::io : ErrorKind::model, std::move(all)};
 }
 
 }  // namespace rockfold

@@ -34,9 +34,9 @@ class Diagnostics {
   Place place(const Spot& spot, const std::string& key) const;
   bool empty() const { return found_.empty(); }
 
-  /// Throws Error(model) with all of them, by line and column, those of --set last; Error(io) if all are of files that
-  /// are not there. Never call if empty.
-  [[noreturn]] void fail();
+  /// Error(model) with all of them, by line and column, those of --set last; Error(io) if all are of files that are not there. Never
+  /// call if empty.
+  Error error();
 
  private:
   std::vector<std::string> sources_;

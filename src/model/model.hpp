@@ -561,7 +561,8 @@ struct Model {
 
   std::string
       text;  ///< the model file as read, with overrides appended as comments; stored in results
-  std::string path;  ///< as given on the command line; for messages
+  std::string path;                  ///< as given on the command line; for messages
+  std::vector<Diagnostic> warnings;  ///< of reading: what is allowed and hardly meant
 };
 
 }  // namespace rockfold

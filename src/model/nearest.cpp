@@ -50,8 +50,12 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
     }
   }
   if (!nearest.empty() || typed.size() < 3) return nearest;
-  const auto full = std::find_if(candidates.begin(), candidates.end(),
-                                 [&](const auto& c) { return lower_case(c).rfind(typed, 0) == 0; });
+  const auto is_begin = [&](const auto& c) { return lower_case(c).rfind(typed, 0) == 0; };
+  const auto is_part = [&](const auto& c) {
+    return ("_" + lower_case(c) + "_").find("_" + typed + "_") != std::string::npos;
+  };
+  auto full = std::find_if(candidates.begin(), candidates.end(), is_begin);
+  if (full == candidates.end()) full = std::find_if(candidates.begin(), candidates.end(), is_part);
   return full == candidates.end() ? "" : *full;
 }
 

@@ -17,6 +17,7 @@
 #include <algorithm>
 
 #include "src/base/error.hpp"
+#include "src/model/decimal_comma.hpp"
 
 namespace rockfold {
 
@@ -139,6 +140,11 @@ void check_tokens(std::string_view text, const std::string& name) {
   }
 }
 
+std::string_view line_of(std::string_view text, int number) {
+  for (; number > 1; --number) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return text.substr(0, text.find('\n'));
+}
+
 }  // namespace
 
 Value parse_toml(std::string_view text, int source, const std::string& name) {
@@ -148,7 +154,9 @@ Value parse_toml(std::string_view text, int source, const std::string& name) {
     return Converter(source)(table);
   } catch (const toml::parse_error& error) {
     const auto spot = spot_of(error.source(), source);
-    throw Error(ErrorKind::model, "TOML syntax: " + std::string(error.description()),
+    throw Error(ErrorKind::model,
+                "TOML syntax: " + std::string(error.description()) +
+                    decimal_comma_hint(decimal_comma_value(line_of(text, spot.line))),
                 Place{name, spot.line, spot.column, ""});
   }
 }

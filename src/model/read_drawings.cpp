@@ -1,4 +1,6 @@
 // [[drawing]] and [[table]].
+#include <algorithm>
+
 #include "src/model/draft.hpp"
 #include "src/model/read_walls.hpp"
 
@@ -6,14 +8,23 @@ namespace rockfold {
 
 namespace {
 
+/// A name for a file in the result's folder: no way leads out of it.
+bool is_plain_name(const std::string& name) {
+  return std::none_of(name.begin(), name.end(), [](unsigned char c) {
+    return c == '/' || c == '\\' || c < 0x20 || c == 0x7F;
+  });
+}
+
 /// "output", with the ending that its kind has.
 void read_output_name(TableReader& in, const std::string& ending, std::string& target) {
   std::string name;
   if (!in.read("output", name)) return;
-  if (name.size() <= ending.size() || !name.ends_with(ending) ||
-      name.find('\0') != std::string::npos)
-    in.wrong("output",
-             "found " + described({name, {}}) + ", must be a name that ends in " + ending);
+  const std::string found = "found " + described({name, {}}) + ", ";
+  if (!is_plain_name(name))
+    in.wrong("output", found + "must be a plain name that ends in " + ending +
+                           ", without folders: the file is written beside the result");
+  else if (name.size() <= ending.size() || !name.ends_with(ending))
+    in.wrong("output", found + "must be a name that ends in " + ending);
   target = name;
 }
 
@@ -38,6 +49,7 @@ void read_drawings(Draft& draft) {
     Drawing drawing;
     drawing.place = in.place();
     read_output_name(in, ".svg", drawing.file);
+    drawing.place_of_file = in.place_of("output");
     const auto kind = in.choose("kind", {{"stereonet", "bolt_layout"}, {}});
     if (!kind) {
       in.give_up();
@@ -58,6 +70,7 @@ void read_tables(Draft& draft) {
     TableFile table;
     table.place = in.place();
     read_output_name(in, ".csv", table.file);
+    table.place_of_file = in.place_of("output");
     const auto kind = in.choose("kind", {{"blocks", "keyblocks", "bolts", "bolt_crossings",
                                           "pattern_search", "classification"},
                                          {}});

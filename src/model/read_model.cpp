@@ -10,6 +10,7 @@
 #include "src/model/nearest.hpp"
 #include "src/model/overrides.hpp"
 #include "src/model/parse_toml.hpp"
+#include "src/model/plausibility.hpp"
 
 namespace rockfold {
 
@@ -20,6 +21,33 @@ constexpr std::size_t largest_file = std::size_t{64} << 20;
 
 [[noreturn]] void reject_file(const std::string& path, const std::string& why) {
   throw Error(ErrorKind::io, why, Place{path, 0, 0, ""});
+}
+
+/// What a file is that is no text; "" if it may be one.
+std::string kind_of_binary(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  struct Signature {
+    std::string_view begin, kind;
+  };
+  static constexpr Signature signatures[] = {
+      {"\x89HDF\r\n\x1a\n"sv, "an HDF5 file: of a result `rockfold info` tells what it holds"},
+      {"\xFF\xFE"sv, "text in UTF-16: save it as UTF-8"},
+      {"\xFE\xFF"sv, "text in UTF-16: save it as UTF-8"},
+      {"PK\x03\x04"sv, "a ZIP archive, as office programs write"},
+      {"\x1F\x8B"sv, "compressed by gzip: unpack it first"},
+      {"%PDF"sv, "a PDF document"},
+      {"\x89PNG"sv, "a picture"},
+      {"\xD0\xCF\x11\xE0"sv, "a document of an office program"},
+  };
+  for (const auto& [begin, kind] : signatures)
+    if (bytes.starts_with(begin)) return std::string(kind);
+  constexpr std::size_t looked_at = 4096;
+  const auto front = bytes.substr(0, looked_at);
+  if (front.find('\0') == std::string_view::npos) return "";
+  // Of western text in UTF-16 every other byte is zero.
+  const bool wide = front.size() >= 4 && (front[0] == 0) != (front[1] == 0) &&
+                    (front[0] == 0) == (front[2] == 0) && (front[1] == 0) == (front[3] == 0);
+  return wide ? "text in UTF-16: save it as UTF-8" : "binary";
 }
 
 std::string file_text(const std::string& path) {
@@ -40,6 +68,9 @@ std::string file_text(const std::string& path) {
                   "is larger than " + std::to_string(largest_file >> 20) + " MiB: no model file");
   }
   if (file.bad()) reject_file(path, "cannot be read: input error");
+  if (const auto kind = kind_of_binary(text); !kind.empty())
+    throw Error(ErrorKind::model, "is " + kind + "; must be a model, TOML text in UTF-8",
+                Place{path, 0, 0, ""});
   return text;
 }
 
@@ -147,15 +178,8 @@ std::string text_with(std::string_view text, const std::vector<std::string>& ove
   return result;
 }
 
-}  // namespace
-
-Model read_model(const std::string& path, const std::vector<std::string>& overrides,
-                 Purpose purpose) {
-  return parse_model(file_text(path), path, overrides, purpose);
-}
-
-Model parse_model(std::string_view text, const std::string& name,
-                  const std::vector<std::string>& overrides, Purpose purpose) {
+ReadModel try_parse(std::string_view text, const std::string& name,
+                    const std::vector<std::string>& overrides, Purpose purpose) {
   Value root = parse_toml(text, 0, name);
   std::vector<std::string> sources{name};
   for (const auto& override_text : overrides) {
@@ -169,8 +193,29 @@ Model parse_model(std::string_view text, const std::string& name,
   read_top_level(draft, root);
   read_sections(draft);
   add_missing(draft, purpose);
-  if (!out.empty()) out.fail();
-  return std::move(draft.model);
+  if (out.empty()) draft.model.warnings = implausible_numbers(draft.root, draft.model, out);
+  ReadModel read{std::move(draft.model), {}};
+  if (!out.empty()) read.wrong = out.error();
+  return read;
+}
+
+}  // namespace
+
+Model read_model(const std::string& path, const std::vector<std::string>& overrides,
+                 Purpose purpose) {
+  return parse_model(file_text(path), path, overrides, purpose);
+}
+
+Model parse_model(std::string_view text, const std::string& name,
+                  const std::vector<std::string>& overrides, Purpose purpose) {
+  ReadModel read = try_parse(text, name, overrides, purpose);
+  if (read.wrong) throw *read.wrong;
+  return std::move(read.model);
+}
+
+ReadModel try_read_model(const std::string& path, const std::vector<std::string>& overrides,
+                         Purpose purpose) {
+  return try_parse(file_text(path), path, overrides, purpose);
 }
 
 }  // namespace rockfold

@@ -1,6 +1,7 @@
 // Reads a model file (TOML, INTERFACE.md §2).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,5 +25,15 @@ Model read_model(const std::string& path, const std::vector<std::string>& overri
 /// The same for a text in memory; `name` stands for the file in messages.
 Model parse_model(std::string_view text, const std::string& name,
                   const std::vector<std::string>& overrides = {}, Purpose purpose = Purpose::cut);
+
+/// A model as far as it could be read.
+struct ReadModel {
+  Model model;
+  std::optional<Error>
+      wrong;  ///< what read_model would throw; the model then lacks the wrong parts
+};
+/// Throws only where there is no model at all: no such file, no TOML, a malformed override.
+ReadModel try_read_model(const std::string& path, const std::vector<std::string>& overrides,
+                         Purpose purpose);
 
 }  // namespace rockfold

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/model/decimal_comma.hpp"
+
 namespace rockfold {
 
 namespace {
@@ -23,7 +25,10 @@ std::optional<Real> real_from(const Value& value, const std::string& path, const
   const auto* integer = std::get_if<std::int64_t>(&value.data);
   const auto* real = std::get_if<double>(&value.data);
   if (!integer && !real) {
-    wrong(value, path, "must be a number" + (range.unit.empty() ? "" : " (" + range.unit + ")"),
+    const auto* text = std::get_if<std::string>(&value.data);
+    wrong(value, path,
+          "must be a number" + (range.unit.empty() ? "" : " (" + range.unit + ")") +
+              (text ? decimal_comma_hint(*text) : ""),
           out);
     return {};
   }

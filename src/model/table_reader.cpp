@@ -196,6 +196,11 @@ void TableReader::unreadable(const std::string& key, const std::string& message)
   out_.add_unreadable(found ? found->value.spot : spot_, path_of(key), message);
 }
 
+Place TableReader::place_of(const std::string& key) {
+  const auto* found = entry(key);
+  return out_.place(found ? found->value.spot : spot_, path_of(key));
+}
+
 bool TableReader::is_missing(const std::string& key) const {
   return std::any_of(missing_.begin(), missing_.end(),
                      [&](const auto& m) { return contains(m.keys, key); });

@@ -78,6 +78,8 @@ class TableReader {
     return path_.empty() || key.empty() ? path_ + key : path_ + "." + key;
   }
   Place place() const { return out_.place(spot_, path_); }
+  /// Of the value under `key`, or of the table.
+  Place place_of(const std::string& key);
   Diagnostics& out() { return out_; }
 
  private:

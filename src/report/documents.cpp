@@ -38,7 +38,8 @@ Real total_volume(const BlockArrays& blocks) {
   return sum.value();
 }
 
-Json check_document(const DocumentHead& head, const Model& model) {
+Json check_document(const DocumentHead& head, const Model& model,
+                    const std::vector<NamedExtent>& extents) {
   Json document = head_json(head);
   document["ok"] = true;
   document["totals"] = {{"materials", model.materials.size()},
@@ -58,6 +59,12 @@ Json check_document(const DocumentHead& head, const Model& model) {
                           {"support", missing_for(model, Purpose::support).empty()},
                           {"theory", missing_for(model, Purpose::theory).empty()},
                           {"run", missing_for(model, Purpose::run).empty()}};
+  auto& list = document["extents"] = Json::array();
+  for (const NamedExtent& extent : extents) {
+    list.push_back({{"kind", extent.kind}, {"name", extent.name}});
+    list.back()["min"] = extent.bounded ? Json(extent.box.min) : Json();
+    list.back()["max"] = extent.bounded ? Json(extent.box.max) : Json();
+  }
   return document;
 }
 

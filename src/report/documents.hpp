@@ -15,6 +15,7 @@
 #include "host/keyblock/keyblock.hpp"
 #include "host/keyblock/theory.hpp"
 #include "host/measure/measure.hpp"
+#include "host/shapes/extents.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/arrays/cover_arrays.hpp"
 #include "src/base/error.hpp"
@@ -62,7 +63,8 @@ Json support_document(const DocumentHead& head, const Model& model, const BlockA
 Json theory_document(const DocumentHead& head, const TheoryReport& report);
 /// With "support", as support_document has it, where there are key blocks to tell of.
 Json run_document(const DocumentHead& head, const RunReport& report);
-Json check_document(const DocumentHead& head, const Model& model);
+Json check_document(const DocumentHead& head, const Model& model,
+                    const std::vector<NamedExtent>& extents);
 Json info_document(const ResultInfo& info, const std::string& path);
 Json error_document(const Error& error);
 

@@ -7,8 +7,6 @@
 
 namespace rockfold {
 
-namespace {
-
 std::string diagnostic_line(const Diagnostic& diagnostic) {
   const auto& place = diagnostic.place;
   std::string line = place.file.empty() ? "rockfold" : place.file;
@@ -17,8 +15,6 @@ std::string diagnostic_line(const Diagnostic& diagnostic) {
   if (!place.key.empty()) line += ": " + place.key;
   return line + ": " + diagnostic.message;
 }
-
-}  // namespace
 
 std::vector<std::string> error_lines(const Error& error) {
   std::vector<std::string> lines;

@@ -9,7 +9,10 @@
 
 namespace rockfold {
 
-/// "slope.toml:12:3: joint_set[2].spacing: …" for each diagnostic, then how many there are if more
+/// "slope.toml:12:3: joint_set[2].spacing: …"
+std::string diagnostic_line(const Diagnostic& diagnostic);
+
+/// The same for each diagnostic, then how many there are if more
 /// than one.
 std::vector<std::string> error_lines(const Error& error);
 

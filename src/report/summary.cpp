@@ -54,6 +54,14 @@ std::string excavations_text(const Model& model) {
          counted(stages.size(), "stage", "stages");
 }
 
+/// With the digits that map coordinates need.
+std::string extent_text(const NamedExtent& extent) {
+  if (!extent.bounded) return "without bounds";
+  const auto& [low, high] = extent.box;
+  return fmt::format("x {:.10g} to {:.10g}, y {:.10g} to {:.10g}, z {:.10g} to {:.10g} m", low[0],
+                     high[0], low[1], high[1], low[2], high[2]);
+}
+
 const char* mode_words(SlidingMode mode) {
   switch (mode) {
     case SlidingMode::lifting:
@@ -114,13 +122,18 @@ std::string analysis_name(AnalysisType type) {
   return "";
 }
 
+bool any_removable(const KeyblockReport& report) {
+  return std::any_of(report.block_class.begin(), report.block_class.end(),
+                     [](BlockClass c) { return c == BlockClass::stable || c == BlockClass::key; });
+}
+
 }  // namespace
 
 std::string fact(const std::string& name, const std::string& value) {
   return fmt::format("  {:<22} {}\n", name, value);
 }
 
-std::string check_summary(const Model& model) {
+std::string check_summary(const Model& model, const std::vector<NamedExtent>& extents) {
   std::string text = model.path + ": ok\n";
   text += fact("title", model.title.empty() ? "-" : model.title);
   text += fact("rock", counted(model.solids.size(), "solid", "solids") + ", " +
@@ -131,6 +144,7 @@ std::string check_summary(const Model& model) {
                    counted_if_any(model.joint_meshes.size(), "mesh", "meshes") +
                    counted_if_any(model.joint_tables.size(), "table", "tables") +
                    counted(model.joint_materials.size(), "joint material", "joint materials"));
+  for (const NamedExtent& extent : extents) text += fact("  " + extent.name, extent_text(extent));
   if (!model.merges.empty())
     text += fact("merges", counted(model.merges.size(), "region", "regions"));
   if (!model.excavations.empty()) text += fact("excavations", excavations_text(model));
@@ -177,7 +191,9 @@ std::string support_summary(const KeyblockReport& report, const BlockArrays& blo
                             std::size_t most) {
   auto keys = report.keyblocks;
   if (keys.empty())
-    return fact("key blocks", "none: no block moves under these loads") + doubtful_summary(report);
+    return fact("key blocks", any_removable(report) ? "none: no block moves under these loads"
+                                                    : "none: no block can move") +
+           doubtful_summary(report);
   std::stable_sort(keys.begin(), keys.end(),
                    [](const auto& a, const auto& b) { return a.support_force > b.support_force; });
   Real force = 0, volume = 0;

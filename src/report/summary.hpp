@@ -17,7 +17,7 @@ namespace rockfold {
 
 constexpr std::size_t all_keyblocks = static_cast<std::size_t>(-1);
 
-std::string check_summary(const Model& model);
+std::string check_summary(const Model& model, const std::vector<NamedExtent>& extents);
 std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks);
 /// Sizes and shapes of the blocks, joints and their intensities, stages.
 std::string measure_summary(const RockMeasures& measures);

@@ -47,7 +47,7 @@ std::string pyramids_text(const TheoryReport& report) {
 }
 
 std::string blocks_text(const ExcavationTheory& theory) {
-  if (theory.blocks.empty()) return "  no removable block\n";
+  if (theory.blocks.empty()) return "  no block can move: none is removable\n";
   std::vector<std::vector<std::string>> rows;
   for (const TheoryBlock& block : theory.blocks)
     rows.push_back({block.code, fmt::format("{:.3g}", block.shape.volume),

@@ -24,7 +24,6 @@ BOLT = 'displacement_capacity = 0.02\ncollar = [0, 1, 1]\ndirection = [1, 0, 0]\
 PATTERN = "force_capacity = 1e5\ndisplacement_capacity = 0.02\nlength = 2\nspacing = 1\n"
 Q = "[classification.q]\njr = {jr}\nja = {ja}\njw = 1\nsrf = {srf}\n"
 RMR = "[classification.rmr]\nuniaxial_strength = 1e8\njoint_condition = {}\ngroundwater = 'dry'\norientation = 'fair'\n"
-ALL_SIDES = '["xmin", "xmax", "ymin", "ymax", "zmin", "zmax"]'
 
 
 class BadSupport(ProgramTest):
@@ -39,17 +38,6 @@ class BadSupport(ProgramTest):
         for word in (key, *words):
             self.assertIn(word, said)
         self.assertEqual(self.files(), ["bad.toml"])  # no result file
-
-    def test_without_a_finite_block(self):
-        text = ROCK.replace('["zmin"]', '["xmin", "zmin"]')
-        self.refused(text, 5, "solid[1].continues", "no block is finite")
-
-    def test_without_a_free_face(self):
-        text = ROCK.replace('["zmin"]', ALL_SIDES).split("[[joint]]")[0]
-        for dip, direction, a, b in ((90, 90, (0.5, 1, 1), (1.5, 1, 1)), (90, 0, (1, 1, 1), (1, 2, 1)), (0, 0, (1, 1, 1), (1, 1, 2))):
-            for point in (a, b):
-                text += f"[[joint]]\ndip = {dip}\ndip_direction = {direction}\npoint = {list(point)}\n"
-        self.refused(text, 5, "solid[1].continues", "no finite block has a free face")
 
     def test_without_gravity(self):
         self.refused("gravity = [0, 0, 0]\n" + ROCK, 1, "gravity", "nothing")

@@ -46,6 +46,11 @@ class UsageErrors(ProgramTest):
         (["cut", "m.toml", "--jsno"], 'unknown option \'--jsno\', did you mean "--json"?'),
         (["cut", "m.toml", "n.toml"], "unexpected argument 'n.toml'"),
         (["cut", "m.toml", "check"], "two commands given"),
+        (["cut", "m.toml", "-o", "a.vtkhdf", "-o", "b.vtkhdf"], "--output is given twice"),
+        (["cut", "m.toml", "--threads", "2", "--threads", "3"], "--threads is given twice"),
+        (["--threads", "2", "cut", "m.toml", "--threads", "3"], "--threads is given twice"),
+        (["--seed", "2", "cut", "m.toml", "--seed", "3"], "--seed is given twice"),
+        (["help", "cutt"], "did you mean \"cut\"?"),
         (["cut", "m.toml", "-o"], "needs a value"),
         (["check", "m.toml", "-o", "x"], "unknown option '-o'"),
         (["cut", "m.toml", "--threads", "0"], "'0' is no whole number from 1 to 4096"),
@@ -234,6 +239,39 @@ file = "discs.csv"
         self.assertIn("a.xdmf: the .xdmf file that goes with the result would overwrite the result", message)
         self.assertIn("ends in .vtkhdf", message)
         self.assertEqual(self.files(), ["wedge.toml"])
+
+    def test_that_the_model_names_are_plain_names(self):
+        """A model from elsewhere writes beside the result and nowhere else."""
+        (self.folder / "in").mkdir()
+        text = (CASES / "wedge" / "model.toml").read_text(encoding="utf-8")
+        for name in ("../evil.svg", str(self.folder / "evil.svg"), "in/evil.svg", "..\\evil.svg"):
+            self.write("in/m.toml", text + f"[[drawing]]\noutput = '{name}'\nkind = 'stereonet'\n")
+            for command in ("check", "support"):
+                error = self.json_of(command, "in/m.toml", status=2)["error"]
+                self.assertEqual((error["kind"], error["key"], error["line"]),
+                                 ("model", "drawing[1].output", text.count("\n") + 2), error)
+                self.assertIn("must be a plain name", error["message"])
+        self.assertEqual(self.files(), ["in"])
+        self.assertEqual(os.listdir(self.folder / "in"), ["m.toml"])
+
+    def test_that_the_model_names_never_overwrite_what_it_reads_or_another(self):
+        text = "[[material]]\ndensity = 2700\n[[joint_material]]\nfriction_angle = 30\n" + self.MODEL_WITH_FILES
+        for name, content in self.FILES.items():
+            self.write(name, content)
+        key_blocks = "[[table]]\noutput = '{}'\nkind = 'keyblocks'\n"
+        for tables, key, words in ((("discs.csv",), "table[1].output", "would overwrite 'discs.csv', which the model reads"),
+                                   (("a.csv", "a.csv"), "table[2].output", "two files of one name")):
+            self.write("m.toml", text + "".join(key_blocks.format(name) for name in tables))
+            for command in ("check", "support"):
+                error = self.json_of(command, "m.toml", status=2)["error"]
+                self.assertEqual((error["kind"], error["file"], error["key"]), ("model", "m.toml", key), error)
+                self.assertGreater(error["line"], text.count("\n"))
+                self.assertIn(words, error["message"])
+                self.assertIn("a name of its own", error["message"])
+        self.assertEqual((self.folder / "discs.csv").read_text(encoding="utf-8"), self.FILES["discs.csv"])
+        (self.folder / "out").mkdir()  # beside another result the name is free
+        self.write("m.toml", text + key_blocks.format("discs.csv"))
+        self.run_program("support", "m.toml", "-o", "out/m.vtkhdf")
 
     def test_quiet_prints_nothing(self):
         self.copy_case("wedge")

@@ -53,6 +53,20 @@ dip_direction = 0
 point = [0, 0, 0]
 """
 
+DESIGN = """[[bolt_pattern]]
+on = "rock.xmax"
+spacing = 1
+length = 2
+force_capacity = 1e5
+displacement_capacity = 0.02
+[[drawing]]
+output = "net.svg"
+kind = "stereonet"
+[[table]]
+output = "keys.csv"
+kind = "keyblocks"
+"""
+
 
 class Theory(ProgramTest):
     def test_tells_all_tables(self):
@@ -141,13 +155,27 @@ class Loads(ProgramTest):
         self.assertEqual(error["key"], "point_load[1].point")
         self.assertIn("is not in the rock", error["message"])
 
-    def test_without_a_finite_block_is_an_error(self):
-        self.write("cube.toml", CUBE_ON_A_FLOOR.replace('["zmin"]', '["xmin", "zmin"]'))
-        error = self.json_of("support", "cube.toml", status=2)["error"]
-        self.assertEqual(error["key"], "solid[1].continues")
-        self.assertIn("no block is finite", error["message"])
+    def nothing_moves(self, text, why):
+        """Exit status 0 and a whole document, whose lists are empty; the same in words."""
+        self.write("still.toml", text)
+        document = self.json_of("support", "still.toml")
+        self.assertEqual((document["keyblocks"], document["stable"], document["totals"]["batches"]), ([], [], []))
+        self.assertEqual((document["totals"]["keyblocks"], document["totals"]["support_force"]), (0, 0))
+        self.assertEqual(len(document["blocks"]), document["totals"]["blocks"])
+        self.assertIn("no block can move: " + why, document["warnings"][0])
+        told = self.run_program("support", "still.toml")
+        self.assertIn("none: no block can move", told.stdout)
+        self.assertIn(why, told.stderr)
+        return document
 
-    def test_without_a_free_face_is_an_error(self):
+    def test_without_a_finite_block_nothing_moves(self):
+        sides = CUBE_ON_A_FLOOR.replace('["zmin"]', '["xmin", "zmin"]')
+        self.nothing_moves(sides, "none is finite")
+        document = self.nothing_moves(sides.split("[[joint]]")[0] + DESIGN, "none is finite")
+        self.assertEqual(document["bolting"]["adequate"], 0)
+        self.assertLess({"keys.csv", "net.svg", "still.vtkhdf"}, set(self.files()))
+
+    def test_without_a_free_face_nothing_moves(self):
         text = CUBE_ON_A_FLOOR.replace('["zmin"]', '["xmin", "xmax", "ymin", "ymax", "zmin", "zmax"]')
         text = text.split("[[joint]]")[0]
         for axis, (dip, direction) in enumerate(((90, 90), (90, 0), (0, 0))):
@@ -155,9 +183,25 @@ class Loads(ProgramTest):
                 point = [1, 1, 1]
                 point[axis] = at
                 text += f"[[joint]]\ndip = {dip}\ndip_direction = {direction}\npoint = {point}\n"
-        self.write("inside.toml", text)
-        error = self.json_of("support", "inside.toml", status=2)["error"]
-        self.assertIn("no finite block has a free face", error["message"])
+        document = self.nothing_moves(text, "every finite one is enclosed")
+        self.assertEqual([b["class"] for b in document["blocks"]].count("tapered"), 1)
+
+    def test_a_block_that_nothing_lets_out_cannot_move(self):
+        """Finite, with a free face, but wider behind it than in it."""
+        text = CUBE_ON_A_FLOOR.split("[[joint]]")[0].replace('["zmin"]', '["xmin", "xmax", "ymin", "ymax", "zmin"]')
+        for dip, direction, point in ((80, 90, [0.9, 1, 4]), (80, 270, [1.1, 1, 4]), (80, 0, [1, 0.9, 4]), (80, 180, [1, 1.1, 4])):
+            text += f"[[joint]]\ndip = {dip}\ndip_direction = {(direction + 180) % 360}\npoint = {point}\n"
+        text += "[[joint]]\ndip = 0\ndip_direction = 0\npoint = [1, 1, 3]\n"
+        self.write("plug.toml", text)
+        self.assertIn("none: no block can move", self.run_program("support", "plug.toml").stdout)
+
+    def test_without_three_sets_no_block_of_a_tunnel_can_move(self):
+        first, _, rest = THEORY.partition('[[joint_set]]\nname = "J2"')
+        self.write("adit.toml", first + "[block_theory]" + rest.partition("[block_theory]")[2])
+        document = self.json_of("theory", "adit.toml")
+        self.assertEqual((document["tunnels"][0]["blocks"], document["slopes"][0]["blocks"]), ([], []))
+        self.assertEqual(document["tunnels"][0]["monte_carlo"]["pyramids"], [])
+        self.assertIn("no block can move", self.run_program("theory", "adit.toml").stdout)
 
 
 if __name__ == "__main__":

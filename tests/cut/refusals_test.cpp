@@ -132,14 +132,14 @@ TEST(Refusals, BeforeJointsCutAreThoseOfCheck) {
   const auto expect_both = [](const Model& model, const std::string& part) {
     expect_refusal(model, part, "");
     try {
-      check_cutting(model);
+      check_cutting(model, {});
       ADD_FAILURE() << "check has not found: " << part;
     } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
     }
   };
   const Model box = box_model({0, 0, 0}, {10, 10, 10});
-  EXPECT_NO_THROW(check_cutting(box));
+  EXPECT_NO_THROW(check_cutting(box, {}));
   Model model = box;
   model.merges.push_back({Merge::Blocks{{{5, 5, 5}, {11, 5, 5}}}, {"m.toml", 3, 1, "merge[1]"}});
   expect_both(model, "(11, 5, 5) is not in the rock");

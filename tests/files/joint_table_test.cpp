@@ -39,6 +39,23 @@ TEST(JointTables, MayUseSemicolonsQuotesAndOtherLineEnds) {
   EXPECT_EQ(rows[2].material, 2);
 }
 
+TEST(JointTables, MayUseTabs) {
+  const auto rows = rows_of(
+      "dip\tdip_direction\tx\ty\tz\tradius\tmaterial\n10\t20\t1\t2\t3\t4\trough\n"
+      "10\t20\t1\t 2\t3\t\t\n");
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].center, (Vec3{1, 2, 3}));
+  EXPECT_EQ(rows[0].radius, 4);
+  EXPECT_EQ(rows[1].center, (Vec3{1, 2, 3}));
+  EXPECT_TRUE(std::isinf(rows[1].radius));
+  EXPECT_EQ(rows[1].material, 2);
+}
+
+TEST(JointTables, WithoutAHeadingGiveOneError) {
+  const auto errors = errors_of_reading([] { rows_of("45,120,0,0,0,1\n46,120,0,0,0,1\n"); });
+  EXPECT_EQ(errors.size(), 1u);
+}
+
 TEST(JointTables, ThatAreWrongSayWhereAndWhy) {
   struct Wrong {
     std::string text;
@@ -53,7 +70,13 @@ TEST(JointTables, ThatAreWrongSayWhereAndWhy) {
       {"dip,dip_drection,x,y,z,radius\n", 1, 5, "did you mean \"dip_direction\"?"},
       {"dip,dip,dip_direction,x,y,z,radius\n", 1, 5, "two columns dip"},
       {"dip,x,y\n", 1, 0, "no column dip_direction, z, radius"},
-      {"45,120,0,0,0,1\n", 1, 1, "unknown column '45'"},
+      {"45,120,0,0,0,1\n46,120,0,0,0,1\n", 1, 0,
+       "holds numbers, must be a heading: dip, dip_direction, x"},
+      {"45;120;0,5;0;0;1;clean\n", 1, 0, "holds numbers, must be a heading"},
+      {"dip;dip_direction;x;y;z;radius\n50,5;120;0;0;0;1\n", 2, 1,
+       "is '50,5'; decimals stand behind a point: 50.5, not 50,5 (a decimal comma)"},
+      {"dip\tdip_direction\tx\ty\tz\tradius\n50\t120\t0\t0\t0,5\t1\n", 2, 12,
+       "not 0,5 (a decimal comma)"},
       {head + "45,120,0,0,0\n", 2, 0, "has 5 fields, the heading 7"},
       {head + "45,120,0,0,0,1,clean,7\n", 2, 0, "has 8 fields, the heading 7"},
       {head + "91,120,0,0,0,1,\n", 2, 1, "dip must be 0 to 90 (deg), is 91"},

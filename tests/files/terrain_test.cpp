@@ -169,6 +169,18 @@ TEST(XyzPosts, MayBeSeparatedInManyWays) {
   EXPECT_EQ(ground.triangles.size(), 2u);
 }
 
+TEST(XyzPosts, MayHaveMoreColumnsThatArePassedOver) {
+  const auto plain = ground_of("0 0 1\n1 0 1\n0 1 2\n");
+  const std::string scanned = "x y z intensity r\n0 0 1 0.5 255\n1 0 1 0.25 3 # here\n0 1 2 0 0\n";
+  std::vector<Diagnostic> warnings;
+  EXPECT_EQ(read_terrain(scanned, sample_place, &warnings).vertices, plain.vertices);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].place.line, 2);
+  EXPECT_EQ(warnings[0].place.column, 7);
+  EXPECT_EQ(warnings[0].message, "2 columns behind x, y and z are passed over, here from '0.5'");
+  EXPECT_EQ(ground_of("0.5,0,1,7\n1,0,1,7\n0,1,2,7\n").vertices.size(), 3u);
+}
+
 TEST(XyzPosts, ScatteredAreJoinedByDelaunaysTriangulation) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<Real> coordinate(0, 100);
@@ -289,7 +301,10 @@ TEST(WrongTerrains, SayWhatAndWhere) {
       {"0 0 1\n1 0 nan\n", 2, 5, {"z is nan"}},
       {"0 0 1\n1 2e9 1\n", 2, 3, {"y is 2e+09"}},
       {"0 0 1\n1 0 1 7\n", 2, 7, {"goes on with '7'"}},
-      {"1,5;2,5;3,5\n", 1, 7, {"decimals behind a point"}},
+      {"0 0 1 7\n1 0 1 7 8\n", 2, 9, {"goes on with '8'"}},
+      {"1,5;2,5;3,5\n", 1, 7, {"decimals behind a point", "1.5, not 1,5 (a decimal comma)"}},
+      {"1,5 2,5 3,5\n2,5 2,5 3,5\n", 1, 7, {"1.5, not 1,5 (a decimal comma)"}},
+      {"1,5,2,5,3,5\n", 1, 7, {"these commas may separate numbers or decimals"}},
       {"x y z\nmore words here\n", 2, 1, {"x must be a number, is 'more'"}},
       {"0 0 1\n1 0 1\n", 0, 0, {"three posts at least, has 2"}},
       {"0 0 1\n1 1 1\n3 3 1\n", 0, 0, {"one line"}},

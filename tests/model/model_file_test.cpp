@@ -62,7 +62,7 @@ TEST_F(ModelFile, ThatIsBinary) {
   expect_error(path_of(std::string("\x7F"
                                    "ELF\0\1\2\xFF",
                                    8)),
-               ErrorKind::model, "TOML syntax");
+               ErrorKind::model, "is binary; must be a model");
 }
 
 TEST_F(ModelFile, ThatIsHuge) {
@@ -72,7 +72,8 @@ TEST_F(ModelFile, ThatIsHuge) {
 }
 
 TEST_F(ModelFile, OfUtf16) {
-  expect_error(path_of(std::string("\xFF\xFEt\0i\0", 6)), ErrorKind::model, "TOML syntax");
+  expect_error(path_of(std::string("\xFF\xFEt\0i\0", 6)), ErrorKind::model,
+               "is text in UTF-16: save it as UTF-8");
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ TEST(NearestWord, ForgivesAThirdOfTheLetters) {
   EXPECT_EQ(nearest_word("dp", keys), "dip");
   EXPECT_EQ(nearest_word("dip-direction", keys), "dip_direction");
   EXPECT_EQ(nearest_word("friction", keys), "friction_angle");
+  EXPECT_EQ(nearest_word("angle", keys), "friction_angle");
+  EXPECT_EQ(nearest_word("gle", keys), "");
   EXPECT_EQ(nearest_word("quantum", keys), "");
   EXPECT_EQ(nearest_word("", keys), "");
   EXPECT_EQ(nearest_word("name", {}), "");

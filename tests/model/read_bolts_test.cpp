@@ -125,6 +125,11 @@ TEST(WrongSupport, OfDrawingsAndTables) {
       {ROCK "[[drawing]]\noutput = 'a.svg'\nkind = 'bolt_layout'", 6, 1, "drawing[1].on", "must name an excavation"},
       {ROCK "[[drawing]]\noutput = 'a.svg'\nkind = 'stereonet'\nprojection = 'equal_area'\njoint_pyramids = true", 9, 14, "drawing[1].projection", "need \"equal_angle\""},
       {ROCK "[[table]]\noutput = '.csv'\nkind = 'bolts'", 7, 10, "table[1].output", "must be a name that ends in .csv"},
+      {ROCK "[[drawing]]\noutput = '../../evil.svg'\nkind = 'stereonet'", 7, 10, "drawing[1].output", "found \"../../evil.svg\", must be a plain name that ends in .svg, without folders"},
+      {ROCK "[[drawing]]\noutput = '/tmp/evil.svg'\nkind = 'stereonet'", 7, 10, "drawing[1].output", "must be a plain name"},
+      {ROCK "[[table]]\noutput = 'a/b.csv'\nkind = 'bolts'", 7, 10, "table[1].output", "must be a plain name"},
+      {ROCK "[[table]]\noutput = '..\\b.csv'\nkind = 'bolts'", 7, 10, "table[1].output", "must be a plain name"},
+      {ROCK "[[table]]\noutput = \"a\\u0000.csv\"\nkind = 'bolts'", 7, 10, "table[1].output", "must be a plain name"},
   };
   for (const auto& wrong : cases) expect_error(wrong);
 }

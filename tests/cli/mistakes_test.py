@@ -1,0 +1,192 @@
+"""Mistakes that people make, and what the program says to them."""
+import unittest
+
+from program import ProgramTest
+
+ROCK = """[[material]]
+density = 2700
+young_modulus = 30e9
+poisson_ratio = 0.25
+[[joint_material]]
+friction_angle = 30
+[[solid]]
+name = "rock"
+shape = "box"
+min = [0, 0, 0]
+max = [10, 20, 30]
+continues = ["zmin"]
+"""
+TETRAHEDRON = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
+POINT = "point = [5, 10, 15]\n"
+STATIC = "[cover]\nspacing = 5\n[analysis]\ntype = 'static'\n[[fixed]]\nwhere = {face = 'rock.zmin'}\n"
+
+
+class Check(ProgramTest):
+    def errors(self, text, status=2):
+        self.write("m.toml", text)
+        error = self.json_of("check", "m.toml", status=status)["error"]
+        return error.get("errors", [error])
+
+    def test_tells_where_solids_meshes_and_terrains_lie(self):
+        self.write("rock.obj", TETRAHEDRON.replace("v 4 0 0", "v 447000.25 0 0"))
+        self.write("ground.xyz", "-1 -2 5\n9 -2 5\n9 8 5\n-1 8 7\n")
+        self.write("m.toml", ROCK + "[[solid]]\nname = 'body'\nshape = 'mesh'\nfile = 'rock.obj'\n"
+                   "[[solid]]\nname = 'air'\noperation = 'subtract'\nshape = 'halfspaces'\nplanes = [{dip = 0, dip_direction = 0, point = [0, 0, 29], keep = 'above'}]\n"
+                   "[[solid]]\nname = 'ground'\nshape = 'terrain'\nfile = 'ground.xyz'\nbase = -3\n"
+                   "[[joint_mesh]]\nname = 'fault'\nfile = 'rock.obj'\n"
+                   "[[excavation]]\nname = 'pit'\nshape = 'box'\nmin = [1, 1, 20]\nmax = [2, 2, 40]\n")
+        text = self.run_program("check", "m.toml").stdout
+        for name, extent in (("rock", "x 0 to 10, y 0 to 20, z 0 to 30 m"), ("body", "x 0 to 447000.25, y 0 to 4, z 0 to 4 m"),
+                             ("air", "without bounds"), ("ground", "x -1 to 9, y -2 to 8, z -3 to 7 m"),
+                             ("fault", "x 0 to 447000.25, y 0 to 4, z 0 to 4 m"), ("pit", "x 1 to 2, y 1 to 2, z 20 to 40 m")):
+            self.assertRegex(text, rf"(?m)^ +{name} +{extent}$")
+        extents = self.json_of("check", "m.toml")["extents"]
+        self.assertEqual([extent["name"] for extent in extents], ["rock", "body", "air", "ground", "pit", "fault"])
+        self.assertEqual(extents[0], {"kind": "solid", "name": "rock", "min": [0, 0, 0], "max": [10, 20, 30]})
+        self.assertEqual((extents[2]["min"], extents[5]["kind"]), (None, "joint_mesh"))
+
+    def test_finds_points_outside_the_rock(self):
+        text = ROCK + STATIC
+        errors = self.errors(text + "[[monitor]]\npoint = [5, 10, 31]\n[[monitor]]\npoint = [5, 10, 30]\n"
+                             "[[point_load]]\npoint = [-1, 0, 0]\nforce = [1, 0, 0]\n"
+                             "[[fixed]]\nwhere = {point = [50, 0, 0]}\n")
+        self.assertEqual([error["key"] for error in errors], ["point_load[1].point", "monitor[1].point", "fixed[2].where.point"])
+        self.assertIn("(5, 10, 31) of monitor monitor1 is not in the rock", errors[1]["message"])
+        self.assertTrue(all(error["line"] > 0 for error in errors))
+
+    def test_knows_that_excavated_rock_is_gone(self):
+        pit = "[[excavation]]\nname = 'pit'\nshape = 'box'\nmin = [4, 9, 14]\nmax = [6, 11, 31]\n"
+        load = "[[point_load]]\n" + POINT + "force = [1, 0, 0]\n"
+        (error,) = self.errors(ROCK + STATIC + pit + "[[monitor]]\n" + POINT)
+        self.assertIn("an [[excavation]] removes it", error["message"])
+        (error,) = self.errors(ROCK + STATIC + pit + load)
+        self.assertEqual(error["key"], "point_load[1].point")
+        self.write("m.toml", ROCK + pit + load)  # block theory begins before any stage
+        self.run_program("check", "m.toml")
+
+    def test_tells_of_an_open_mesh_beside_a_wrong_face(self):
+        self.write("rock.obj", TETRAHEDRON.replace("f 3 1 4\n", ""))
+        self.write("discs.csv", "dip;dip_direction;x;y;z;radius\n95;0;0;0;0;1\n")
+        text = "[[solid]]\nname = 'rock'\nshape = 'mesh'\nfile = 'rock.obj'\n[[joint_table]]\nfile = 'discs.csv'\n" + \
+            "[[joint_mesh]]\nfile = 'none.obj'\n[[fixed]]\nwhere = {face = 'rock.zmin'}\n"
+        errors = self.errors(text)
+        self.assertEqual([error["key"] for error in errors],
+                         ["joint_mesh[1].file", "fixed[1].where.face", "solid[1].file", "joint_table[1].file"])
+        self.assertIn("closed", errors[2]["message"])
+        self.assertEqual(errors[3]["line"], 2)
+
+    def test_ends_with_status_3_where_nothing_but_files_are_missing(self):
+        self.errors("[[joint_mesh]]\nfile = 'none.obj'\n" + ROCK, status=3)
+
+
+class Slips(ProgramTest):
+    def said(self, text, *words):
+        path = self.folder / "m.toml"
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        said = self.run_program("check", "m.toml", status=2).stderr
+        for word in words:
+            self.assertIn(word, said)
+        return said
+
+    def test_decimal_commas(self):
+        joints = ROCK + "[[joint_set]]\ndip = 60\ndip_direction = 90\nspacing = {}\n"
+        for value in ("2,5", "'2,5'"):
+            said = self.said(joints.format(value), "m.toml:16:", "decimals stand behind a point: 2.5, not 2,5 (a decimal comma)")
+            self.assertEqual(said.count("m.toml"), 1)
+        self.said(ROCK.replace("[0, 0, 0]", "[0, 0 0]"), "TOML syntax")
+        self.write("m.toml", joints.format(2))
+        said = self.run_program("check", "m.toml", "--set", "joint_set.1.spacing=2,5", status=2).stderr
+        self.assertIn("2.5, not 2,5", said)
+
+    def test_a_part_of_a_key(self):
+        self.said(ROCK + "[[joint_set]]\ndip = 60\ndip_direction = 90\n[joint_set.random]\nspacing = 2\nkappa = 20\n",
+                  'unknown key "kappa", did you mean "fisher_kappa"?')
+
+    def test_files_that_are_no_text(self):
+        for kind, words in ((ROCK.encode("utf-16"), "text in UTF-16"), (ROCK.encode("utf-16-le"), "text in UTF-16"),
+                            (ROCK.encode("utf-16-be"), "text in UTF-16"), (b"\x89HDF\r\n\x1a\n\0\0", "rockfold info"),
+                            (b"PK\x03\x04\x14\0", "ZIP archive"), (b"solid \0\0\1\2\3", "is binary")):
+            self.said(kind, words, "must be a model, TOML text in UTF-8")
+
+    def test_more_columns_than_posts_have(self):
+        self.write("ground.xyz", "0 0 5 255\n9 0 5 255\n9 8 5 7\n0 8 7 8\n")
+        self.write("m.toml", "[[solid]]\nname = 'ground'\nshape = 'terrain'\nfile = 'ground.xyz'\nbase = -3\n")
+        document = self.json_of("check", "m.toml")
+        self.assertEqual(len(document["warnings"]), 1)
+        self.assertIn("ground.xyz:1:7: solid[1].file: 1 column behind x, y and z is passed over", document["warnings"][0])
+
+
+class Implausible(ProgramTest):
+    def warnings(self, text, command="check"):
+        self.write("m.toml", text)
+        warnings = self.json_of(command, "m.toml")["warnings"]
+        said = self.run_program(command, "m.toml").stderr
+        for warning in warnings:
+            self.assertIn("warning: " + warning, said)
+        return warnings
+
+    def warned(self, text, *words, command="check"):
+        (warning,) = self.warnings(text, command)
+        for word in words:
+            self.assertIn(word, warning)
+
+    def test_numbers_in_other_units(self):
+        self.assertEqual(self.warnings(ROCK), [])
+        modulus, density = "young_modulus = 30e9", "density = 2700"
+        for given, line, words in ((modulus.replace("30e9", "30"), 3, "material[1].young_modulus: is 30 Pa: did you mean 3e10 (30 GPa)?"),
+                                   (modulus.replace("30e9", "30e3"), 3, "did you mean 3e10 (30000.0 MPa)?"),
+                                   ("density = 2.7", 2, "is 2.7 kg/m3: did you mean 2700 (2.7 t/m3)?"),
+                                   ("density = 27", 2, "did you mean 2752 (27 kN/m3, a unit weight)?"),
+                                   ("density = 27e3", 2, "did you mean 2752 (27000.0 N/m3, a unit weight)?")):
+            old = modulus if "young" in given else density
+            self.warned(ROCK.replace(old, given), f"m.toml:{line}:", words)
+        bolt = "[[bolt]]\nforce_capacity = 150\ndisplacement_capacity = 0.02\ncollar = [10, 5, 5]\ndirection = [-1, 0, 0]\nlength = 3\n"
+        self.warned(ROCK + bolt, "bolt[1].force_capacity: is 150 N: did you mean 150000 (150 kN)?")
+        # Without weight a model may well have no units.
+        self.assertEqual(self.warnings("gravity = [0, 0, 0]\n" + ROCK.replace("30e9", "1").replace("2700", "1")), [])
+
+    def test_angles_in_radians(self):
+        joint = "[[joint]]\ndip = {}\ndip_direction = {}\n" + POINT
+        radians = ROCK.replace("friction_angle = 30", "friction_angle = 0.52")
+        self.warned(radians + joint.format(1.047, 2.1), "joint[1].dip: is 1.047 deg", "radians?")
+        for text in (ROCK + joint.format(1.047, 2.1), radians + joint.format(60, 2.1), radians + joint.format(1, 120),
+                     radians.replace("0.52", "0") + joint.format(0, 0)):
+            self.assertEqual(self.warnings(text), [])
+
+    def test_gravity_that_points_up_or_acts_alone(self):
+        self.warned("gravity = [0, 0, 9.81]\n" + ROCK, "m.toml:1:11: gravity: points up")
+        still = "gravity = [0, 0, 0]\n" + ROCK + STATIC
+        self.warned(still, "gravity: is zero and nothing else acts")
+        self.assertEqual(self.warnings(still + "[[traction]]\nwhere = {face = 'rock.zmax'}\npressure = 1e5\n"), [])
+
+    def test_joints_beside_the_rock(self):
+        dips = "dip = 0\ndip_direction = 0\n"
+        self.warned(ROCK + "[[joint]]\n" + dips + "point = [0, 0, 31]\n", "m.toml:13:", "joint[1]: lies beside the rock and cuts nothing")
+        self.warned(ROCK + "[[joint]]\n" + dips + "point = [15, 0, 15]\nradius = 4\n", "joint[1]: lies beside")
+        self.assertEqual(self.warnings(ROCK + "[[joint]]\n" + dips + "point = [15, 0, 15]\nradius = 6\n"), [])
+        joints = ROCK + "[[joint_set]]\n" + dips + "spacing = 10\norigin = [0, 0, 15]\n"
+        self.assertEqual(self.warnings(joints), [])
+        self.warned(joints + "count = 5\n", "joint_set[1]: 2 of 5 planes lie beside the rock", command="cut")
+        self.warned(joints.replace("spacing = 10", "spacing = 100").replace("15", "50"), "joint_set[1]: has no plane that meets the rock")
+        self.warned(joints.replace("[0, 0, 15]", "[90, 0, 15]") + "radius = 3\n", "all 3 discs lie beside the rock")
+        self.write("discs.csv", "dip\tdip_direction\tx\ty\tz\tradius\n0\t0\t5\t5\t5\t1\n0\t0\t5\t5\t50\t1\n0\t0\t5\t5\t50\t\n")
+        self.warned(ROCK + "[[joint_table]]\nfile = 'discs.csv'\n", "joint_table[1]: 2 of 3 joints lie beside the rock")
+        self.write("fault.obj", TETRAHEDRON.replace("v ", "v 5000"))
+        self.warned(ROCK + "[[joint_mesh]]\nfile = 'fault.obj'\n", "joint_mesh[1]: all 4 triangles lie beside the rock")
+
+    def test_rock_that_goes_on_nowhere(self):
+        joint = "[[joint]]\ndip = 50\ndip_direction = 90\n" + POINT
+        free = ROCK.replace('continues = ["zmin"]\n', "") + joint
+        self.warned(free, "solid[1].continues: no solid has any", command="support")
+        self.assertEqual(self.warnings(ROCK + joint, "support"), [])
+        self.assertEqual(self.warnings(free, "cut"), [])
+
+
+class Help(ProgramTest):
+    def test_is_a_command_too(self):
+        self.assertEqual(self.run_program("help").stdout, self.run_program("--help").stdout)
+        self.assertEqual(self.run_program("help", "cut").stdout, self.run_program("cut", "--help").stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
