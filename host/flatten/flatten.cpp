@@ -108,7 +108,7 @@ class SurfaceWriter {
 
   // Beams about as narrow as the tolerance show what the largest one beside them does.
   void find_sides() {
-    side_.assign(sides_, {});
+    if (!complex_.beams.empty()) side_.assign(sides_, {});
     shown_.assign(complex_.beams.size(), none);
     const auto count = static_cast<Index>(complex_.beams.size());
     for (Index begin = 0, end = 0; begin < count; begin = end) {
@@ -132,6 +132,7 @@ class SurfaceWriter {
   static bool starts_with(const Beam& b, const Beam& first) {
     return b.start == first.start && b.cell[0] == first.cell[0] && b.face[0] == first.face[0];
   }
+  SideOfSliver side_of(Index i) const { return side_.empty() ? SideOfSliver{} : side_[i]; }
   // Whether beams are areas of their own: the side that they start from is not the same all over.
   bool stands_alone(const Beam& b) const { return b.start == none || side_[b.start].mixed; }
 
@@ -145,7 +146,7 @@ class SurfaceWriter {
         return rank[f.cell[0]] == rank[f.cell[1]] || (f.joint == none && !f.narrow) ? none
                                                                                     : rank[cell];
       // Where no beam leaves it is narrow: only with it the surface closes.
-      const SideOfSliver& side = side_[i];
+      const SideOfSliver side = side_of(i);
       const bool has_beams = side.begin < side.end;
       return has_beams && (side.mixed || side.origin == none) ? none : rank[cell];
     }
@@ -164,8 +165,9 @@ class SurfaceWriter {
       BoundaryArea a;
       if (i < sides_) {
         const Fragment& f = complex_.fragments[i / 2];
-        const bool has_beams = side_[i].begin < side_[i].end && !is_as_cut(rank);
-        a = {f.cell[i % 2], f.face[i % 2], has_beams ? side_[i].origin : f.joint, f.area, i / 2,
+        const SideOfSliver side = side_of(i);
+        const bool has_beams = side.begin < side.end && !is_as_cut(rank);
+        a = {f.cell[i % 2], f.face[i % 2], has_beams ? side.origin : f.joint, f.area, i / 2,
              none,          none};
       } else if (i < before_beams_) {
         const FreePart& f = complex_.free_parts[i - sides_];
@@ -243,7 +245,7 @@ class SurfaceWriter {
     std::vector<Index> identified(chunks_, 0);
     for_each_chunk([&](Index k, Index begin, Index end) {
       std::vector<BoundaryArea> areas;
-      std::vector<Index> workspace;
+      CellFaces workspace;
       for (Index r = begin; r < end; ++r) {
         SurfaceSize& size = begin_[order_.block[r] + 1];
         find_areas(r, areas);
@@ -335,6 +337,7 @@ class SurfaceWriter {
     const auto items = items_of(rank);
     for (std::size_t i = 0; i < items.size(); ++i) {
       out_.face_origin[at.faces + areas[i].face] = areas[i].origin;
+      out_.face_area[at.faces + areas[i].face] += areas[i].area;
       face_of_item_[items[i]] = at.faces + areas[i].face;
     }
     bool finite = true;
@@ -343,7 +346,7 @@ class SurfaceWriter {
       const auto& face = cell.faces[f];
       const Index number = at.faces + static_cast<Index>(f);
       const Index origin = out_.face_origin[number];
-      write_face(number, {face.inside, origin, area_from_above(cell, face)});
+      write_face(number, {face.inside, origin, out_.face_area[number]});
       finite = finite && !complex_.origins[origin].continues;
       for (const auto& of_face : cell.corners.subspan(face.begin, face.count))
         out_.corner_vertex[corner++] = at.vertices + of_face.vertex;
@@ -404,7 +407,9 @@ class SurfaceWriter {
   void find_contacts(Index rank, std::vector<Contact>& contacts) const {
     contacts.clear();
     const Index b = order_.block[rank];
-    const auto is_cut = [&](Index cell) { return is_as_cut(order_.rank_of_cell[cell]); };
+    const auto is_cut = [&](Index cell) {
+      return !as_cut_.empty() && is_as_cut(order_.rank_of_cell[cell]);
+    };
     const auto add = [&](Index cell, Index face, Index other, Real area, Index item) {
       const Index behind = complex_.cell_block[cell];
       if (behind > b && face != none && other != none)
@@ -423,7 +428,8 @@ class SurfaceWriter {
         const bool as_cut = is_as_cut(rank) || is_cut(f.cell[1 - i % 2]);
         if ((as_cut || !complex_.touches_hidden(f)) && f.joint != none)
           add(f.cell[1 - i % 2], face_of_item_[i], face_of_item_[i ^ 1], f.area, i / 2);
-        for (Index k = side_[i].begin; k < side_[i].end && !as_cut; ++k) add_beam(k);
+        const SideOfSliver side = side_of(i);
+        for (Index k = side.begin; k < side.end && !as_cut; ++k) add_beam(k);
       }
     }
     std::sort(contacts.begin(), contacts.end());
@@ -445,7 +451,7 @@ class SurfaceWriter {
   std::vector<Index> return_of_;                // [beams]
   std::vector<bool> as_cut_;                    // by rank; empty: none
   Grouping cut_areas_;                          // by rank, of those
-  std::vector<SideOfSliver> side_;              // [sides] of fragments
+  std::vector<SideOfSliver> side_;              // [sides] of fragments; empty: no beams
   std::vector<Index> shown_;                    // [beams] origin_of(), or that of a larger one
   std::set<std::pair<Index, Index>>
       before_gap_;  // faces of cells that beams leave into a narrow void

@@ -9,7 +9,8 @@ namespace rockfold {
 namespace {
 
 // A convex polygon is at least as wide as its area over its circumference, which is at most that of the circle around it.
-bool is_narrow(const CellView& cell, const ConvexCell::Face& face, Real diameter, Real tolerance) {
+bool is_narrow(const CellView& cell, const ConvexCell::Face& face, Real area, Real diameter,
+               Real tolerance) {
   constexpr Real pi = 3.141592653589793;
   for (std::int32_t k = 0; k < face.count; ++k) {
     const Vec3& a = cell.vertices[cell.corners[face.begin + k].vertex].x;
@@ -17,7 +18,7 @@ bool is_narrow(const CellView& cell, const ConvexCell::Face& face, Real diameter
         cell.vertices[cell.corners[face.begin + (k + 1 < face.count ? k + 1 : 0)].vertex].x;
     if (dot(b - a, b - a) < 4 * tolerance * tolerance) return true;
   }
-  return area_from_above(cell, face) < 2 * tolerance * pi * diameter;
+  return area < 2 * tolerance * pi * diameter;
 }
 
 // Whether two faces may be shown as one: one of them lies on the other's plane, to the tolerance.
@@ -38,38 +39,27 @@ bool nearly_coplanar(const CellView& cell, std::size_t f, std::size_t g, const P
 }  // namespace
 
 bool is_plain_cell(const Complex& complex, Index cells, const std::vector<BoundaryArea>& areas,
-                   std::vector<Index>& workspace) {
+                   CellFaces& workspace) {
   if (cells != 1 || areas.empty()) return false;
   const CellView cell = complex.cells[areas.front().cell];
-  std::vector<Index>& origin = workspace;  // of each face
+  auto& [origin, area] = workspace;
   origin.assign(cell.faces.size(), none);
+  area.assign(cell.faces.size(), 0);
   for (const BoundaryArea& a : areas) {
     if (a.origin == none) return false;
     if (origin[a.face] != none && origin[a.face] != a.origin) return false;
     origin[a.face] = a.origin;
+    area[a.face] += a.area;
   }
-  const Real diameter = 2 * bounding_ball(cell).radius;
+  const Real diameter = 2 * bounding_ball(cell).radius,
+             tolerance = complex.planes.width_tolerance();
   for (std::size_t f = 0; f < origin.size(); ++f) {
-    if (origin[f] == none ||
-        is_narrow(cell, cell.faces[f], diameter, complex.planes.width_tolerance()))
+    if (origin[f] == none || is_narrow(cell, cell.faces[f], area[f], diameter, tolerance))
       return false;
     for (std::size_t g = 0; g < f; ++g)
       if (origin[f] == origin[g] && nearly_coplanar(cell, f, g, complex.planes)) return false;
   }
   return true;
-}
-
-// Seen from above its plane, the loop of a face below the cell begins at the last corner and runs backwards.
-Real area_from_above(const CellView& cell, const ConvexCell::Face& face) {
-  const auto corner = [&](std::int32_t k) -> const Vec3& {
-    const std::int32_t i = is_above(face.inside) ? face.count - 1 - k : k;
-    return cell.vertices[cell.corners[face.begin + i].vertex].x;
-  };
-  const Vec3& o = corner(0);
-  Real area = 0;
-  for (std::int32_t k = 1; k + 1 < face.count; ++k)
-    area += norm(cross(corner(k) - o, corner(k + 1) - o)) / 2;
-  return area;
 }
 
 }  // namespace rockfold

@@ -7,12 +7,15 @@
 
 namespace rockfold {
 
+/// What its areas make of each face of a cell.
+struct CellFaces {
+  std::vector<Index> origin;
+  std::vector<Real> area;  ///< m²
+};
+
 /// Whether the areas are those of such a block, of `cells` cells, and none of its faces and edges is as narrow or short as the
 /// tolerance.
 bool is_plain_cell(const Complex& complex, Index cells, const std::vector<BoundaryArea>& areas,
-                   std::vector<Index>& workspace);
-
-/// The area of face_polygon(), without making it.
-Real area_from_above(const CellView& cell, const ConvexCell::Face& face);
+                   CellFaces& workspace);
 
 }  // namespace rockfold
