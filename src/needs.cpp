@@ -173,21 +173,17 @@ void warn_of_conditional_stability(const Model& model, Terminal& terminal) {
 }
 
 void warn_of_cutting(const IntentReport& intent, Terminal& terminal) {
-  if (intent.doubts == 0) return;
+  if (!intent.doubts_decide) return;
   std::string names;
   for (const auto& name : intent.near_planes) names += (names.empty() ? "" : ", ") + name;
-  std::string narrowest;
-  if (intent.least_doubt > 0)
-    narrowest =
-        fmt::format("; the narrowest cell, {:.2g} m wide, lies at ({:.6g}, {:.6g}, {:.6g})",
-                    intent.least_doubt, intent.doubt_at[0], intent.doubt_at[1], intent.doubt_at[2]);
   const std::string what = intent.doubts == 1
                                ? "a cell or opening of the rock is"
                                : fmt::format("{} cells or openings of the rock are", intent.doubts);
-  terminal.warn(
-      fmt::format("{} about as wide as 1e-9 of the model's size; what is narrower is no block and "
-                  "no connection: other digits of the input could give other blocks; between: {}{}",
-                  what, names, narrowest));
+  terminal.warn(fmt::format(
+      "{} about as wide as 1e-9 of the model's size, and blocks depend on it: what is "
+      "narrower is no block and no connection. They lie between: {}; the narrowest, "
+      "{:.2g} m wide, lies at ({:.6g}, {:.6g}, {:.6g})",
+      what, names, intent.least_doubt, intent.doubt_at[0], intent.doubt_at[1], intent.doubt_at[2]));
 }
 
 void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& model,

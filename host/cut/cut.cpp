@@ -12,6 +12,7 @@
 #include "host/cut/beams.hpp"
 #include "host/cut/blocks.hpp"
 #include "host/cut/connectivity.hpp"
+#include "host/cut/intent_report.hpp"
 #include "host/cut/subdivide.hpp"
 #include "host/cut/surfaces.hpp"
 #include "host/cut/width.hpp"
@@ -66,8 +67,6 @@ std::vector<CuttingSurface> facet_surfaces(const Complex& complex) {
   for (const Facet& facet : complex.facets) surfaces.push_back({&facet.patch, none, 0});
   return surfaces;
 }
-
-constexpr std::size_t most_names = 20;  // in reports
 
 // More than that many beyond the limit are not even counted.
 constexpr std::int64_t counted_beyond = 100'000;
@@ -239,37 +238,6 @@ Uncut shape_rock(const Model& model) {
   return uncut;
 }
 
-// Names of joints and faces on the planes, or with edges on them: at most 20, sorted.
-std::vector<std::string> names_on(const Complex& complex, const std::vector<Index>& planes) {
-  const std::set<Index> wanted(planes.begin(), planes.end());
-  std::set<std::string> names;
-  const auto name_all = [&](const auto& things) {
-    for (const auto& thing : things) {
-      if (thing.origin == none) continue;
-      bool found = wanted.count(thing.patch.plane) != 0;
-      for (const HalfSpaceId edge : thing.patch.edges)
-        found = found || wanted.count(plane_of(edge)) != 0;
-      if (found) names.insert(complex.origins[thing.origin].name);
-    }
-  };
-  if (!wanted.empty()) name_all(complex.joints), name_all(complex.facets);
-  std::vector<std::string> result(names.begin(), names.end());
-  if (result.size() > most_names) result.resize(most_names);
-  return result;
-}
-
-// The planes between which a cell is as narrow as it is: those that lie along its width, or all of a speck's.
-std::vector<Index> planes_about(const CellView& cell, const PlaneTable& planes) {
-  const Vec3& axis = planes.normal(plane_of(cell.faces[cell_width(cell, planes).face].inside));
-  std::vector<Index> along, all;
-  for (const auto& face : cell.faces) {
-    const Index plane = plane_of(face.inside);
-    all.push_back(plane);
-    if (std::abs(dot(planes.normal(plane), axis)) > 0.5) along.push_back(plane);
-  }
-  return along.size() > 1 ? along : all;
-}
-
 // On its boundary too, to the tolerance.
 bool holds(const CellView& cell, const Vec3& point, const PlaneTable& planes) {
   const Vec3 x = point - planes.centre();
@@ -278,38 +246,6 @@ bool holds(const CellView& cell, const Vec3& point, const PlaneTable& planes) {
     const Real above = dot(planes.normal(plane), x) - planes.offset(plane);
     return (is_above(face.inside) ? above : -above) >= -planes.width_tolerance();
   });
-}
-
-IntentReport intent_report(const Complex& complex, const GivenIntent& given,
-                           const std::vector<CellMeasure>& measures,
-                           const std::vector<Index>& doubtful_glue) {
-  IntentReport report;
-  report.planes_identified = static_cast<Index>(given.planes.size());
-  report.edges_identified = given.edges;
-  report.corners_identified = given.corners;
-  report.identified = names_on(complex, given.planes);
-  const Real tolerance = complex.planes.width_tolerance();
-  std::vector<Index> near;
-  report.doubts = static_cast<Index>(doubtful_glue.size());
-  for (const Index f : doubtful_glue)
-    for (const HalfSpaceId edge : complex.polygon_of(complex.fragments[f]).edge)
-      near.push_back(plane_of(edge));
-  for (std::size_t c = 0; c < measures.size(); ++c) {
-    const Real width = measures[c].width;
-    if (width < tolerance) ++report.slivers;
-    if (!is_doubtful(width, tolerance)) continue;
-    ++report.doubts;
-    const CellView cell = complex.cells[static_cast<Index>(c)];
-    const auto about = planes_about(cell, complex.planes);
-    near.insert(near.end(), about.begin(), about.end());
-    if (report.least_doubt > 0 && report.least_doubt <= width) continue;
-    report.least_doubt = width;
-    report.doubt_at = bounding_ball(cell).centre + complex.planes.centre();
-  }
-  for (const Fragment& f : complex.fragments)
-    if (f.narrow && !complex.touches_sliver(f)) ++report.openings_closed;
-  report.near_planes = names_on(complex, near);
-  return report;
 }
 
 CutTotals totals_of(const Complex& complex, const Rock& rock) {

@@ -27,8 +27,10 @@ struct IntentReport {
   std::vector<std::string>
       identified;  ///< names of what coincides with another given plane (at most 20), sorted
   std::vector<std::string> near_planes;  ///< names of what doubts lie between (at most 20), sorted
-  Real least_doubt = 0;                  ///< m: the width of the narrowest of these cells, 0 = none
-  Vec3 doubt_at{};                       ///< m: where it is
+  bool doubts_decide =
+      false;  ///< blocks would be others if these widths were clearly narrow, or clearly wide
+  Real least_doubt = 0;  ///< m: the least of these widths, 0 = none
+  Vec3 doubt_at{};       ///< m: where it is
 };
 
 struct CutTotals {

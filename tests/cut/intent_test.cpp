@@ -41,6 +41,37 @@ void expect_no_doubt(const Blocks& blocks) {
   expect_doubt(blocks, 0, {}, 0);
 }
 
+TEST(Doubts, DecideWhereBlocksWouldBeOthersIfTheyWereClear) {
+  // A gap of `width` times L between two joints: a block of its own, or a sliver of one beside it.
+  const auto decide = [](Real width) {
+    Model model = box_model({0, 0, 0}, {1, 1, 1});
+    for (const Real z : {0.5, 0.5 + width * size}) add_joint(model, Vec3{0, 0, 1}, {0.5, 0.5, z});
+    return cut(model).cutting.totals.intent;
+  };
+  for (const Real width : {5e-10, 2e-9, 5e-8}) {
+    SCOPED_TRACE(width);
+    EXPECT_EQ(decide(width).doubts, 1);
+    EXPECT_TRUE(decide(width).doubts_decide);
+  }
+  EXPECT_FALSE(decide(2e-7).doubts_decide);
+}
+
+// A wedge beside the one face of a joint that ends in the rock is glued to the rock around it, however wide.
+TEST(Doubts, DecideNothingWhereRockIsGluedAround) {
+  Model model = box_model({0, 0, 0}, {1, 1, 1});
+  add_joint(model, Vec3{0, 0, 1}, {0.5, 0.5, 0.5});
+  model.joints.back().polygon = {
+      {0.25, 0.25, 0.5}, {0.75, 0.25, 0.5}, {0.75, 0.75, 0.5}, {0.25, 0.75, 0.5}};
+  add_joint(model, Vec3{0, 0, 1}, {0.5, 0.5, 0.5 + 5e-9 * size});
+  model.joints.back().polygon = {{0.25, 0.25, 0.5 + 5e-9 * size},
+                                 {0.75, 0.25, 0.5 + 5e-9 * size},
+                                 {0.75, 0.75, 0.5 + 5e-9 * size},
+                                 {0.25, 0.75, 0.5 + 5e-9 * size}};
+  const IntentReport intent = cut(model).cutting.totals.intent;
+  EXPECT_GT(intent.doubts, 0);
+  EXPECT_FALSE(intent.doubts_decide);
+}
+
 TEST(FourPlanesThatNearlyMeet, MeetWhereTheyMissByLess) {
   for (const Real miss : {0.0, 1e-12, -1e-12, 1e-11, -1e-11, 1.1e-10, -1.1e-10, 4e-10, -4e-10}) {
     SCOPED_TRACE(miss);
