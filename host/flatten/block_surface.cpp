@@ -146,7 +146,7 @@ class SurfaceMerger {
   // Glue beside slivers is on the surface where it is narrow, but has no name of its own: that of what is next to it, if it has
   // not vanished.
   void name_strips() {
-    for (std::size_t i = 0; i < areas_.size(); ++i) origin_.push_back(areas_[i].origin);
+    for (const BoundaryArea& area : areas_) origin_.push_back(area.origin);
     if (std::find(origin_.begin(), origin_.end(), none) == origin_.end()) return;
     std::map<std::pair<Index, Index>, Index> area_at;
     for (const DirectedEdge& e : edges_) area_at.try_emplace({e.from, e.to}, e.area);

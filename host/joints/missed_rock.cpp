@@ -80,12 +80,11 @@ Count missed_of(const JointTable& table, const PlacingRegion& region) {
 }
 
 Count missed_of(const JointMesh& mesh, const PlacingRegion& region) {
-  const auto& [vertices, triangles] = *mesh.surface;
+  const auto& triangles = mesh.surface->triangles;
+  const auto corner = [&](Index v) { return mesh.surface->vertices[static_cast<std::size_t>(v)]; };
   const auto missed = std::count_if(triangles.begin(), triangles.end(), [&](const auto& t) {
-    return !boxes_meet(bounding_box({vertices[static_cast<std::size_t>(t[0])],
-                                     vertices[static_cast<std::size_t>(t[1])],
-                                     vertices[static_cast<std::size_t>(t[2])]}),
-                       region.box, region.margin);
+    return !boxes_meet(bounding_box({corner(t[0]), corner(t[1]), corner(t[2])}), region.box,
+                       region.margin);
   });
   return {missed, static_cast<std::int64_t>(triangles.size())};
 }

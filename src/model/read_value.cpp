@@ -130,9 +130,9 @@ std::optional<std::array<Vec3, 2>> two_points_from(const Value& value, const std
 
 std::optional<TimeTable> time_table_from(const Value& value, const std::string& path, int width,
                                          const Range& range, Diagnostics& out) {
-  const std::string row_text = width == 1 ? "[t, value]" : "[t, x, y, z]";
   const std::string unit = range.unit.empty() ? "" : " (s, " + range.unit + ")";
-  const auto* rows = array_from(value, path, 1, "a table over time, rows " + row_text + unit, out);
+  const std::string row_text = (width == 1 ? "[t, value]" : "[t, x, y, z]") + unit;
+  const auto* rows = array_from(value, path, 1, "a table over time, rows " + row_text, out);
   if (!rows) return {};
   TimeTable table;
   bool good = true;
@@ -140,7 +140,7 @@ std::optional<TimeTable> time_table_from(const Value& value, const std::string& 
     const std::string row_path = item_path(path, i);
     const auto* row = std::get_if<Array>(&(*rows)[i].data);
     if (!row || static_cast<int>(row->size()) != 1 + width) {
-      wrong((*rows)[i], row_path, "must be a row " + row_text + unit, out);
+      wrong((*rows)[i], row_path, "must be a row " + row_text, out);
       good = false;
       continue;
     }

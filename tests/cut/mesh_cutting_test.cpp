@@ -63,7 +63,8 @@ SeededCase check_mesh(unsigned seed) {
   long double left = 0;
   const auto run = [&](const std::string& as, const Model& model, const auto& check) {
     Faults found = faults_of_cutting(with_joints(model), seed, 2 * half, check);
-    for (std::string& f : found) result.faults.push_back(f + " (mesh " + as + ")");
+    for (std::string& f : found)
+      result.faults.push_back(f.append(" (mesh ").append(as).append(")"));
   };
   run("alone", alone, [&](const Blocks& b, Faults& f) { check_total(b, mesh.volume, 1e-12, f); });
   run("added", added, [&](const Blocks& b, Faults& f) {
