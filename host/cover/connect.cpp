@@ -201,7 +201,7 @@ class Connector {
     for (Index s = 0; s < static_cast<Index>(pieces_.slivers.size()); ++s) {
       const auto& [piece, left_out, facet_area, owner] = pieces_.slivers[s];
       if (left_out) {
-        index_.left_out.push_back({piece.key(), owner});
+        index_.left_out.emplace_back(piece.key(), owner);
         continue;
       }
       const Holding h = cells_.find(owner.lattice_cell, owner.part, owner.rock);
@@ -256,7 +256,7 @@ class Connector {
       index_.piece_rock.push_back(p.rock);
       if (contacts_.any_cut()) index_.piece_cuts.push_back(p.cuts);
       if (sliver != none)
-        index_.slivers.push_back({pieces_.slivers[sliver].key(), static_cast<Index>(i)});
+        index_.slivers.emplace_back(pieces_.slivers[sliver].key(), static_cast<Index>(i));
       write_shape(p, covers_.lattice.cell_centre(p.lattice_cell) -
                          covers_.lattice.cell_centre(covers_.element_cell[e]));
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "host/cover/lattice_walk.hpp"
@@ -15,7 +16,9 @@ struct PieceKey {
   Index lattice_cell = none;
   int part = 0;
   Index rock = none;
-  auto operator<=>(const PieceKey&) const = default;
+  auto all() const { return std::tie(lattice_cell, part, rock); }
+  bool operator==(const PieceKey& other) const { return all() == other.all(); }
+  bool operator<(const PieceKey& other) const { return all() < other.all(); }
 };
 
 struct PieceRecord {

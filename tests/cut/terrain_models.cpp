@@ -69,7 +69,7 @@ class Ground {
     const auto slope = [=](Real x, Real y) { return east * x + north * y; };
     const int form = draw_.integer(0, 5);
     name_ = std::array{"flat", "smooth", "rough", "terraces", "planar in parts", "roof"}[form];
-    elevation_.assign(static_cast<std::size_t>(posts_ * rows_), 0);
+    elevation_.assign(static_cast<std::size_t>(posts_) * static_cast<std::size_t>(rows_), 0);
     for (int j = 0; j < rows_; ++j)
       for (int i = 0; i < posts_; ++i) {
         const Real x = cell_ * i, y = cell_ * j;
