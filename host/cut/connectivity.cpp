@@ -14,9 +14,10 @@
 namespace rockfold {
 
 Real width_of(const Complex& complex, const Fragment& f) {
-  if (f.polygon != none) return polygon_width(complex.polygons[f.polygon], complex.planes);
+  const Real enough = doubt_factor * complex.planes.width_tolerance();
+  if (f.polygon != none) return polygon_width(complex.polygons[f.polygon], complex.planes, enough);
   const CellView cell = complex.cells[f.cell[0]];
-  return face_width(cell, cell.faces[f.face[0]], complex.planes);
+  return face_width(cell, cell.faces[f.face[0]], complex.planes, enough);
 }
 
 namespace {

@@ -10,7 +10,7 @@ namespace rockfold {
 /// Marks the fragments of glue narrower than the tolerance. Returns those between wide cells that are within a factor 100 of it.
 std::vector<Index> mark_narrow_glue(Complex& complex);
 
-/// m: of glue or a joint.
+/// m: of glue or a joint. Of those that are no doubt wide some value from doubt_factor · tolerance on.
 Real width_of(const Complex& complex, const Fragment& f);
 
 /// [cells] the part that each wide cell belongs to, by its smallest cell; slivers: none.

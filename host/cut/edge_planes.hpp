@@ -36,7 +36,8 @@ EdgePlanes edge_planes(PlaneTable& planes, const std::vector<FlatPolygon>& polyg
 /// The plane through an edge from a to b, perpendicular to another one: exactly through both ends.
 Index plane_across(PlaneTable& planes, const Vec3& a, const Vec3& b, Index perpendicular_to);
 
-/// The side of an edge's plane that holds the corners, by the farthest of them; none where all lie on it.
+/// The side of an edge's plane that holds the corners, by the farthest of them, exactly where that is within the identity tolerance; none where all
+/// lie on it.
 HalfSpaceId side_of_corners(const PlaneTable& planes, Index edge_plane,
                             const std::vector<Vec3>& corners);
 

@@ -12,10 +12,11 @@ namespace {
 
 constexpr Real parallel_sine = 1e-8;  // DESIGN.md, rule 4
 
-// m: the largest distance of n corners from the plane of an edge from a to b.
+// m: the largest distance of n corners from the plane of the edge from corner k on. Far ones first: from `enough` on none counts.
 template <class Corner>
-Real extent_from_edge(std::size_t n, const Corner& corner, const Vec3& a, const Vec3& b, Index own,
-                      Index other, const PlaneTable& planes) {
+Real extent_from_edge(std::size_t n, const Corner& corner, std::size_t k, Index own, Index other,
+                      const PlaneTable& planes, Real enough) {
+  const Vec3 &a = corner(k), &b = corner(k + 1 < n ? k + 1 : 0);
   const Vec3& normal = planes.normal(own);
   Vec3 across = planes.normal(other);
   Real offset = planes.offset(other);
@@ -27,18 +28,17 @@ Real extent_from_edge(std::size_t n, const Corner& corner, const Vec3& a, const 
     offset = dot(across, a);
   }
   Real most = 0;
-  for (std::size_t k = 0; k < n; ++k)
-    most = std::max(most, std::abs(dot(across, corner(k)) - offset));
+  for (std::size_t i = 0; i < n && most < enough; ++i)
+    most = std::max(most, std::abs(dot(across, corner((k + n / 2 + i) % n)) - offset));
   return most;
 }
 
 template <class Corner, class OtherPlane>
 Real least_extent(std::size_t n, Index own, const Corner& corner, const OtherPlane& other,
-                  const PlaneTable& planes) {
+                  const PlaneTable& planes, Real enough) {
   Real least = std::numeric_limits<Real>::infinity();
   for (std::size_t k = 0; k < n; ++k)
-    least = std::min(least, extent_from_edge(n, corner, corner(k), corner(k + 1 < n ? k + 1 : 0),
-                                             own, other(k), planes));
+    least = std::min(least, extent_from_edge(n, corner, k, own, other(k), planes, enough));
   return std::isfinite(least) ? least : 0;
 }
 
@@ -71,19 +71,20 @@ CellMeasure measure_cell(const CellView& cell, const PlaneTable& planes) {
   return {in_doubles ? rounded.moments : cell_moments(cell, planes), width};
 }
 
-Real polygon_width(const Polygon& polygon, const PlaneTable& planes) {
+Real polygon_width(const Polygon& polygon, const PlaneTable& planes, Real enough) {
   return least_extent(
       polygon.corner.size(), polygon.plane,
       [&](std::size_t k) -> const Vec3& { return polygon.corner[k].x; },
-      [&](std::size_t k) { return plane_of(polygon.edge[k]); }, planes);
+      [&](std::size_t k) { return plane_of(polygon.edge[k]); }, planes, enough);
 }
 
-Real face_width(const CellView& cell, const ConvexCell::Face& face, const PlaneTable& planes) {
+Real face_width(const CellView& cell, const ConvexCell::Face& face, const PlaneTable& planes,
+                Real enough) {
   const auto* corner = &cell.corners[face.begin];
   return least_extent(
       static_cast<std::size_t>(face.count), plane_of(face.inside),
       [&](std::size_t k) -> const Vec3& { return cell.vertices[corner[k].vertex].x; },
-      [&](std::size_t k) { return plane_of(corner[k].neighbour); }, planes);
+      [&](std::size_t k) { return plane_of(corner[k].neighbour); }, planes, enough);
 }
 
 }  // namespace rockfold

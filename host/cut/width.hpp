@@ -21,10 +21,11 @@ struct CellMeasure {
 CellMeasure measure_cell(const CellView& cell, const PlaneTable& planes);
 
 /// m: of the largest distances of a corner from the other plane of each edge the least; in the polygon's own plane where the
-/// two planes make an angle of a sine below 1e-8.
-Real polygon_width(const Polygon& polygon, const PlaneTable& planes);
+/// two planes make an angle of a sine below 1e-8. Of widths from `enough` on some value from there on.
+Real polygon_width(const Polygon& polygon, const PlaneTable& planes, Real enough);
 /// The same of a cell's face.
-Real face_width(const CellView& cell, const ConvexCell::Face& face, const PlaneTable& planes);
+Real face_width(const CellView& cell, const ConvexCell::Face& face, const PlaneTable& planes,
+                Real enough);
 
 /// Widths within this factor of the tolerance are doubtful: the user may have meant either.
 constexpr Real doubt_factor = 100;

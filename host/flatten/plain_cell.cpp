@@ -1,6 +1,7 @@
 #include "host/flatten/plain_cell.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "src/base/vector.hpp"
 
@@ -11,14 +12,13 @@ namespace {
 // A convex polygon is at least as wide as its area over its circumference, which is at most that of the circle around it.
 bool is_narrow(const CellView& cell, const ConvexCell::Face& face, Real area, Real diameter,
                Real tolerance) {
-  constexpr Real pi = 3.141592653589793;
   for (std::int32_t k = 0; k < face.count; ++k) {
     const Vec3& a = cell.vertices[cell.corners[face.begin + k].vertex].x;
     const Vec3& b =
         cell.vertices[cell.corners[face.begin + (k + 1 < face.count ? k + 1 : 0)].vertex].x;
     if (dot(b - a, b - a) < 4 * tolerance * tolerance) return true;
   }
-  return area < 2 * tolerance * pi * diameter;
+  return area < 2 * tolerance * std::numbers::pi * diameter;
 }
 
 // Whether two faces may be shown as one: one of them lies on the other's plane, to the tolerance.
