@@ -153,10 +153,7 @@ class EdgeFinder {
 }  // namespace
 
 Index plane_across(PlaneTable& planes, const Vec3& a, const Vec3& b, Index perpendicular_to) {
-  const ExactVec3 from = exact(a), to = exact(b);
-  return plane_of(
-      planes.find_or_add(plane_along(from, {to[0] - from[0], to[1] - from[1], to[2] - from[2]},
-                                     exact(planes.normal(perpendicular_to)))));
+  return plane_of(planes.find_or_add(plane_through_edge(a, b, planes.normal(perpendicular_to))));
 }
 
 HalfSpaceId side_of_corners(const PlaneTable& planes, Index edge_plane,

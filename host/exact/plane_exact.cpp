@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <numeric>
 #include <string>
 
 #include "src/base/vector.hpp"
@@ -13,45 +14,85 @@ namespace rockfold {
 
 namespace {
 
-Exact power_of_ten(int exponent) {
-  Exact power = 1, square = 10;
-  for (; exponent > 0; exponent /= 2) {
-    if (exponent % 2 != 0) power *= square;
-    if (exponent > 1) square *= square;
-  }
+constexpr int at_once = 18;  // powers of ten that a machine word holds
+
+std::int64_t small_power_of_ten(int exponent) {
+  std::int64_t power = 1;
+  for (; exponent > 0; --exponent) power *= 10;
   return power;
 }
 
-// At most 17 digits: two halves that doubles hold exactly.
-Exact whole_number(std::int64_t digits) {
-  constexpr std::int64_t half = 1'000'000'000;
-  const auto part = [](std::int64_t n) { return Exact(static_cast<double>(n)); };
-  return digits / half == 0 ? part(digits) : part(digits / half) * part(half) + part(digits % half);
+Integer power_of_ten(int exponent) {
+  Integer power = small_power_of_ten(exponent % at_once);
+  for (; exponent >= at_once; exponent -= at_once) power *= small_power_of_ten(at_once);
+  return power;
 }
 
-}  // namespace
+// digits · 10^exponent, the shortest that reads back as a double: at most 17 digits.
+struct Decimal {
+  std::int64_t digits = 0;
+  int exponent = 0;
+};
 
-Exact exact(Real x) {
+Decimal decimal(Real x) {
   constexpr Real whole_below = 9007199254740992.0;  // 2^53
-  if (std::abs(x) < whole_below && x == std::trunc(x)) return {x};
+  if (std::abs(x) < whole_below && x == std::trunc(x)) return {static_cast<std::int64_t>(x), 0};
   char text[32];
   const char* const end =
       std::to_chars(text, text + sizeof text, x, std::chars_format::scientific).ptr;
-  std::int64_t digits = 0;
-  int exponent = 0;
+  Decimal result;
   const char* at = text + (x < 0 ? 1 : 0);
   for (bool fraction = false; *at != 'e'; ++at) {
     if (*at == '.') {
       fraction = true;
       continue;
     }
-    digits = 10 * digits + (*at - '0');
-    if (fraction) --exponent;
+    result.digits = 10 * result.digits + (*at - '0');
+    if (fraction) --result.exponent;
   }
-  exponent += std::atoi(std::string(at + 1, end).c_str());
-  const Exact size = exponent < 0 ? Exact(whole_number(digits) / power_of_ten(-exponent))
-                                  : Exact(whole_number(digits) * power_of_ten(exponent));
-  return x < 0 ? Exact(-size) : size;
+  result.exponent += std::atoi(std::string(at + 1, end).c_str());
+  if (x < 0) result.digits = -result.digits;
+  return result;
+}
+
+using DecimalVec3 = std::array<Decimal, 3>;
+
+DecimalVec3 decimals(const Vec3& a) {
+  return {decimal(a[0]), decimal(a[1]), decimal(a[2])};
+}
+
+int least_exponent(const DecimalVec3& a) {
+  return std::min({a[0].exponent, a[1].exponent, a[2].exponent});
+}
+
+// In units of 10^exponent, which is not over any of theirs.
+IntegerVec3 in_units(const DecimalVec3& a, int exponent) {
+  IntegerVec3 result;
+  for (int d = 0; d < 3; ++d) result[d] = a[d].digits * power_of_ten(a[d].exponent - exponent);
+  return result;
+}
+
+Integer dot(const IntegerVec3& a, const IntegerVec3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+IntegerVec3 cross(const IntegerVec3& a, const IntegerVec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+}  // namespace
+
+Exact exact(Real x) {
+  const auto [digits, exponent] = decimal(x);
+  if (exponent >= 0) return Integer(digits * power_of_ten(exponent));
+  if (exponent < -at_once) {
+    Exact result(digits, power_of_ten(-exponent));
+    result.canonicalize();
+    return result;
+  }
+  // Reduced in machine words, a tenth of the time that GMP takes.
+  const std::int64_t below = small_power_of_ten(-exponent), shared = std::gcd(digits, below);
+  return {digits / shared, below / shared};
 }
 
 ExactVec3 exact(const Vec3& a) {
@@ -81,21 +122,64 @@ ExactPlane plane_through_points(const ExactVec3& a, const ExactVec3& b, const Ex
                      {c[0] - a[0], c[1] - a[1], c[2] - a[2]});
 }
 
+ExactPlane plane_through_edge(const Vec3& a, const Vec3& b, const Vec3& normal) {
+  const DecimalVec3 from = decimals(a), to = decimals(b), across = decimals(normal);
+  const int unit = std::min({least_exponent(from), least_exponent(to), 0});
+  const IntegerVec3 p = in_units(from, unit), q = in_units(to, unit);
+  const IntegerVec3 n =
+      cross({q[0] - p[0], q[1] - p[1], q[2] - p[2]}, in_units(across, least_exponent(across)));
+  const Integer scale = power_of_ten(-unit);
+  return {{n[0] * scale, n[1] * scale, n[2] * scale}, dot(n, p)};
+}
+
 ExactPlane opposite(const ExactPlane& plane) {
   return {{-plane.n[0], -plane.n[1], -plane.n[2]}, -plane.d};
 }
 
-UnitPlane rounded(const ExactVec3& n, const Exact& centred_d) {
+IntegerPlane integers(const ExactVec3& n, const Exact& d) {
+  const std::array<const Exact*, 4> given{&n[0], &n[1], &n[2], &d};
+  Integer common = 1;
+  for (const Exact* x : given) common = lcm(common, x->get_den());
+  std::array<Integer, 4> whole;
+  Integer shared = 0;
+  for (int i = 0; i < 4; ++i) {
+    whole[i] = given[i]->get_num() * (common / given[i]->get_den());
+    shared = gcd(shared, whole[i]);
+  }
+  for (Integer& i : whole) mpz_divexact(i.get_mpz_t(), i.get_mpz_t(), shared.get_mpz_t());
+  return {{whole[0], whole[1], whole[2]}, whole[3]};
+}
+
+Real ratio(const Integer& a, const Integer& b) {
+  // As a whole number of 62 or 63 bits, times a power of two.
+  constexpr long bits = 62;
+  const auto size = [](const Integer& x) {
+    return static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2));
+  };
+  const long shift = bits - size(a) + size(b);
+  Integer above = a, below = b;
+  if (shift > 0)
+    above <<= shift;
+  else
+    below <<= -shift;
+  const Integer quotient = above / below;
+  return std::ldexp(static_cast<Real>(quotient.get_si()), static_cast<int>(-shift));
+}
+
+UnitPlane rounded(const IntegerPlane& plane) {
   // Scaled by the largest component first, so that normals of any length neither overflow nor vanish.
-  const Exact largest = std::max({Exact(abs(n[0])), Exact(abs(n[1])), Exact(abs(n[2]))});
+  const Integer* largest = &plane.n[0];
+  for (const Integer& n : plane.n)
+    if (mpz_cmpabs(n.get_mpz_t(), largest->get_mpz_t()) > 0) largest = &n;
   Vec3 m;
-  for (int d = 0; d < 3; ++d) m[d] = CGAL::to_double(Exact(n[d] / largest));
-  const Real length = norm(m);
-  return {(1.0 / length) * m, CGAL::to_double(Exact(centred_d / largest)) / length};
+  for (int d = 0; d < 3; ++d) m[d] = ratio(plane.n[d], *largest);
+  if (sgn(*largest) < 0) m = -1.0 * m;
+  const Real length = norm(m), offset = ratio(plane.d, *largest);
+  return {(1.0 / length) * m, (sgn(*largest) < 0 ? -offset : offset) / length};
 }
 
 UnitPlane rounded(const ExactPlane& plane, const Vec3& centre) {
-  return rounded(plane.n, plane.d - dot(plane.n, exact(centre)));
+  return rounded(integers(plane.n, plane.d - dot(plane.n, exact(centre))));
 }
 
 }  // namespace rockfold

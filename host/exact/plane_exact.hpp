@@ -1,15 +1,16 @@
-// Planes by exact coefficients, and the ways to define one. CGAL's exact rational numbers: include in .cpp only.
+// Planes by exact coefficients, and the ways to define one. GMP's numbers: include in .cpp only.
 #pragma once
 
 #include <array>
 
-#include <CGAL/Exact_rational.h>
+#include <CGAL/mpq_class.h>
+#include <CGAL/mpz_class.h>
 
 #include "src/base/types.hpp"
 
 namespace rockfold {
 
-using Exact = CGAL::Exact_rational;
+using Exact = mpq_class;
 using ExactVec3 = std::array<Exact, 3>;
 
 /// n·x = d; the coefficients are the definition. "Above" is the side that n points to.
@@ -33,14 +34,32 @@ ExactPlane plane_along(const ExactVec3& point, const ExactVec3& u, const ExactVe
 /// Exactly through three points, counter-clockwise seen from above.
 ExactPlane plane_through_points(const ExactVec3& a, const ExactVec3& b, const ExactVec3& c);
 
+/// Exactly through the points a and b, perpendicular to the plane with the given normal.
+ExactPlane plane_through_edge(const Vec3& a, const Vec3& b, const Vec3& normal);
+
 ExactPlane opposite(const ExactPlane& plane);
 
-/// In doubles, about a point.
+using Integer = mpz_class;
+using IntegerVec3 = std::array<Integer, 3>;
+
+/// Integers without a common divisor, in proportion to a plane's coefficients: unlike fractions they need no greatest common
+/// divisors later, which are nine tenths of the time.
+struct IntegerPlane {
+  IntegerVec3 n;
+  Integer d;
+};
+IntegerPlane integers(const ExactVec3& n, const Exact& d);
+
+/// a/b rounded to the nearest double (to 1e-19 of it), however large both are. b is not zero.
+Real ratio(const Integer& a, const Integer& b);
+
+/// In doubles: components of the unit normal to 1.5 ε (ε = 2^-52).
 struct UnitPlane {
   Vec3 normal;  ///< unit
-  Real offset;  ///< m, n·(x − centre) of its points x
+  Real offset;  ///< m, n·x of its points x
 };
-UnitPlane rounded(const ExactVec3& n, const Exact& centred_d);
+UnitPlane rounded(const IntegerPlane& plane);
+/// Its offset is n·(x − centre).
 UnitPlane rounded(const ExactPlane& plane, const Vec3& centre);
 
 }  // namespace rockfold

@@ -5,11 +5,6 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
-#include <type_traits>
-
-#include <CGAL/Fraction_traits.h>
-#include <CGAL/number_utils.h>
-#include <gmpxx.h>
 
 #include "host/exact/plane_exact.hpp"
 #include "src/base/vector.hpp"
@@ -35,47 +30,6 @@ float bound(Real error) {
 Real search_key(const UnitPlane& plane, Real size) {
   constexpr Vec3 generic{0.3782, 0.5847, 0.7177};
   return std::abs(plane.offset + size * dot(generic, plane.normal));
-}
-
-using Integer = mpz_class;
-using IntegerVec3 = std::array<Integer, 3>;
-
-// Integers without a common divisor, in proportion to a plane's coefficients: unlike fractions they need no greatest common
-// divisors later, which are nine tenths of the time.
-struct IntegerPlane {
-  IntegerVec3 n;
-  Integer d;
-};
-
-// Of the integers that CGAL's rational numbers are made of, which depend on how it was configured.
-template <class Number>
-Integer plain_integer(const Number& number) {
-  if constexpr (std::is_constructible_v<Integer, const Number&>)
-    return Integer(number);
-  else if constexpr (requires { number.mpz(); })
-    return Integer(number.mpz());
-  else
-    return Integer(number.backend().data());
-}
-
-IntegerPlane integers(const ExactVec3& n, const Exact& d) {
-  using Fraction = CGAL::Fraction_traits<Exact>;
-  std::array<Integer, 4> numerator, denominator;
-  for (int i = 0; i < 4; ++i) {
-    Fraction::Numerator_type above, below;
-    Fraction::Decompose()(i < 3 ? n[i] : d, above, below);
-    numerator[i] = plain_integer(above);
-    denominator[i] = plain_integer(below);
-  }
-  Integer common = denominator[0];
-  for (int i = 1; i < 4; ++i) common = lcm(common, denominator[i]);
-  Integer shared = 0;
-  for (int i = 0; i < 4; ++i) {
-    numerator[i] *= common / denominator[i];
-    shared = gcd(shared, numerator[i]);
-  }
-  for (Integer& i : numerator) mpz_divexact(i.get_mpz_t(), i.get_mpz_t(), shared.get_mpz_t());
-  return {{numerator[0], numerator[1], numerator[2]}, numerator[3]};
 }
 
 bool equal(const IntegerPlane& p, const IntegerPlane& q, bool same_sense) {
@@ -129,17 +83,13 @@ Integer power_of_two(int exponent) {
   return power;
 }
 
-// a/b, rounded, however large both are.
-Real ratio(const Integer& a, const Integer& b) {
-  long of_a = 0, of_b = 0;
-  const Real p = mpz_get_d_2exp(&of_a, a.get_mpz_t()), q = mpz_get_d_2exp(&of_b, b.get_mpz_t());
-  return std::ldexp(p / q, static_cast<int>(of_a - of_b));
-}
-
 }  // namespace
 
 struct PlaneTable::Store {
-  explicit Store(Real size) : fine(power_of_two(224 - std::ilogb(size))) {}
+  Store(const Vec3& about, Real size)
+      : centre(exact(about)), fine(power_of_two(224 - std::ilogb(size))) {}
+
+  ExactVec3 centre;
 
   /// Fixed point: so many units a metre make 2^-224 of the model's size. Rounded once to them, quotients need no fractions.
   Integer fine;
@@ -149,6 +99,10 @@ struct PlaneTable::Store {
   void add(const PlaneTable& table, const UnitPlane& unit, IntegerPlane plane_to_add) {
     by_key.emplace(search_key(unit, table.size_), static_cast<Index>(plane.size()));
     plane.push_back(std::move(plane_to_add));
+  }
+
+  IntegerPlane centred(const ExactPlane& given) const {
+    return integers(given.n, given.d - rockfold::dot(given.n, centre));
   }
 
   // The planes that coincide with the given one to the tolerance: visit(id, same sense).
@@ -168,7 +122,7 @@ struct PlaneTable::Store {
 };
 
 PlaneTable::PlaneTable(const Vec3& centre, Real size)
-    : centre_(centre), size_(size), store_(std::make_unique<Store>(size)) {}
+    : centre_(centre), size_(size), store_(std::make_unique<Store>(centre, size)) {}
 PlaneTable::~PlaneTable() = default;
 PlaneTable::PlaneTable(PlaneTable&&) noexcept = default;
 PlaneTable& PlaneTable::operator=(PlaneTable&&) noexcept = default;
@@ -179,52 +133,45 @@ PlaneTable::PlaneTable(const PlaneTable& other)
       offset_(other.offset_),
       store_(std::make_unique<Store>(*other.store_)) {}
 
-Index PlaneTable::add(const ExactPlane& plane) {
-  const Exact d = plane.d - dot(plane.n, exact(centre_));
-  const UnitPlane unit = rounded(plane.n, d);
+Index PlaneTable::append(const UnitPlane& unit, IntegerPlane plane) {
   const Index id = size();
-  store_->add(*this, unit, integers(plane.n, d));
+  store_->add(*this, unit, std::move(plane));
   normal_.push_back(unit.normal);
   offset_.push_back(unit.offset);
   return id;
 }
 
+Index PlaneTable::add(const ExactPlane& plane) {
+  IntegerPlane own = store_->centred(plane);
+  const UnitPlane unit = rounded(own);
+  return append(unit, std::move(own));
+}
+
 HalfSpaceId PlaneTable::find_or_add(const ExactPlane& plane) {
-  const Exact d = plane.d - dot(plane.n, exact(centre_));
-  const UnitPlane unit = rounded(plane.n, d);
-  IntegerPlane own = integers(plane.n, d);
+  IntegerPlane own = store_->centred(plane);
+  const UnitPlane unit = rounded(own);
   HalfSpaceId found = none;
   store_->visit_near(*this, unit, [&](Index id, bool same_sense) {
     if (found == none && equal(store_->plane[id], own, same_sense))
       found = half_space(id, same_sense);
   });
-  if (found != none) return found;
-  const Index id = size();
-  store_->add(*this, unit, std::move(own));
-  normal_.push_back(unit.normal);
-  offset_.push_back(unit.offset);
-  return half_space(id, true);
+  return found != none ? found : half_space(append(unit, std::move(own)), true);
 }
 
 HalfSpaceId PlaneTable::identify_or_add(const ExactPlane& plane) {
-  const UnitPlane unit = rounded(plane.n, plane.d - dot(plane.n, exact(centre_)));
+  IntegerPlane own = store_->centred(plane);
+  const UnitPlane unit = rounded(own);
   HalfSpaceId best = none;
   store_->visit_near(*this, unit, [&](Index id, bool same_sense) {
     if (best == none || id < plane_of(best)) best = half_space(id, same_sense);
   });
-  return best != none ? best : half_space(add(plane), true);
+  return best != none ? best : half_space(append(unit, std::move(own)), true);
 }
 
 int PlaneTable::exact_side(const Vec3& x, Index plane) const {
   const IntegerPlane& p = store_->plane[plane];
-  std::array<mpq_class, 3> place;
-  mpq_class value = -p.d;
-  for (int i = 0; i < 3; ++i) {
-    const Exact from_centre = exact(x[i]) - exact(centre_[i]);
-    CGAL::Fraction_traits<Exact>::Numerator_type above, below;
-    CGAL::Fraction_traits<Exact>::Decompose()(from_centre, above, below);
-    value += p.n[i] * mpq_class(plain_integer(above), plain_integer(below));
-  }
+  Exact value = -p.d;
+  for (int i = 0; i < 3; ++i) value += p.n[i] * (exact(x[i]) - store_->centre[i]);
   return sgn(value);
 }
 

@@ -15,7 +15,9 @@
 
 namespace rockfold {
 
-struct ExactPlane;  // plane_exact.hpp
+struct ExactPlane;    // plane_exact.hpp
+struct IntegerPlane;  // plane_exact.hpp
+struct UnitPlane;     // plane_exact.hpp
 
 /// A side of a plane: 2·plane + (1 if above). Above = the side that the plane's normal points to.
 using HalfSpaceId = std::int32_t;
@@ -111,6 +113,7 @@ class PlaneTable {
  private:
   struct Store;  // exact coefficients
 
+  Index append(const UnitPlane& unit, IntegerPlane plane);
   /// Bound on what rounding does to distance(): of the unit normal (2 ε a component), of the products and of the offset.
   Real rounding(const Vertex& vertex, Index plane) const {
     constexpr Real eight_epsilon = 8 * 2.220446049250313e-16;
