@@ -2,7 +2,7 @@
 //
 // Bytes that must be moved, counted as STREAM counts (no write-allocate):
 //   apply          48 a row (x in, y out), for block rows 84 more a stored neighbour
-//   PCG iteration  apply + 336 a row: see kernels/solve/pcg_kernel.hpp
+//   PCG iteration  apply + 336 a row: see kernels/krylov/pcg_kernel.hpp
 // `of_triad` is bytes / time / triad: 1 = as fast as memory allows. Moments and assembly are computation: their rate alone.
 #include <cmath>
 #include <map>

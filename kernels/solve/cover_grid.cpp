@@ -168,7 +168,7 @@ void precondition_blocks(const CoverLevel& level) {
 /// not resist (covers' functions are dependent) would otherwise soon be all there is of the directions, and end the search
 /// with less than a third of the eigenvalue.
 Real largest_eigenvalue(const Cycle& cycle, const CoverLevel& level, std::size_t l,
-                        const PcgWork& work) {
+                        const KrylovWork& work) {
   constexpr int steps = 12;
   constexpr Real margin = 1.1;
   scatter(level.r);
@@ -282,7 +282,7 @@ CoverGrid make_cover_grid(const CoverArrays& covers, const MaterialPoints& point
   return grid;
 }
 
-void set_values(CoverGrid& grid, const Apply& a, const PcgWork& work, const Operator& op,
+void set_values(CoverGrid& grid, const Apply& a, const KrylovWork& work, const Operator& op,
                 const CoverBlocks& blocks, const Springs& springs, const Combination& c,
                 Real spring_factor) {
   grid.levels[0].blocks = blocks;

@@ -15,7 +15,7 @@
 
 #include "kernels/solve/coarse_covers.hpp"
 #include "kernels/solve/cover_blocks_kernel.hpp"
-#include "kernels/solve/pcg_work_kernel.hpp"
+#include "kernels/krylov/krylov_work_kernel.hpp"
 
 namespace rockfold::solve {
 
@@ -69,7 +69,7 @@ struct CoverGrid {
 CoverGrid make_cover_grid(const CoverArrays& covers, const MaterialPoints& points);
 
 /// Values for A = αK + βM + γ NᵀkN. `a` applies it; `blocks`: those of its covers.
-void set_values(CoverGrid& grid, const Apply& a, const PcgWork& work, const Operator& op,
+void set_values(CoverGrid& grid, const Apply& a, const KrylovWork& work, const Operator& op,
                 const CoverBlocks& blocks, const Springs& springs, const Combination& c,
                 Real spring_factor);
 

@@ -153,19 +153,18 @@ bool analyse(Factors& factors, const Operator& op, const Springs& springs) {
 
 bool factorise(Factors& factors, const Operator& op, const Combination& c, const Springs& springs,
                Real spring_factor, Real no_pivot) {
-  factors.any = factors.current = false;
+  factors.current = false;
   if (interrupt_signal || !analyse(factors, op, springs)) return false;
   BlockMatrix a = factors.pattern;
   fill_values(a, op, c, springs, spring_factor);
   if (!factors.solver->factorise(a, no_pivot)) return false;
-  factors.any = factors.current = true;
-  factors.combination = c;
-  factors.spring_factor = spring_factor;
+  factors.current = true;
+  factors.pivot = no_pivot;
   factors.diagonal = diagonal_of(a);
   return !interrupt_signal;
 }
 
-Real rounding_of_product(const Factors& factors, const PcgWork& work, const Field& x) {
+Real rounding_of_product(const Factors& factors, const KrylovWork& work, const Field& x) {
   // A row has some hundred entries, of which many may be as large as the diagonal's.
   constexpr Real unit = 32 * std::numeric_limits<Real>::epsilon();
   const Field d = factors.diagonal, q = work.q;

@@ -1,11 +1,24 @@
 #include <utility>
 
+#include "kernels/precondition/policy_kernel.hpp"
 #include "kernels/solve/held_kernel.hpp"
 #include "kernels/solve/rock_motion_kernel.hpp"
-#include "kernels/solve/ways_kernel.hpp"
 
 namespace rockfold::solve {
 namespace {
+
+/// Σ of the diagonal over functions 0.
+Real trace(const HeldSystem& system, const Blocks& diagonal) {
+  const KrylovWork& work = system.work;
+  const auto sum_of = work.energy;
+  device::sum_then<1>(
+      "rockfold::solve::trace", system.op.covers, work.partial,
+      KOKKOS_LAMBDA(const Index p, device::Sums<1>& sum) {
+        for (int d = 0; d < 3; ++d) sum.value[0] += diagonal(p, d);
+      },
+      KOKKOS_LAMBDA(const device::Sums<1>& sum) { sum_of(0) = sum.value[0]; });
+  return device::to_host(sum_of)[0];
+}
 
 /// The diagonal blocks, without what is held.
 void find_diagonal(HeldSystem& system) {
@@ -24,14 +37,12 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
   HeldSystem system;
   system.preconditioner = preconditioner;
   MergedPoints merged = merge_points(fixed);
-  const bool any = preconditioner == Preconditioner::multigrid,
-             automatic = preconditioner == Preconditioner::automatic ||
-                         preconditioner == Preconditioner::direct;
-  system.work = make_pcg_work(op.unknowns);
+  const bool wanted = may_want_multigrid(preconditioner, op.covers, op.functions);
+  system.work = make_krylov_work(op.unknowns);
   if (op.functions > 1) {
-    if ((any || automatic) && covers.middle.empty())  // coarse functions are those about nodes
+    if (wanted && covers.middle.empty())  // coarse functions are those about nodes
       system.cover_grid = make_cover_grid(covers, merged.fixed.points);
-  } else if (any || (automatic && op.covers >= least_for_multigrid)) {
+  } else if (wanted) {
     system.grid = make_multigrid(covers, op, merged.fixed.points, system.work.q);
   }
   system.springs = build_springs(merged.fixed, op.unknowns);
@@ -40,21 +51,28 @@ HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedP
       device::make_field("solve::best_multiplier", system.springs.points.count);
   system.load_before =
       device::make_field("solve::load_before", static_cast<Index>(system.springs.row.extent(0)));
-  if (any || automatic) system.factors.make = direct;
+  if (preconditioner != Preconditioner::block_jacobi &&
+      preconditioner != Preconditioner::node_block_jacobi)
+    system.factors.make = direct;
+  if (system.factors.make) system.start = device::make_field("solve::start", op.unknowns);
   system.factors.functions = op.functions;
   if (op.functions > 1) system.cover_blocks = make_cover_blocks(op.covers, op.functions);
   system.op = std::move(op);
+  const Blocks mass("rockfold::solve::mass_diagonal", system.op.unknowns);
+  diagonal_blocks(system.op, {0, 1}, mass);
+  system.mass_trace = trace(system, mass);
   return system;
 }
 
 void set_combination(HeldSystem& system, const Combination& c, Real spring_factor, bool stiffen) {
-  if ((system.combination.stiffness == 0) != (c.stiffness == 0)) system.slow = false;
   system.combination = c;
   system.spring_factor = spring_factor;
   find_diagonal(system);
+  const Real inertia = c.mass * system.mass_trace;
+  system.stiffness_over_inertia = inertia > 0 ? trace(system, system.inverse) / inertia - 1 : 0;
   if (stiffen)
     stiffen_springs(system.springs, spring_factor, system.op.covers, system.inverse,
-                    c.mass == 0 && has_grid(system));
+                    c.mass == 0 && has_levels(system));
   add_spring_diagonal(system.springs, spring_factor, system.inverse);
   const Blocks diagonal = system.inverse;
   system.largest_diagonal = device::largest(
@@ -67,9 +85,7 @@ void set_combination(HeldSystem& system, const Combination& c, Real spring_facto
     set_values(system.cover_blocks, system.op, system.springs, c, spring_factor);
     system.inverse = {};  // the blocks hold it
   }
-  system.grid_current = system.grid_failed = false;
-  system.spent = 0;
-  system.factors.current = system.factors.failed = false;
+  system.grid_current = system.factors.current = false;
   system.acceleration.forget();
 }
 

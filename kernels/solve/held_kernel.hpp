@@ -3,9 +3,12 @@
 // Tallec 1989, ch. 3), accelerated, with inexact inner solves. Plain, it creeps where points lie close together.
 #pragma once
 
+#include "kernels/krylov/pcg_kernel.hpp"
 #include "kernels/solve/anderson.hpp"
+#include "kernels/solve/cover_grid_kernel.hpp"
+#include "kernels/solve/direct_kernel.hpp"
 #include "kernels/solve/merge_points.hpp"
-#include "kernels/solve/pcg_kernel.hpp"
+#include "kernels/solve/multigrid_kernel.hpp"
 #include "kernels/solve/solve_report.hpp"
 #include "kernels/solve/springs_kernel.hpp"
 
@@ -24,7 +27,7 @@ struct HeldSystem {
   OtherMatrix other;   ///< empty: αK + βM of `op`
   Springs springs;     ///< of the merged points
   PointShares shares;  ///< of the points given in them
-  PcgWork work;
+  KrylovWork work;
   Array<Real> masses;  ///< of covers, once largest_motion has been asked for
   Combination combination;
   Real spring_factor = 1;
@@ -32,17 +35,15 @@ struct HeldSystem {
   CoverBlocks cover_blocks;   ///< of covers with more functions than one
   Real largest_diagonal = 0;  ///< before their inversion
   Preconditioner preconditioner = Preconditioner::automatic;
-  Multigrid grid;             ///< of one function; without levels where it is not wanted
-  CoverGrid cover_grid;       ///< of several, likewise
-  Factors factors;            ///< the third way
-  bool grid_current = false;  ///< its values are those of the present combination
-  bool grid_failed = false;   ///< it broke down with them
-  bool blocks_did = false;    ///< blocks came to the end of a step where multigrid had failed
-  Index spent = 0;            ///< iterations with this matrix, a cycle for so many as it costs
-  bool slow = false;          ///< the diagonal blocks alone have taken many iterations
-  Field load_before;          ///< work space: rows of b that springs act on
-  Field best_multiplier;      ///< work space: of the least gap in a search
-  Field other_x, other_multiplier;  ///< work space of a second search, allocated when first needed
+  Multigrid grid;        ///< of one function; without levels where it is not wanted
+  CoverGrid cover_grid;  ///< of several, likewise
+  Factors factors;
+  bool grid_current = false;        ///< its values are those of the present combination
+  Real stiffness_over_inertia = 0;  ///< Σ diag αK / Σ diag βM over functions 0
+  Real mass_trace = 0;              ///< Σ diag M over functions 0
+  Field start;                      ///< work space: where a solve started
+  Field load_before;                ///< work space: rows of b that springs act on
+  Field best_multiplier;            ///< work space: of the least gap in a search
   /// What the multipliers' iteration has learned; it stays true from step to step. As deep as pays: each outer iteration costs
   /// some ten applications, a pair costs two vectors of the fixed points.
   Anderson acceleration{40};
@@ -81,8 +82,8 @@ SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, co
                        const Field& base, const HeldOptions& options);
 
 /// y: of all fields that move the rock as x does the one without idle motion (idle_motion.cpp), which conjugate gradients find for
-/// A y = A x from nothing; it has converged with a residual of pcg.tolerance, with factors of `enough`: what blocks leave
-/// is idle motion too. Steps that follow are solved as it was.
+/// A y = A x from nothing. It has converged with a residual of pcg.tolerance, with factors of `enough`: what blocks leave is idle
+/// motion too.
 SolveReport find_same_motion(HeldSystem& system, const Field& x, const Field& y,
                              const PcgOptions& pcg, Real enough);
 

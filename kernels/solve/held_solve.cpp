@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/precondition/policy_kernel.hpp"
 #include "kernels/solve/held_kernel.hpp"
 #include "kernels/solve/rock_motion_kernel.hpp"
-#include "kernels/solve/ways_kernel.hpp"
 #include "src/base/interrupt.hpp"
 
 namespace rockfold::solve {
@@ -34,11 +34,6 @@ void update_multipliers(HeldSystem& system) {
   for (std::size_t i = 0; i < next.size(); ++i) values[i / 3][i % 3] = next[i];
   device::copy_to_device(values, springs.multiplier);
   scale_by_stiffness(springs, factor, 0.5, springs.multiplier);
-}
-
-/// Iterations of a dynamic step from which multigrid would be faster; a cycle costs a dozen, and those of quadratic covers are many.
-Index many_iterations(int functions) {
-  return functions == 1 ? 80 : functions <= 4 ? 200 : 1000;
 }
 
 /// Adds the springs' part to a load for as long as it lives; then the load is what it was, digit for digit. The few rows that springs
@@ -72,13 +67,6 @@ class LoadWithSprings {
   Field before_, load_;
 };
 
-Preconditioner kind_of(const HeldSystem& system, const Preconditioning& m) {
-  if (m.factors) return Preconditioner::direct;
-  if (m.any_grid()) return Preconditioner::multigrid;
-  return system.preconditioner == Preconditioner::block_jacobi ? Preconditioner::block_jacobi
-                                                               : Preconditioner::node_block_jacobi;
-}
-
 /// y = (αK + βM) x, or what stands in its place.
 void apply_rock(const HeldSystem& system, const Field& x, const Field& y) {
   if (system.other.apply)
@@ -91,7 +79,7 @@ void apply_rock(const HeldSystem& system, const Field& x, const Field& y) {
 /// forces. An increment that makes it worse is left: rounding alone in what A hardly resists.
 PcgReport solve_increment(HeldSystem& system, const Apply& rock, const Apply& a, const Field& b,
                           const Field& goal, const Field& x, const PcgOptions& pcg,
-                          Preconditioning& m) {
+                          SolveReport& report) {
   const Field increment = device::make_field("solve::increment", system.op.unknowns);
   const Field left = device::make_field("solve::left_to_go", system.springs.points.count);
   const Field load = device::make_field("solve::left_to_carry", system.op.unknowns);
@@ -108,7 +96,7 @@ PcgReport solve_increment(HeldSystem& system, const Apply& rock, const Apply& a,
       });
   add_spring_load(system.springs, system.spring_factor, left, load);
   const Real before = std::sqrt(dot(system.work, load, load));
-  PcgReport done = solve_any_way(system, a, load, increment, pcg, m);
+  PcgReport done = solve_by_policy(system, a, load, increment, pcg, report);
   const Real after = done.residual * done.reference;
   if (!(after < before)) {
     done.residual = before / done.reference;
@@ -160,17 +148,6 @@ Real spring_forces(const HeldSystem& system, const Field& goal, const Field& x) 
   Kokkos::deep_copy(system.work.q, 0.0);
   scatter(springs, 1, springs.force, system.work.q);
   return std::sqrt(dot(system.work, system.work.q, system.work.q));
-}
-
-void exchange(const Field& x, const Field& y) {
-  device::for_each(
-      "rockfold::solve::exchange", static_cast<Index>(x.extent(0)), KOKKOS_LAMBDA(const Index p) {
-        for (int d = 0; d < 3; ++d) {
-          const Real kept = x(p, d);
-          x(p, d) = y(p, d);
-          y(p, d) = kept;
-        }
-      });
 }
 
 /// Solves of one system, each measured against the forces that the one before has found.
@@ -225,19 +202,14 @@ class HeldSolve {
       rock(u, v);
       apply_springs(system_.springs, system_.spring_factor, u, v);
     };
-    Preconditioning m;
     PcgReport done;
     if (carried_) {
-      done = solve_increment(system_, rock, a, b_, goal_, x_, pcg_, m);
+      done = solve_increment(system_, rock, a, b_, goal_, x_, pcg_, report);
     } else {
       const LoadWithSprings with_springs(system_, goal_, b_);
       if (by_forces_) load_ = std::sqrt(dot(system_.work, b_, b_));
-      done = solve_any_way(system_, a, b_, x_, pcg_, m);
+      done = solve_by_policy(system_, a, b_, x_, pcg_, report);
     }
-    by_factors_ = m.factors != nullptr;
-    if (!m.whole() && worth_a_grid(system_))
-      system_.slow = system_.slow || done.iterations > many_iterations(system_.op.functions);
-    report.preconditioner = kind_of(system_, m);
     pcg_.reference = done.reference;  // one measure for all solves
     report.iterations += done.iterations;
     report.residual = done.residual;
@@ -255,7 +227,7 @@ class HeldSolve {
                                   spring_forces(system_, goal_, x_)});
     carried_ = carried_ || load_ > far_carried * forces;
     pcg_.rounding = options_.pcg.rounding;
-    if (carried_ || by_factors_)
+    if (carried_ || report.preconditioner == Preconditioner::direct)
       pcg_.rounding += options_.rounding(x_) + rounding_of_springs(system_, x_);
     pcg_.reference = reference_for(forces);
     pcg_.measure_load = false;
@@ -279,8 +251,7 @@ class HeldSolve {
   PcgOptions pcg_;
   bool by_forces_ = false;  ///< residuals count against the forces found
   bool carried_ = false;    ///< supports carry rock far: increments are solved for
-  bool by_factors_ = false;
-  Real load_ = 0;  ///< norm, with the springs' part
+  Real load_ = 0;           ///< norm, with the springs' part
 };
 
 /// Finds the multipliers that bring augmented points to their places, from those there are.
@@ -365,17 +336,6 @@ class MultiplierSearch {
   Real best_ = std::numeric_limits<Real>::infinity(), least_ = best_;  ///< m
 };
 
-/// solve_held, once through.
-SolveReport solve_through(HeldSystem& system, const Field& b, const Field& goal, const Field& x,
-                          const Field& base, const HeldOptions& options) {
-  HeldSolve solve(system, b, goal, x, base, options);
-  const bool by_multipliers = any_multipliers(system.springs);
-  solve.solve(by_multipliers ? inner_reduction : 0);
-  if (by_multipliers && solve.report.converged)
-    MultiplierSearch(system, goal, x, base, options, solve).run();
-  return solve.report;
-}
-
 }  // namespace
 
 SolveReport find_same_motion(HeldSystem& system, const Field& x, const Field& y,
@@ -386,48 +346,23 @@ SolveReport find_same_motion(HeldSystem& system, const Field& x, const Field& y,
   };
   const Field load = device::make_field("solve::load_of_motion", system.op.unknowns);
   a(x, load);
-  Kokkos::deep_copy(y, 0.0);
-  Preconditioning m;
-  const PcgReport done = solve_as_before(system, a, load, y, pcg, enough, m);
   SolveReport report;
+  const PcgReport done = solve_if_easy(system, a, load, y, pcg, report.preconditioner);
   report.iterations = done.iterations;
   report.residual = done.residual;
-  report.converged = done.residual <= (m.factors ? enough : pcg.tolerance);
-  report.preconditioner = kind_of(system, m);
+  const bool direct = report.preconditioner == Preconditioner::direct;
+  report.converged = done.iterations > 0 && done.residual <= (direct ? enough : pcg.tolerance);
   return report;
 }
 
 SolveReport solve_held(HeldSystem& system, const Field& b, const Field& goal, const Field& x,
                        const Field& base, const HeldOptions& options) {
-  const Factors& factors = system.factors;
-  const bool may_begin_again = factors.possible() && !factors.helped &&
-                               system.preconditioner != Preconditioner::direct &&
-                               may_have_factors(system) && any_multipliers(system.springs);
-  if (!may_begin_again) return solve_through(system, b, goal, x, base, options);
-  if (system.other_x.extent(0) == 0) {
-    system.other_x = device::make_field("solve::other_x", system.op.unknowns);
-    system.other_multiplier =
-        device::make_field("solve::other_multiplier", system.springs.points.count);
-  }
-  const Field multiplier = system.springs.multiplier, other_x = system.other_x,
-              other_multiplier = system.other_multiplier;
-  Kokkos::deep_copy(other_x, x);
-  Kokkos::deep_copy(other_multiplier, multiplier);
-  const SolveReport first = solve_through(system, b, goal, x, base, options);
-  if (!factors.helped || interrupt_signal) return first;
-  // What other ways have put into x and the multipliers would stay: once more from the start, with the factors.
-  exchange(x, other_x);
-  exchange(multiplier, other_multiplier);
-  system.acceleration.forget();
-  SolveReport report = solve_through(system, b, goal, x, base, options);
-  const Index iterations = first.iterations + report.iterations;
-  if (!report.converged && first.converged) {
-    Kokkos::deep_copy(x, other_x);
-    Kokkos::deep_copy(multiplier, other_multiplier);
-    report = first;
-  }
-  report.iterations = iterations;
-  return report;
+  HeldSolve solve(system, b, goal, x, base, options);
+  const bool by_multipliers = any_multipliers(system.springs);
+  solve.solve(by_multipliers ? inner_reduction : 0);
+  if (by_multipliers && solve.report.converged)
+    MultiplierSearch(system, goal, x, base, options, solve).run();
+  return solve.report;
 }
 
 }  // namespace rockfold::solve

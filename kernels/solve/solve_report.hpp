@@ -15,8 +15,17 @@ struct SolveReport {
   Index inverted =
       none;  ///< an element that the solution turns inside out: then it is not accepted
   Preconditioner preconditioner = Preconditioner::block_jacobi;  ///< the one used last
+  Index fallbacks = 0;  ///< times that its iteration limit was passed and factors took over
   bool converged =
       true;  ///< the residual is within the tolerance; the gap may be as large as it says. A signal ends a solve as it stands
+
+  /// What the next solve of the same step came to, with all that was counted before.
+  void add(SolveReport next) {
+    next.iterations += iterations;
+    next.outer += outer;
+    next.fallbacks += fallbacks;
+    *this = next;
+  }
 };
 
 }  // namespace rockfold

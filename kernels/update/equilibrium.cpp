@@ -125,10 +125,8 @@ SolveReport catch_up_with_supports(Motion::Data& m, const Beginning& begin) {
         for (int i = 0; i < 3; ++i) change(p, i) = v(p, i) - given(p, i);
       });
   if (report.converged && passes(m, begin, change)) {
-    const Index iterations = report.iterations;
     Kokkos::deep_copy(v, given);
-    report = project_velocity(m, begin, smoothing_share * begin.stiffness);
-    report.iterations += iterations;
+    report.add(project_velocity(m, begin, smoothing_share * begin.stiffness));
   }
   m.now.work.supports += kinetic_energy(m) - before;
   return report;
@@ -153,8 +151,8 @@ SolveReport find_acceleration(Motion::Data& m, const Beginning& begin, Real stif
   how.pcg.max_iterations = std::min(how.pcg.max_iterations, most_iterations);
   // The mass resists whatever rounding leaves of the forces of strain, where these are not all there is.
   if (how.pcg.rounding < how.pcg.tolerance * reference) how.pcg.rounding = 0;
-  SolveReport report = solve::solve_held(m.held, m.right, m.goal, m.now.acceleration, Field(), how);
-  report.iterations += total.iterations;
+  SolveReport report = total;
+  report.add(solve::solve_held(m.held, m.right, m.goal, m.now.acceleration, Field(), how));
   return report;
 }
 
@@ -195,8 +193,6 @@ SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
   set_matrix(m, {1, 1 / hold}, 0, 1, true);  // chooses the springs' stiffness
   const SpringsBefore springs = hold_by_multipliers(m, hold);
   const SolveReport report = set_in_motion(m, {hold, hold + m.gamma * dt * m.damping.stiffness});
-  m.held.factors.helped = false;  // steps see for themselves
-  m.held.factors.pivot = 0;
   make_springs_again(m, springs);
   return report;
 }

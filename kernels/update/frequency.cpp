@@ -1,6 +1,7 @@
 // The largest natural frequency, by power iteration on M⁻¹ K: what conditionally stable schemes limit their steps by.
 #include <cmath>
 
+#include "kernels/precondition/policy_kernel.hpp"
 #include "kernels/update/motion_kernel.hpp"
 
 namespace rockfold {
@@ -48,11 +49,8 @@ Real largest_frequency(Motion::Data& m, Real dt) {
     m.rock->apply({1, 0}, x, y);
     if (springs.any() && !held) solve::apply_springs(springs, 1, x, y);
   };
-  solve::Preconditioning blocks;
-  if (m.held.op.functions > 1)
-    blocks.covers = &m.held.cover_blocks;
-  else
-    blocks.inverse = solve::inverse_of(m.held);
+  const solve::ApplyInverse blocks =
+      solve::make_inverse(m.held, Preconditioner::block_jacobi, mass);
   solve::PcgOptions how;
   how.tolerance = 1e-4;  // the quotient is exact for any x
   const Field x = device::make_field("update::mode", m.unknowns);

@@ -39,16 +39,13 @@ bool leave_out(Motion::Data& m, const Field& x) {
 
 void leave_out_idle_motion(Motion::Data& m) {
   if (m.held.op.functions == 1 || m.dynamic_ratio == 0) return;
-  // What factors find without idle motion has some for blocks, and the other way round.
-  const bool by_factors = m.held.factors.helped;
-  if (m.now.steps < m.idle_next && by_factors == m.idle_by_factors) return;
+  if (m.now.steps < m.idle_next) return;
   const bool still = m.now.steps == 0;
   bool done = leave_out(m, m.now.acceleration);
   if (!still) done = leave_out(m, m.now.velocity) && done;
   const Index most = m.large ? idle_large_steps : idle_steps;
   m.idle_wait = done ? most : std::min(most, still ? 1 : 2 * m.idle_wait);
   m.idle_next = m.now.steps + m.idle_wait;
-  m.idle_by_factors = by_factors;
 }
 
 }  // namespace rockfold::update

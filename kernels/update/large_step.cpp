@@ -17,8 +17,6 @@ namespace {
 
 using device::Sums;
 
-/// Factors of a matrix that is all but singular answer with motion that moves no rock, in which the forces of finite strain drown.
-constexpr int most_vain = 4;
 constexpr int most_iterations = 60;
 /// Share of the unbalanced forces that the solve of an iteration leaves (inexact Newton: Dembo, Eisenstat & Steihaug 1982) …
 constexpr Real forcing = 1e-3;
@@ -219,8 +217,13 @@ void set_tangent(Motion::Data& m, const Balance& balance, bool first) {
 SolveReport iterate(Motion::Data& m, const Balance& balance, Real& wanted) {
   SolveReport total;
   total.converged = false;
+  const auto count = [&](const SolveReport& solve) {
+    total.iterations += solve.iterations;
+    total.outer += solve.outer;
+    total.fallbacks += solve.fallbacks;
+    total.preconditioner = solve.preconditioner;
+  };
   Real before = std::numeric_limits<Real>::infinity(), gap_before = before;
-  int vain = 0;  // corrections by factors, one after the other, that have not helped
   for (int i = 0; i < most_iterations; ++i) {
     Real reference = find_residual(m, balance);
     aim(m, balance);
@@ -234,8 +237,6 @@ SolveReport iterate(Motion::Data& m, const Balance& balance, Real& wanted) {
     const Real cancelled = std::max<Real>(1, m.large->largest_terms(m.now.displacement));
     const bool stalled = left <= 256 * cancelled * rounding && left > 0.5 * before;
     const bool inexact = balance.dt > 0;
-    const bool by_factors = i > 0 && total.preconditioner == Preconditioner::direct;
-    vain = inexact && by_factors && left > 0.5 * before ? vain + 1 : 0;
     before = left;
     // A gap that whole solves do not halve stays: the report says how large it is, as under small strain.
     const bool closed = total.gap <= m.solver.gap_tolerance || total.gap > 0.5 * gap_before;
@@ -245,10 +246,6 @@ SolveReport iterate(Motion::Data& m, const Balance& balance, Real& wanted) {
       return total;
     }
     if (!std::isfinite(left)) return total;
-    if (vain == most_vain) {  // the step is taken again without
-      m.held.factors.make = {};
-      return total;
-    }
     solve::HeldOptions how = solve_options(m, reference);
     // Statics is solved closely: of smooth motions little shows in the forces.
     how.pcg.tolerance =
@@ -263,17 +260,14 @@ SolveReport iterate(Motion::Data& m, const Balance& balance, Real& wanted) {
     Kokkos::deep_copy(m.correction, 0.0);
     SolveReport report =
         solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how);
-    total.iterations += report.iterations;
-    total.outer += report.outer;
-    total.preconditioner = report.preconditioner;
+    count(report);
     if (!report.converged && interrupt_signal) return total;
     if (!report.converged && !(report.residual * reference < good)) {
       m.large->soften();
       set_matrix(m, m.held.combination, m.dashpot_factor, 1, false);
       Kokkos::deep_copy(m.correction, 0.0);
       report = solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how);
-      total.iterations += report.iterations;
-      total.outer += report.outer;
+      count(report);
       if (!report.converged && !(report.residual * reference < good)) {
         total.residual = report.residual;  // of the solve that failed
         return total;
@@ -393,16 +387,11 @@ SolveReport solve_equilibrium_large(Motion::Data& m) {
     Balance balance;
     balance.load = std::min<Real>(1, done + part);
     const SolveReport report = balance_forces(m, balance);
-    total.iterations += report.iterations;
-    total.outer += report.outer;
-    total.preconditioner = report.preconditioner;
-    total.residual = report.residual;
-    total.gap = report.gap;
-    total.converged = report.converged;
-    if (report.inverted != none)
-      total.inverted = report.inverted;  // smaller parts may just not converge
+    const Index inverted = total.inverted;
+    total.add(report);
+    if (report.inverted == none && !report.converged)
+      total.inverted = inverted;  // smaller parts may just not converge
     if (report.converged) {
-      total.inverted = none;
       done = balance.load;
       part *= 2;
       copy_state(m.now, good);

@@ -180,13 +180,7 @@ SolveReport Motion::step(Real dt, int substeps, const TrackedPoints* watched, Re
     SolveReport report =
         m.large ? update::advance_large(m, dt / substeps) : update::advance(m, dt / substeps);
     update::require_finite(m, report);
-    total.iterations += report.iterations;
-    total.outer += report.outer;
-    total.preconditioner = report.preconditioner;
-    total.residual = report.residual;
-    total.gap = report.gap;
-    total.inverted = report.inverted;
-    total.converged = report.converged;
+    total.add(report);
     if (!total.converged) return total;
     if (!watched) continue;
     m.largest_increment =

@@ -57,9 +57,8 @@ struct Motion::Data {
 
   Real handed = 1;  ///< share of the velocity that the step now taken was handed
   // Of idle_motion.cpp.
-  Index idle_next = 0;           ///< steps done when idle motion is left out next
-  Index idle_wait = 1;           ///< steps from the last attempt to it
-  bool idle_by_factors = false;  ///< how steps were solved then
+  Index idle_next = 0;  ///< steps done when idle motion is left out next
+  Index idle_wait = 1;  ///< steps from the last attempt to it
   Vec3 gravity{};
   Rayleigh damping;
   Real beta = 0.25, gamma = 0.5, dynamic_ratio = 1;

@@ -106,7 +106,7 @@ class SmallStrain : public Deformation {
 
  private:
   solve::Operator op_;  // the same arrays as the system's
-  solve::PcgWork sums_;
+  solve::KrylovWork sums_;
   solve::ElementTable elements_;
   StressBefore before_;
   Field initial_;  // f0

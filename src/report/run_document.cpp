@@ -141,6 +141,7 @@ Json run_document(const DocumentHead& head, const RunReport& report) {
                 *report.keyblocks, *report.design);
   document["iterations"] = {{"pcg", report.run.iterations.pcg},
                             {"open_close", report.run.iterations.open_close},
+                            {"fallbacks", report.run.iterations.fallbacks},
                             {"preconditioner", preconditioner_name(report.run.preconditioner)}};
   return document;
 }

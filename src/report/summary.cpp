@@ -267,6 +267,11 @@ std::string energy_text(const Energy& energy) {
   return text.empty() ? "0 J" : text;
 }
 
+std::string fallbacks_text(std::int64_t count) {
+  if (count == 0) return "";
+  return fmt::format(", as fallback in {} solve{}", grouped(count), count == 1 ? "" : "s");
+}
+
 }  // namespace
 
 std::string run_summary(const RunReport& report) {
@@ -280,8 +285,9 @@ std::string run_summary(const RunReport& report) {
                                               grouped(report.model.analysis->steps))
                                 : grouped(run.steps);
   text += fact("steps",
-               fmt::format("{} to t = {:.6g} s, {} solver iterations ({})", steps, run.time,
-                           grouped(run.iterations.pcg), preconditioner_name(run.preconditioner)));
+               fmt::format("{} to t = {:.6g} s, {} solver iterations ({}{})", steps, run.time,
+                           grouped(run.iterations.pcg), preconditioner_name(run.preconditioner),
+                           fallbacks_text(run.iterations.fallbacks)));
   const LargestDisplacement& largest = run.largest_displacement;
   if (largest.block != none)
     text += fact("largest displacement", fmt::format("{:.4g} m, in block {} at {}", largest.length,

@@ -146,6 +146,7 @@ class Run {
 /// throws. False where a signal ended it: the same, without the throw.
 bool Run::accept(const SolveReport& report, Index step, Real time) {
   result_.iterations.pcg += report.iterations;
+  result_.iterations.fallbacks += report.fallbacks;
   result_.preconditioner = report.preconditioner;
   result_.support_gap = report.gap;
   if (report.converged) return true;
@@ -188,6 +189,7 @@ bool Run::take_step(Index step) {
     // Newton's method may find its way by shorter steps.
     if (!report.converged && analysis_.large() && substeps < most_substeps && !interrupt_signal) {
       result_.iterations.pcg += report.iterations;
+      result_.iterations.fallbacks += report.fallbacks;
       needed = 2 * substeps;
       motion_.restore();
       continue;

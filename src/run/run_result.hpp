@@ -94,6 +94,7 @@ struct RunResult {
   struct Iterations {
     std::int64_t pcg = 0;
     std::int64_t open_close = 0;  ///< 0 until contact exists
+    std::int64_t fallbacks = 0;   ///< solves that a direct factorisation took over
   } iterations;
   Preconditioner preconditioner = Preconditioner::automatic;  ///< of the last solve
 

@@ -194,6 +194,8 @@ kinematics = "small"
 time_step = 1.2e-3
 steps = 40
 rayleigh = {alpha = 166, beta = 3e-4}
+[solver]
+preconditioner = "direct"
 )")
                              .result;
   const Energy& end = rock.energies.back();

@@ -1,4 +1,4 @@
-// What conjugate gradients work with.
+// What Krylov methods work with, and the two maps that they are made of.
 #pragma once
 
 #include <functional>
@@ -11,21 +11,28 @@ namespace rockfold::solve {
 using device::Array;
 using device::Field;
 
-/// y = A x, A symmetric and positive semi-definite.
+/// y = A x.
 using Apply = std::function<void(const Field& x, const Field& y)>;
 
+/// z = B r with B ≈ A⁻¹, symmetric and positive, and energy(0) = r·z on the device.
+using ApplyInverse = std::function<void(const Field& r, const Field& z, const Array<Real>& energy)>;
+
 /// The vectors that a solve needs; allocated once.
-struct PcgWork {
+struct KrylovWork {
   Field r, p;
   Field q;              ///< A p; needed no more while a residual is preconditioned
-  Field z;              ///< empty until a solve without multigrid needs it
+  Field z;              ///< B r
   Array<Real> partial;  ///< sums of chunks
+  Array<Real> energy;   ///< r·z
   Array<Real> scalar;   ///< see pcg.cpp
   decltype(Kokkos::create_mirror_view(Array<Real>())) host_scalar;
 };
-PcgWork make_pcg_work(Index covers);
+KrylovWork make_krylov_work(Index unknowns);
 
 /// Σ x·y, the same for any number of threads.
-Real dot(const PcgWork& work, const Field& x, const Field& y);
+Real dot(const KrylovWork& work, const Field& x, const Field& y);
+
+/// to(0) = Σ x·y, on the device.
+void dot_on_device(const KrylovWork& work, const Field& x, const Field& y, const Array<Real>& to);
 
 }  // namespace rockfold::solve
