@@ -1,8 +1,9 @@
-// How the rock answers to its deformation: the one thing that small and large kinematics do not share.
+// How the rock answers to its deformation: all that small and large kinematics do not share.
 #pragma once
 
 #include <memory>
 
+#include "kernels/finite/deformation_kernel.hpp"
 #include "kernels/solve/held_kernel.hpp"
 #include "kernels/solve/sampled_elements_kernel.hpp"
 #include "kernels/update/motion.hpp"
@@ -42,6 +43,25 @@ class Deformation {
   virtual Real energy(const Field& d) const = 0;
   /// N: what rounding alone leaves of balanced forces at d.
   virtual Real rounding(const Field& d) const = 0;
+
+  // Where the force is not linear:
+
+  /// A step starts from d; its forces and tangents follow `rule`.
+  virtual void begin_step(const Field& /*d*/, const finite::ForceRule& /*rule*/) {}
+  /// After begin_step: what the strain rate that damps takes from the rates at the step's start (finite::carry_rate).
+  virtual void carry_rate(const Field& /*velocity*/, Real /*of_velocity*/,
+                          const Field& /*acceleration*/, Real /*of_acceleration*/) {}
+  /// J that this viscosity takes in the step that ends at d (finite::viscous_work).
+  virtual Real viscous_work(const Field& /*d*/, Real /*viscosity*/) const { return 0; }
+  /// Takes the tangent of the last linearise() again without the part of the stress, which compression may make negative.
+  virtual void soften() {}
+  /// Turns a correction to the end of the step, where forces are taken in its middle.
+  virtual void turn(const Field& /*x*/) const {}
+  /// An element that d turns inside out, or none; those whose forces at a strain of 1 are below `least`, N, do not count.
+  virtual Index inverted(const Field& /*d*/, Real /*least*/) const { return none; }
+  /// Sizes of the terms of ∂u/∂X, which cancel where idle motion (idle_motion.cpp) has grown: rounding grows with them.
+  virtual Real largest_terms(const Field& /*d*/) const { return 1; }
+
   /// [elements][6] Pa, the mean of each element.
   virtual void element_stress(const Field& d, const Array<Real>& stress) const = 0;
   /// Writes at.stress.
@@ -58,6 +78,8 @@ inline solve::PointSlopes sampled_slopes_at(const CoverArrays* sampled,
 
 std::unique_ptr<Deformation> make_small_strain(const MotionSetup& setup,
                                                const solve::HeldSystem& held);
+std::unique_ptr<Deformation> make_finite_strain(const MotionSetup& setup,
+                                                const solve::HeldSystem& held);
 
 }  // namespace update
 }  // namespace rockfold

@@ -19,7 +19,7 @@ Real mean_work(const Motion::Data& m, const Field& x, const Field& y) {
 
 }  // namespace
 
-void update_reactions(Motion::Data& m) {
+void update_reactions(Motion::Data& m, bool middle) {
   const solve::Springs s = m.held.springs;
   if (!s.any()) return;
   const auto way = m.increment, before = m.now.reaction;
@@ -29,9 +29,10 @@ void update_reactions(Motion::Data& m) {
       "rockfold::update::support_work", s.points.count, m.partial,
       KOKKOS_LAMBDA(const Index n, Sums<1>& sum) {
         for (int d = 0; d < 3; ++d) {
-          sum.value[0] +=
-              0.5 * (before(n, d) + s.force(n, d)) * solve::interpolate_one(s.points, n, d, way);
-          before(n, d) = s.force(n, d);
+          const Real now = middle ? 0.5 * s.force(n, d) : s.force(n, d);
+          const Real mean = middle ? now : 0.5 * (before(n, d) + now);
+          sum.value[0] += mean * solve::interpolate_one(s.points, n, d, way);
+          before(n, d) = now;
         }
       },
       KOKKOS_LAMBDA(const Sums<1>& sum) { out(0) = sum.value[0]; });
@@ -42,8 +43,8 @@ void count_work(Motion::Data& m, Real dt) {
   Work& work = m.now.work;
   if (m.varying_loads.any()) work.loads += mean_work(m, m.varying_before, m.varying);
   Rayleigh by = m.damping;
-  if (m.large && by.stiffness > 0) {
-    work.damping += m.large->viscous_work(m.now.displacement, by.stiffness / dt);
+  if (!m.rock->linear() && by.stiffness > 0) {
+    work.damping += m.rock->viscous_work(m.now.displacement, by.stiffness / dt);
     by.stiffness = 0;
   }
   if (by.mass > 0 || by.stiffness > 0) {
@@ -55,6 +56,25 @@ void count_work(Motion::Data& m, Real dt) {
     add_dashpots(m.dashpots, 1, m.increment, m.work);
     work.quiet += solve::dot(m.held.work, m.work, m.increment) / dt;
   }
+}
+
+void count_following_work(Motion::Data& m) {
+  if (!m.following.any()) return;
+  Kokkos::deep_copy(m.work, m.following_before);
+  add_following_pressures(m.following, m.now.time, m.now.displacement, 1, m.work);
+  m.now.work.loads += 0.5 * solve::dot(m.held.work, m.work, m.increment);
+}
+
+void count_loads_at_once(Motion::Data& m) {
+  Real& work = m.now.work.loads;
+  if (m.varying_loads.any()) work += solve::dot(m.held.work, m.varying, m.increment);
+  if (!m.following.any()) return;
+  const Field in_place = m.correction;
+  Kokkos::deep_copy(in_place, 0.0);
+  Kokkos::deep_copy(m.work, 0.0);
+  add_following_pressures(m.following, m.now.time, in_place, 0.5, m.work);
+  add_following_pressures(m.following, m.now.time, m.now.displacement, 0.5, m.work);
+  work += solve::dot(m.held.work, m.work, m.increment);
 }
 
 Real kinetic_energy(const Motion::Data& m) {

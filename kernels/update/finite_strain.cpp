@@ -2,14 +2,14 @@
 #include "kernels/device/sums_kernel.hpp"
 #include "kernels/finite/deformation_kernel.hpp"
 #include "kernels/finite/strain_kernel.hpp"
-#include "kernels/update/finite_strain_kernel.hpp"
+#include "kernels/update/deformation_kernel.hpp"
 #include "kernels/update/initial_stress_kernel.hpp"
 #include "kernels/update/stress_kernel.hpp"
 
 namespace rockfold::update {
 namespace {
 
-class FiniteStrain : public LargeDeformation {
+class FiniteStrain : public Deformation {
  public:
   FiniteStrain(const MotionSetup& setup, const solve::HeldSystem& held)
       : op_(held.op),
@@ -110,8 +110,8 @@ class FiniteStrain : public LargeDeformation {
 
 }  // namespace
 
-std::unique_ptr<LargeDeformation> make_finite_strain(const MotionSetup& setup,
-                                                     const solve::HeldSystem& held) {
+std::unique_ptr<Deformation> make_finite_strain(const MotionSetup& setup,
+                                                const solve::HeldSystem& held) {
   return std::make_unique<FiniteStrain>(setup, held);
 }
 

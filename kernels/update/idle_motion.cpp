@@ -43,7 +43,7 @@ void leave_out_idle_motion(Motion::Data& m) {
   const bool still = m.now.steps == 0;
   bool done = leave_out(m, m.now.acceleration);
   if (!still) done = leave_out(m, m.now.velocity) && done;
-  const Index most = m.large ? idle_large_steps : idle_steps;
+  const Index most = m.rock->linear() ? idle_steps : idle_large_steps;
   m.idle_wait = done ? most : std::min(most, still ? 1 : 2 * m.idle_wait);
   m.idle_next = m.now.steps + m.idle_wait;
 }

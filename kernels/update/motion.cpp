@@ -47,13 +47,7 @@ void make_system(Motion::Data& m, const MotionSetup& setup) {
       setup.covers,
       solve::build_operator(setup.covers, setup.moments, setup.materials, !setup.large),
       setup.fixed, setup.preconditioner, setup.direct);
-  if (setup.large) {
-    auto rock = make_finite_strain(setup, m.held);
-    m.large = rock.get();
-    m.rock = std::move(rock);
-  } else {
-    m.rock = make_small_strain(setup, m.held);
-  }
+  m.rock = setup.large ? make_finite_strain(setup, m.held) : make_small_strain(setup, m.held);
   m.supports = make_moving_supports(setup.fixed, m.held);
   m.dashpots = make_dashpots(setup.quiet, m.unknowns);
   if (!m.dashpots.any()) return;
@@ -104,7 +98,7 @@ void make_data(Motion::Data& m, const MotionSetup& setup) {
   m.partial = device::allocate<Real>("update::partial",
                                      3 * device::chunk_count(std::max(m.unknowns, fixed)));
   m.sums = device::Array<Real>("rockfold::update::sums", 3);
-  if (m.large) {
+  if (!m.rock->linear()) {
     m.velocity_before = device::make_field("update::velocity_before", m.unknowns);
     m.acceleration_before = device::make_field("update::acceleration_before", m.unknowns);
     m.following = make_following_pressures(setup);
@@ -159,8 +153,7 @@ void Motion::set_motion(const StateArrays& state) {
 }
 
 SolveReport Motion::solve_static() {
-  SolveReport report =
-      data_->large ? update::solve_equilibrium_large(*data_) : update::solve_equilibrium(*data_);
+  SolveReport report = update::solve_equilibrium(*data_);
   update::require_finite(*data_, report);
   return report;
 }
@@ -177,8 +170,7 @@ SolveReport Motion::step(Real dt, int substeps, const TrackedPoints* watched, Re
     // A quasi-static substep is a step of its own: nothing is handed on. The share of a velocity is taken once a step.
     m.handed = 1;
     if (i == 0 || m.dynamic_ratio == 0) update::hand_on(m);
-    SolveReport report =
-        m.large ? update::advance_large(m, dt / substeps) : update::advance(m, dt / substeps);
+    SolveReport report = update::take_step(m, dt / substeps);
     update::require_finite(m, report);
     total.add(report);
     if (!total.converged) return total;

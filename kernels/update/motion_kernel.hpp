@@ -6,7 +6,6 @@
 
 #include "kernels/solve/held_kernel.hpp"
 #include "kernels/update/deformation_kernel.hpp"
-#include "kernels/update/finite_strain_kernel.hpp"
 #include "kernels/update/following_kernel.hpp"
 #include "kernels/update/loads_kernel.hpp"
 #include "kernels/update/motion.hpp"
@@ -35,7 +34,6 @@ void copy_state(const MovingState& from, MovingState& to);
 struct Motion::Data {
   solve::HeldSystem held;
   std::unique_ptr<update::Deformation> rock;
-  update::LargeDeformation* large = nullptr;  ///< the rock, under large kinematics
   update::VaryingLoads varying_loads;
   update::FollowingPressures following;  ///< large kinematics
   update::Dashpots dashpots;
@@ -83,17 +81,10 @@ void set_matrix(Motion::Data& m, const solve::Combination& c, Real dashpots, Rea
                 bool stiffen);
 /// The loads that change and the targets of the supports, at t.
 void set_time(Motion::Data& m, Real t);
-/// right = F − M a − C v − f(d) of `now`. Returns the largest norm of F, M a + C v, f(d) and f(0), loads that are constant and that
-/// change each by themselves: what residuals are measured against where they cancel.
-Real find_residual(Motion::Data& m, bool moving);
-/// goal = ū − N d: how far the fixed points still have to go.
-void aim(const Motion::Data& m);
 /// k of supports.cpp.
 std::array<Real, 3> steering(Real beta, Real gamma);
-/// Finds how far augmented points go in the step that begins (support_way), …
+/// Finds how far augmented points go in the step that begins: support_way.
 void steer(const Motion::Data& m, Real dt);
-/// … and, once it is predicted, what is left of it: the goal of augmented points.
-void aim_steered(const Motion::Data& m);
 /// goal of the first acceleration: none at augmented points; others pull with what their springs are stretched by.
 void aim_acceleration(const Motion::Data& m);
 /// goal of the first velocity: at augmented points that of their tables, none without one; at others what they have.
@@ -106,21 +97,20 @@ SolveReport solve_initial_acceleration(Motion::Data& m, Real dt);
 SolveReport solve_equilibrium(Motion::Data& m);
 Real largest_frequency(Motion::Data& m, Real dt);
 /// One step of Newmark's method.
-SolveReport advance(Motion::Data& m, Real dt);
+SolveReport take_step(Motion::Data& m, Real dt);
 /// Takes out of velocity and acceleration what moves no rock, where that is due; the matrix is that of the next step.
 void leave_out_idle_motion(Motion::Data& m);
-/// d', v', a' in free flight, or where the step is too long for it with d' = d.
-void predict(Motion::Data& m, Real dt);
-/// The same under large kinematics.
-SolveReport solve_equilibrium_large(Motion::Data& m);
-SolveReport advance_large(Motion::Data& m, Real dt);
 /// Scales the velocity by the dynamic ratio, `handed`; at 0 drops the acceleration as well.
 void hand_on(Motion::Data& m);
 
-/// Reactions at the correction found, and the work of the supports: mean force times way.
-void update_reactions(Motion::Data& m);
+/// Reactions at the correction found (of twice the mean where `middle`), and the work of the supports: mean force times way.
+void update_reactions(Motion::Data& m, bool middle);
 /// Counts the work of changing loads and of damping over the increment.
 void count_work(Motion::Data& m, Real dt);
+/// Of pressures that follow their faces, over the step.
+void count_following_work(Motion::Data& m);
+/// Work of changing loads and of pressures that follow, put on at once where nothing has moved yet: `increment` is the way.
+void count_loads_at_once(Motion::Data& m);
 Real kinetic_energy(const Motion::Data& m);
 
 }  // namespace update

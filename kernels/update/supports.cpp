@@ -61,16 +61,6 @@ std::array<Real, 3> steering(Real beta, Real gamma) {
   return k;
 }
 
-void aim(const Motion::Data& m) {
-  const solve::Springs s = m.held.springs;
-  const auto d = m.now.displacement, goal = m.goal;
-  device::for_each(
-      "rockfold::update::aim", s.points.count, KOKKOS_LAMBDA(const Index n) {
-        for (int i = 0; i < 3; ++i)
-          goal(n, i) = s.target(n, i) - solve::interpolate_one(s.points, n, i, d);
-      });
-}
-
 void steer(const Motion::Data& m, Real dt) {
   if (!m.held.springs.any()) return;
   const solve::Springs s = m.held.springs;
@@ -101,17 +91,6 @@ void steer(const Motion::Data& m, Real dt) {
               dt * dt * solve::interpolate_one(s.points, n, i, a) - (after - 2 * now + before);
           way(n, i) = after - now - (k0 * p + k1 * w + k2 * off);
         }
-      });
-}
-
-void aim_steered(const Motion::Data& m) {
-  const solve::Springs s = m.held.springs;
-  const auto x = m.increment, way = m.support_way, goal = m.goal;
-  device::for_each(
-      "rockfold::update::aim_steered", s.points.count, KOKKOS_LAMBDA(const Index n) {
-        for (int i = 0; i < 3; ++i)
-          if (s.augmented(n, i) > 0)
-            goal(n, i) = way(n, i) - solve::interpolate_one(s.points, n, i, x);
       });
 }
 

@@ -1,7 +1,7 @@
-// Where a motion begins: the first acceleration; and where it ends: equilibrium.
+// Where a motion begins: the first velocity and acceleration.
 #include <algorithm>
 
-#include "kernels/update/motion_kernel.hpp"
+#include "kernels/update/step_kernel.hpp"
 #include "src/base/interrupt.hpp"
 
 namespace rockfold::update {
@@ -138,11 +138,9 @@ SolveReport find_acceleration(Motion::Data& m, const Beginning& begin, Real stif
   set_matrix(m, {stiffness, 1}, 0, begin.hold, false);  // ways that have failed may be tried again
   Kokkos::deep_copy(m.now.multiplier, 0.0);
   Kokkos::deep_copy(m.now.acceleration, 0.0);
-  Real reference = find_residual(m, m.damped());
-  if (m.following.any()) {
-    add_following_pressures(m.following, m.now.time, m.now.displacement, 1, m.right);
-    reference = std::max(reference, std::sqrt(solve::dot(m.held.work, m.right, m.right)));
-  }
+  Step step;
+  step.inertia = step.rate = m.damped();
+  const Real reference = find_residual(m, step).reference;
   aim_acceleration(m);
   const std::vector<Vec3> guess = uniform_field(m.unknowns, m.covers, m.gravity);
   device::copy_to_device(guess, m.now.acceleration);
@@ -186,39 +184,12 @@ SolveReport set_in_motion(Motion::Data& m, const Beginning& begin) {
 SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
   set_time(m, m.now.time);
   const Real hold = m.beta * dt * dt;
-  if (m.large) {  // the stiffness, without the part of the stress
-    m.large->begin_step(m.now.displacement, {});
-    m.large->soften();
-  }
+  m.rock->begin_step(m.now.displacement, {});
+  m.rock->soften();                          // the stiffness, without the part of the stress
   set_matrix(m, {1, 1 / hold}, 0, 1, true);  // chooses the springs' stiffness
   const SpringsBefore springs = hold_by_multipliers(m, hold);
   const SolveReport report = set_in_motion(m, {hold, hold + m.gamma * dt * m.damping.stiffness});
   make_springs_again(m, springs);
-  return report;
-}
-
-SolveReport solve_equilibrium(Motion::Data& m) {
-  m.now.time = 1;
-  set_time(m, m.now.time);
-  set_matrix(m, {1, 0}, 0, 1, true);
-  const Real reference = find_residual(m, false);
-  aim(m);
-  Kokkos::deep_copy(m.correction, 0.0);
-  solve::HeldOptions how = solve_options(m, reference);
-  close_gaps(how);
-  how.rounding = [&](const Field& x) { return m.rock->rounding(x); };
-  how.stop_at_rounding = true;
-  const SolveReport report =
-      solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how);
-  Kokkos::deep_copy(m.increment, m.correction);
-  const auto d = m.now.displacement, x = m.correction;
-  device::for_each(
-      "rockfold::update::displace", m.unknowns, KOKKOS_LAMBDA(const Index p) {
-        for (int i = 0; i < 3; ++i) d(p, i) += x(p, i);
-      });
-  update_reactions(m);
-  if (m.varying_loads.any())  // put on at once
-    m.now.work.loads += solve::dot(m.held.work, m.varying, m.increment);
   return report;
 }
 
