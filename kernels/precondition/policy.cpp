@@ -21,7 +21,7 @@ constexpr Index limit_in_time = 1000, limit_of_blocks = 500, limit_of_multigrid 
                 limit_of_factors = 200;
 
 /// Multiplications of a factorisation that take some tenths of a second: covers of several functions, which are nearly dependent, begin with
-/// it in statics.
+/// it where stiffness outweighs inertia.
 constexpr double few_operations = 1e9;
 
 /// Pivots of a matrix of unit diagonal that count as none, in the order in which they are tried. What is left of functions that depend on each
@@ -38,8 +38,9 @@ Preconditioner block_kind(const HeldSystem& system) {
                                                                : Preconditioner::node_block_jacobi;
 }
 
-bool is_long_step(const HeldSystem& system) {
-  return system.combination.mass == 0 || system.stiffness_over_inertia > long_step;
+bool is_stiffer_than(const HeldSystem& system, Real ratio) {
+  return system.combination.stiffness != 0 &&
+         (system.combination.mass == 0 || system.stiffness_over_inertia > ratio);
 }
 
 /// As far as is known before its pattern is looked at.
@@ -112,9 +113,10 @@ Policy policy_of(HeldSystem& system) {
   const Preconditioner asked = system.preconditioner, blocks = block_kind(system);
   if (asked == Preconditioner::direct && factors_within_reach(system))
     return {Preconditioner::direct, limit_of_factors};
-  const bool stiff = system.combination.stiffness != 0 && is_long_step(system);
-  if (asked == Preconditioner::automatic && stiff && factors_cost_little(system))
+  if (asked == Preconditioner::automatic && is_stiffer_than(system, 1) &&
+      factors_cost_little(system))
     return {Preconditioner::direct, limit_of_factors};
+  const bool stiff = is_stiffer_than(system, long_step);
   if (has_levels(system) && system.largest_diagonal > 0 &&
       (stiff || asked == Preconditioner::multigrid))
     return {Preconditioner::multigrid, limit_of_multigrid};
