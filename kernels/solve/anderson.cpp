@@ -1,6 +1,7 @@
 #include "kernels/solve/anderson.hpp"
 
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace rockfold::solve {
@@ -57,6 +58,26 @@ std::vector<Real> Anderson::next(const Vector& x, const Vector& f) {
   }
   add(result, 1, rest);
   return result;
+}
+
+std::vector<Real> Anderson::knowledge() const {
+  std::vector<Real> numbers;
+  for (const Pair& pair : pairs_)
+    for (const Vector* v : {&pair.dx, &pair.df})
+      numbers.insert(numbers.end(), v->begin(), v->end());
+  return numbers;
+}
+
+void Anderson::learn(const Vector& knowledge, std::size_t n) {
+  if (n == 0 ? !knowledge.empty() : knowledge.size() % (2 * n) != 0)
+    throw std::invalid_argument("not the knowledge of an iteration of so many unknowns");
+  forget();
+  for (auto at = knowledge.begin(); at != knowledge.end();) {
+    const auto middle = at + static_cast<std::ptrdiff_t>(n),
+               end = middle + static_cast<std::ptrdiff_t>(n);
+    pairs_.push_back({{at, middle}, {middle, end}});
+    at = end;
+  }
 }
 
 void Anderson::forget() {

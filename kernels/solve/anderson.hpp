@@ -23,6 +23,11 @@ class Anderson {
   /// The slope of f has changed.
   void forget();
 
+  /// What it knows of the slope, as numbers; [pairs][2][n].
+  std::vector<Real> knowledge() const;
+  /// `n`: unknowns. Throws std::invalid_argument where the numbers are not so many.
+  void learn(const std::vector<Real>& knowledge, std::size_t n);
+
  private:
   /// A change of x and the change of f that comes with it; the df of all pairs are orthonormal. Where f is linear any
   /// combination of pairs is a pair, so that old ones can go one by one.

@@ -86,7 +86,6 @@ void set_combination(HeldSystem& system, const Combination& c, Real spring_facto
     system.inverse = {};  // the blocks hold it
   }
   system.grid_current = system.factors.current = false;
-  system.acceleration.forget();
 }
 
 const Blocks& inverse_of(HeldSystem& system) {

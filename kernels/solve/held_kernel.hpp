@@ -44,9 +44,6 @@ struct HeldSystem {
   Field start;                      ///< work space: where a solve started
   Field load_before;                ///< work space: rows of b that springs act on
   Field best_multiplier;            ///< work space: of the least gap in a search
-  /// What the multipliers' iteration has learned; it stays true from step to step. As deep as pays: each outer iteration costs
-  /// some ten applications, a pair costs two vectors of the fixed points.
-  Anderson acceleration{40};
 };
 HeldSystem make_held_system(const CoverArrays& covers, Operator op, const FixedPoints& fixed,
                             Preconditioner preconditioner = Preconditioner::automatic,
@@ -61,8 +58,13 @@ const Blocks& inverse_of(HeldSystem& system);
 /// How far rock moves at most under x + base (may be empty), m: see rock_motion_kernel.hpp. Uses the work space of conjugate gradients.
 Real largest_motion(HeldSystem& system, const Field& x, const Field& base);
 
+/// As deep as pays: each outer iteration costs some ten applications, a pair costs two vectors of the fixed points.
+inline constexpr std::size_t most_pairs = 40;
+
 struct HeldOptions {
   PcgOptions pcg;
+  Anderson* acceleration =
+      nullptr;  ///< what earlier solves with the same matrix have learned of its multipliers; null: nothing
   Real gap_tolerance = 1e-10;  ///< largest gap / max(largest displacement, largest goal)
   Index max_outer = 50;
   int patience = 5;  ///< outer iterations in which the gap must have halved, or it is left as it is

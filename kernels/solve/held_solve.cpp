@@ -18,7 +18,7 @@ namespace {
 constexpr Real inner_reduction = 1e-3;
 
 /// λ from λ and springs.force, the change it would take by itself.
-void update_multipliers(HeldSystem& system) {
+void update_multipliers(HeldSystem& system, Anderson& acceleration) {
   const Springs& springs = system.springs;
   const Real factor = system.spring_factor;
   scale_by_stiffness(springs, factor, -0.5, springs.multiplier);
@@ -28,8 +28,7 @@ void update_multipliers(HeldSystem& system) {
       values.insert(values.end(), v.begin(), v.end());
     return values;
   };
-  const std::vector<Real> next =
-      system.acceleration.next(flat(springs.multiplier), flat(springs.force));
+  const std::vector<Real> next = acceleration.next(flat(springs.multiplier), flat(springs.force));
   std::vector<Vec3> values(next.size() / 3);
   for (std::size_t i = 0; i < next.size(); ++i) values[i / 3][i % 3] = next[i];
   device::copy_to_device(values, springs.multiplier);
@@ -259,11 +258,17 @@ class MultiplierSearch {
  public:
   MultiplierSearch(HeldSystem& system, const Field& goal, const Field& x, const Field& base,
                    const HeldOptions& options, HeldSolve& inner)
-      : system_(system), goal_(goal), x_(x), base_(base), options_(options), inner_(inner) {}
+      : system_(system),
+        goal_(goal),
+        x_(x),
+        base_(base),
+        options_(options),
+        inner_(inner),
+        acceleration_(options.acceleration ? *options.acceleration : own_) {}
 
   void run() {
     SolveReport& report = inner_.report;
-    system_.acceleration.begin_again();
+    acceleration_.begin_again();
     while (report.converged) {
       const Real gap = measure_gap();
       judge(gap);
@@ -272,8 +277,8 @@ class MultiplierSearch {
       if (!close && (report.outer >= options_.max_outer || stalled_ >= options_.patience))
         return leave(gap);
       ++report.outer;
-      if (exact_) system_.acceleration.forget();
-      if (!close) update_multipliers(system_);
+      if (exact_) acceleration_.forget();
+      if (!close) update_multipliers(system_, acceleration_);
       inner_.solve(close || exact_ ? 0 : inner_reduction);
     }
   }
@@ -300,10 +305,10 @@ class MultiplierSearch {
     }
     stalled_ = gap < 0.5 * best_ ? 0 : stalled_ + 1;
     if (stalled_ == 0) best_ = gap;
-    // What was learned in earlier steps may have grown stale: every inner solve is inexact, and old pairs carry its noise on.
-    if (stalled_ == 2 && !fresh_) {
-      system_.acceleration.forget();
-      fresh_ = true;
+    // What was learned before may have grown stale: every inner solve is inexact, and old pairs carry its noise on.
+    if (stalled_ == 2 && !restarted_) {
+      acceleration_.forget();
+      restarted_ = true;
       stalled_ = 0;
       best_ = gap;
     }
@@ -330,8 +335,10 @@ class MultiplierSearch {
   const Field &goal_, &x_, &base_;
   const HeldOptions& options_;
   HeldSolve& inner_;
-  int stalled_ = 0;     ///< updates since the gap was last halved
-  bool fresh_ = false;  ///< what the acceleration knows is of this search alone
+  Anderson own_{most_pairs};
+  Anderson& acceleration_;
+  int stalled_ = 0;  ///< updates since the gap was last halved
+  bool restarted_ = false;
   bool exact_ = false;  ///< each solve goes to the tolerance, each update by itself
   Real best_ = std::numeric_limits<Real>::infinity(), least_ = best_;  ///< m
 };

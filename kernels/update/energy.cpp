@@ -96,7 +96,7 @@ Energy Motion::energy() const {
   e.damping = work.damping;
   e.quiet = work.quiet;
   e.ratio = work.ratio;
-  e.dissipated = m.initial_energy + e.loads + e.supports - (e.kinetic + e.strain + e.potential);
+  e.dissipated = m.now.initial_energy + e.loads + e.supports - (e.kinetic + e.strain + e.potential);
   e.numerical = e.dissipated - (e.damping + e.quiet + e.ratio);
   return e;
 }

@@ -11,41 +11,38 @@ namespace rockfold::update {
 namespace {
 
 /// Steps after which what has come of other preconditioners and of rounding is taken out again; under large kinematics the preconditioner
-/// turns with the rock. Where it cannot be done it is tried again after 1, 2, 4, … steps: the way in which steps are solved may not be known yet.
+/// turns with the rock.
 constexpr Index idle_steps = 25, idle_large_steps = 10;
 /// What is moved by leaving it out should be far below what the steps leave open, and must not be above; rounding sets a limit.
 constexpr Real share_of_tolerance = 1e-3, least_tolerance = 1e-11;
 constexpr Index most_iterations = 500;
 
-/// Replaces x. False where that cannot be done.
-bool leave_out(Motion::Data& m, const Field& x) {
+/// Replaces x, or leaves it where that cannot be done.
+void leave_out(Motion::Data& m, const Field& x) {
   solve::PcgOptions pcg;
   pcg.tolerance = std::max(share_of_tolerance * m.solver.tolerance, least_tolerance);
-  if (pcg.tolerance > m.solver.tolerance) return true;  // closer steps do without
+  if (pcg.tolerance > m.solver.tolerance) return;  // closer steps do without
   pcg.max_iterations = std::min(m.solver.max_iterations, most_iterations);
   // Against inertia alone: where x strains rock with far larger forces no step flies along x (see predict), and it may be left as it is.
   m.rock->apply({0, m.held.combination.mass}, x, m.work);
   pcg.reference = std::sqrt(solve::dot(m.held.work, m.work, m.work));
   pcg.measure_load = false;
-  if (!(pcg.reference > 0)) return true;
+  if (!(pcg.reference > 0)) return;
   const SolveReport done =
       solve::find_same_motion(m.held, x, m.correction, pcg, m.solver.tolerance);
-  if (!done.converged) return false;
-  Kokkos::deep_copy(x, m.correction);
-  return true;
+  if (done.converged) Kokkos::deep_copy(x, m.correction);
 }
 
 }  // namespace
 
+bool idle_motion_is_due(const Motion::Data& m) {
+  return m.held.op.functions > 1 && m.dynamic_ratio > 0 &&
+         m.now.steps % (m.rock->linear() ? idle_steps : idle_large_steps) == 0;
+}
+
 void leave_out_idle_motion(Motion::Data& m) {
-  if (m.held.op.functions == 1 || m.dynamic_ratio == 0) return;
-  if (m.now.steps < m.idle_next) return;
-  const bool still = m.now.steps == 0;
-  bool done = leave_out(m, m.now.acceleration);
-  if (!still) done = leave_out(m, m.now.velocity) && done;
-  const Index most = m.rock->linear() ? idle_steps : idle_large_steps;
-  m.idle_wait = done ? most : std::min(most, still ? 1 : 2 * m.idle_wait);
-  m.idle_next = m.now.steps + m.idle_wait;
+  leave_out(m, m.now.acceleration);
+  if (m.now.steps > 0) leave_out(m, m.now.velocity);
 }
 
 }  // namespace rockfold::update

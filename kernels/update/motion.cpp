@@ -31,7 +31,10 @@ void copy_state(const MovingState& from, MovingState& to) {
   Kokkos::deep_copy(to.reaction, from.reaction);
   to.time = from.time;
   to.work = from.work;
+  to.learned = from.learned;
+  to.learned_in = from.learned_in;
   to.steps = from.steps;
+  to.initial_energy = from.initial_energy;
 }
 
 std::vector<Vec3> uniform_field(Index unknowns, Index covers, const Vec3& v) {
@@ -147,9 +150,9 @@ void Motion::set_motion(const StateArrays& state) {
   device::copy_to_device(state.displacement, data_->now.displacement);
   device::copy_to_device(state.velocity, data_->now.velocity);
   data_->now.time = state.time;
-  data_->initial_energy = 0;
+  data_->now.initial_energy = 0;
   const Energy e = energy();
-  data_->initial_energy = e.kinetic + e.strain + e.potential;
+  data_->now.initial_energy = e.kinetic + e.strain + e.potential;
 }
 
 SolveReport Motion::solve_static() {

@@ -20,7 +20,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "kernels/solve/cover_system.hpp"
@@ -82,6 +84,10 @@ class Motion {
   /// Remembers the present state, and goes back to it.
   void save();
   void restore();
+  /// The same as bytes of this machine, for another Motion of the same setup, in another process too: steps from there are the same,
+  /// digit for digit. Throws std::invalid_argument where they are not those of such a motion.
+  std::vector<std::byte> bytes() const;
+  void restore(std::span<const std::byte> bytes);
 
   Real time() const;
   StateArrays state() const;

@@ -24,7 +24,10 @@ struct MovingState {
   Field multiplier, reaction;                  ///< of the fixed points
   Real time = 0;
   Work work;
-  Index steps = 0;  ///< done since the motion was given
+  solve::Anderson learned{solve::most_pairs};  ///< of the multipliers, learned in steps of …
+  Real learned_in = 0;                         ///< … s; 0: of no length
+  Index steps = 0;                             ///< done since the motion was given
+  Real initial_energy = 0;  ///< J, kinetic + strain + potential of the motion given
 };
 MovingState make_moving_state(Index unknowns, Index fixed);
 void copy_state(const MovingState& from, MovingState& to);
@@ -54,9 +57,6 @@ struct Motion::Data {
   device::Array<Real> partial, sums;
 
   Real handed = 1;  ///< share of the velocity that the step now taken was handed
-  // Of idle_motion.cpp.
-  Index idle_next = 0;  ///< steps done when idle motion is left out next
-  Index idle_wait = 1;  ///< steps from the last attempt to it
   Vec3 gravity{};
   Rayleigh damping;
   Real beta = 0.25, gamma = 0.5, dynamic_ratio = 1;
@@ -65,8 +65,7 @@ struct Motion::Data {
   Real dashpot_factor = 0;  ///< of the dashpots in the matrix
   Real step_length = 0;     ///< that the system is prepared for; 0 = for none
   Real largest_increment = 0;
-  Real initial_force = 0;   ///< N, norm of the forces of the initial stress in place
-  Real initial_energy = 0;  ///< J, kinetic + strain + potential of the motion given
+  Real initial_force = 0;  ///< N, norm of the forces of the initial stress in place
 
   bool damped() const { return damping.mass > 0 || damping.stiffness > 0 || dashpots.any(); }
 };
@@ -89,7 +88,7 @@ void steer(const Motion::Data& m, Real dt);
 void aim_acceleration(const Motion::Data& m);
 /// goal of the first velocity: at augmented points that of their tables, none without one; at others what they have.
 void aim_velocity(const Motion::Data& m);
-solve::HeldOptions solve_options(const Motion::Data& m, Real reference);
+solve::HeldOptions solve_options(Motion::Data& m, Real reference);
 /// Where there is no next step in which the multipliers could go on.
 void close_gaps(solve::HeldOptions& how);
 
@@ -98,7 +97,8 @@ SolveReport solve_equilibrium(Motion::Data& m);
 Real largest_frequency(Motion::Data& m, Real dt);
 /// One step of Newmark's method.
 SolveReport take_step(Motion::Data& m, Real dt);
-/// Takes out of velocity and acceleration what moves no rock, where that is due; the matrix is that of the next step.
+/// Takes out of velocity and acceleration what moves no rock, in the measure of the matrix, which is that of the step that begins.
+bool idle_motion_is_due(const Motion::Data& m);
 void leave_out_idle_motion(Motion::Data& m);
 /// Scales the velocity by the dynamic ratio, `handed`; at 0 drops the acceleration as well.
 void hand_on(Motion::Data& m);

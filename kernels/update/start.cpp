@@ -101,6 +101,7 @@ bool passes(Motion::Data& m, const Beginning& begin, const Field& x) {
 SolveReport project_velocity(Motion::Data& m, const Beginning& begin, Real stiffness) {
   const solve::Combination c{stiffness, 1};
   set_matrix(m, c, 0, begin.hold, false);
+  m.now.learned.forget();
   m.rock->apply(c, m.now.velocity, m.right);
   aim_velocity(m);
   const SolveReport report =
@@ -135,7 +136,8 @@ SolveReport catch_up_with_supports(Motion::Data& m, const Beginning& begin) {
 /// The acceleration at the start, from (M + αK) a = F − C v − f(d), `stiffness` = α; the iterations of `total` are counted on.
 SolveReport find_acceleration(Motion::Data& m, const Beginning& begin, Real stiffness,
                               Real tolerance, Index most_iterations, const SolveReport& total) {
-  set_matrix(m, {stiffness, 1}, 0, begin.hold, false);  // ways that have failed may be tried again
+  set_matrix(m, {stiffness, 1}, 0, begin.hold, false);
+  m.now.learned.forget();
   Kokkos::deep_copy(m.now.multiplier, 0.0);
   Kokkos::deep_copy(m.now.acceleration, 0.0);
   Step step;
@@ -190,6 +192,8 @@ SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
   const SpringsBefore springs = hold_by_multipliers(m, hold);
   const SolveReport report = set_in_motion(m, {hold, hold + m.gamma * dt * m.damping.stiffness});
   make_springs_again(m, springs);
+  m.now.learned.forget();
+  m.now.learned_in = 0;
   return report;
 }
 

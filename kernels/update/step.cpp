@@ -48,29 +48,41 @@ void set_tangent(Motion::Data& m, const Step& step, bool first) {
   m.step_length = step.dt;
 }
 
-/// What the rock's forces over the step need to know of its start.
-void begin_deformation(Motion::Data& m, const Step& step) {
+/// What the multipliers' iteration has learned stays true as long as the matrix is the same.
+void forget_other_matrices(Motion::Data& m, const Step& step) {
+  if (m.rock->linear() && step.dt > 0 && m.now.learned_in == step.dt) return;
+  m.now.learned.forget();
+  m.now.learned_in = step.dt;
+}
+
+finite::ForceRule force_rule(const Motion::Data& m, const Step& step) {
   finite::ForceRule rule;
   rule.middle = step.middle;
+  rule.viscosity = m.damping.stiffness / step.dt * (step.middle ? 1 : m.gamma / m.beta);
+  return rule;
+}
+
+/// Half of the strain rate that was not handed on is missing in the mean over the step; at its end Newmark's formulas take in the start's.
+void carry_rate(Motion::Data& m, const Step& step) {
   const Real at_end = m.gamma / m.beta, damping = m.damping.stiffness;
-  rule.viscosity = damping / step.dt * (rule.middle ? 1 : at_end);
-  m.rock->begin_step(m.now.displacement, rule);
-  // Half of the rate that was not handed on is missing in the mean over the step.
-  const Real of_rate = rule.middle ? 0.5 * (1 / m.handed - 1) : 1 - at_end;
+  const Real of_rate = step.middle ? 0.5 * (1 / m.handed - 1) : 1 - at_end;
   if (damping > 0 && of_rate != 0)
     m.rock->carry_rate(m.now.velocity, damping * of_rate, m.now.acceleration,
-                       rule.middle ? 0 : damping * step.dt * (1 - 0.5 * at_end));
+                       step.middle ? 0 : damping * step.dt * (1 - 0.5 * at_end));
 }
 
 void begin(Motion::Data& m, const Step& step) {
   const bool linear = m.rock->linear();
-  if (linear) set_tangent(m, step, true);
-  if (linear || m.now.steps > 0) leave_out_idle_motion(m);  // with the matrix there is
-  if (m.varying_loads.any()) varying_load(m.varying_loads, m.now.time, m.varying_before);
-  if (!linear) {
-    keep_start(m);
-    begin_deformation(m, step);
+  m.rock->begin_step(m.now.displacement, force_rule(m, step));
+  if (idle_motion_is_due(m)) {
+    set_tangent(m, step, true);
+    leave_out_idle_motion(m);
   }
+  if (!linear) {
+    carry_rate(m, step);
+    keep_start(m);
+  }
+  if (m.varying_loads.any()) varying_load(m.varying_loads, m.now.time, m.varying_before);
   if (step.stabilised) steer(m, step.dt);
   m.now.time += step.dt;
   set_time(m, m.now.time);
@@ -135,6 +147,7 @@ bool solve_correction(Motion::Data& m, const Step& step, const Newton& newton, S
   for (const bool softened : {false, true}) {
     if (softened) {
       m.rock->soften();
+      m.now.learned.forget();
       set_matrix(m, m.held.combination, m.dashpot_factor, 1, false);
     }
     Kokkos::deep_copy(m.correction, 0.0);
@@ -167,12 +180,14 @@ SolveReport balance_forces(Motion::Data& m, const Step& step) {
   SolveReport total;
   Newton newton;
   Kokkos::deep_copy(m.correction, 0.0);
+  set_tangent(m, step, true);
   for (; newton.iterations < most_iterations; ++newton.iterations) {
     const Forces forces = find_residual(m, step);
     find_goals(m, step);
     total.converged = false;
     if (is_settled(m, step, forces, newton, total)) return total;
-    set_tangent(m, step, newton.iterations == 0);
+    if (newton.iterations > 0) set_tangent(m, step, false);
+    forget_other_matrices(m, step);
     const bool solved = solve_correction(m, step, newton, total);
     if (!solved && !m.rock->linear()) return total;
     m.rock->turn(m.correction);
@@ -273,7 +288,7 @@ void set_time(Motion::Data& m, Real t) {
   move_supports(m.supports, t, m.held.springs);
 }
 
-solve::HeldOptions solve_options(const Motion::Data& m, Real reference) {
+solve::HeldOptions solve_options(Motion::Data& m, Real reference) {
   solve::HeldOptions how;
   how.pcg.tolerance = m.solver.tolerance;
   how.pcg.max_iterations = m.solver.max_iterations;
@@ -281,6 +296,7 @@ solve::HeldOptions solve_options(const Motion::Data& m, Real reference) {
   how.pcg.rounding = m.rock->rounding(m.now.displacement);
   how.gap_tolerance = m.solver.gap_tolerance;
   how.max_outer = m.solver.max_outer;
+  how.acceleration = &m.now.learned;
   return how;
 }
 
