@@ -9,8 +9,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include "kernels/constraints/cover_system.hpp"
 #include "kernels/integrate/moments.hpp"
-#include "kernels/solve/cover_system.hpp"
 #include "perf/box_rock.hpp"
 #include "perf/run_benchmarks.hpp"
 

@@ -25,9 +25,9 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include "kernels/constraints/cover_system.hpp"
 #include "kernels/device/device.hpp"
 #include "kernels/integrate/moments.hpp"
-#include "kernels/solve/cover_system.hpp"
 #include "perf/box_rock.hpp"
 #include "perf/run_benchmarks.hpp"
 #ifdef ROCKFOLD_PETSC

@@ -4,7 +4,7 @@
 #include "kernels/finite/deformation_kernel.hpp"
 #include "kernels/finite/strain_kernel.hpp"
 #include "kernels/finite/tangent_row_kernel.hpp"
-#include "kernels/solve/assemble_kernel.hpp"
+#include "kernels/operator/assemble_kernel.hpp"
 #include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
 

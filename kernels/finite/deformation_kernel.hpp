@@ -8,7 +8,7 @@
 #pragma once
 
 #include "kernels/finite/quadrature.hpp"
-#include "kernels/solve/operator_kernel.hpp"
+#include "kernels/operator/operator_kernel.hpp"
 #include "src/arrays/load_arrays.hpp"
 
 namespace rockfold::finite {

@@ -5,7 +5,7 @@
 #include "kernels/device/device_kernel.hpp"
 #include "kernels/finite/point_rule.hpp"
 #include "kernels/integrate/moments_kernel.hpp"
-#include "kernels/solve/part_functions.hpp"
+#include "kernels/operator/part_functions.hpp"
 #include "src/arrays/shape_functions.hpp"
 
 namespace rockfold::finite {

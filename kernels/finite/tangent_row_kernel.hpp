@@ -1,5 +1,5 @@
 // The product at the heart of the tangent: couplings of one function of an element with all of its functions. Compiled for each
-// instruction set on a core (see kernels/solve/simd.hpp).
+// instruction set on a core (see kernels/operator/simd.hpp).
 #pragma once
 
 #include "kernels/device/device_kernel.hpp"

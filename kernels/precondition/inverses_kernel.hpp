@@ -3,9 +3,9 @@
 #pragma once
 
 #include "kernels/krylov/krylov_work_kernel.hpp"
-#include "kernels/solve/cover_grid_kernel.hpp"
-#include "kernels/solve/direct_kernel.hpp"
-#include "kernels/solve/multigrid_kernel.hpp"
+#include "kernels/precondition/cover_grid_kernel.hpp"
+#include "kernels/precondition/direct_kernel.hpp"
+#include "kernels/precondition/multigrid_kernel.hpp"
 
 namespace rockfold::solve {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/solve/part_functions.hpp"
+#include "kernels/operator/part_functions.hpp"
 #include "src/arrays/element_points.hpp"
 #include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"

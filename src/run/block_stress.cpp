@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "kernels/solve/part_functions.hpp"
+#include "kernels/operator/part_functions.hpp"
 #include "src/base/vector.hpp"
 #include "src/io/stress_measures.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "kernels/update/motion.hpp"
+#include "kernels/time/motion.hpp"
 #include "src/io/element_mesh.hpp"
 #include "src/run/run_result.hpp"
 

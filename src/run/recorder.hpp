@@ -1,7 +1,7 @@
 // What a run keeps as it goes: monitors and energies each step, states every so often.
 #pragma once
 
-#include "kernels/update/motion.hpp"
+#include "kernels/time/motion.hpp"
 #include "src/base/timer.hpp"
 #include "src/run/base_motion.hpp"
 #include "src/run/run_analysis.hpp"

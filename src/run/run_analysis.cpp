@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "host/direct/multifrontal.hpp"
+#include "kernels/constraints/held_parts.hpp"
 #include "kernels/integrate/moments.hpp"
-#include "kernels/solve/held_parts.hpp"
-#include "kernels/update/motion.hpp"
+#include "kernels/time/motion.hpp"
 #include "src/arrays/shape_functions.hpp"
 #include "src/base/error.hpp"
 #include "src/base/interrupt.hpp"

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "kernels/constraints/cover_system.hpp"
 #include "kernels/finite/strained_body.hpp"
-#include "kernels/solve/cover_system.hpp"
 #include "src/base/vector.hpp"
-#include "tests/update/rock.hpp"
+#include "tests/time/rock.hpp"
 
 namespace rockfold {
 namespace {

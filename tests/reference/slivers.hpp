@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "kernels/solve/cover_system.hpp"
+#include "kernels/constraints/cover_system.hpp"
 #include "tests/reference/box_covers.hpp"
 
 namespace rockfold::reference {

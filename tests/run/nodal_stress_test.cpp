@@ -7,7 +7,7 @@
 
 #include "tests/solve/represent.hpp"
 #include "tests/solve/spaces.hpp"
-#include "tests/update/rock.hpp"
+#include "tests/time/rock.hpp"
 
 namespace rockfold {
 namespace {

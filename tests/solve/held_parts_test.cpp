@@ -1,4 +1,4 @@
-#include "kernels/solve/held_parts.hpp"
+#include "kernels/constraints/held_parts.hpp"
 
 #include <string>
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/solve/anderson.hpp"
-#include "kernels/solve/merge_points.hpp"
+#include "kernels/constraints/anderson.hpp"
+#include "kernels/constraints/merge_points.hpp"
 
 namespace rockfold::solve {
 namespace {

@@ -1,5 +1,5 @@
 // Functions of parts against the host's weights and cover functions, which evaluate them without any expansion.
-#include "kernels/solve/part_functions.hpp"
+#include "kernels/operator/part_functions.hpp"
 
 #include <cmath>
 

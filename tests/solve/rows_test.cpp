@@ -1,5 +1,5 @@
 // Which rows share values.
-#include "kernels/solve/rows.hpp"
+#include "kernels/operator/rows.hpp"
 
 #include <map>
 #include <tuple>

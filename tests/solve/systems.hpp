@@ -1,8 +1,8 @@
 // Small systems that the solver's tests share: cut by bodies whose faces no lattice plane meets, several materials.
 #pragma once
 
+#include "kernels/constraints/cover_system.hpp"
 #include "kernels/integrate/moments.hpp"
-#include "kernels/solve/cover_system.hpp"
 #include "tests/reference/box_covers.hpp"
 #include "tests/reference/dense_system.hpp"
 

@@ -1,0 +1,92 @@
+#include "kernels/constraints/cover_system.hpp"
+
+#include "kernels/constraints/held_kernel.hpp"
+#include "kernels/operator/cover_vector_kernel.hpp"
+
+namespace rockfold {
+
+using device::Field;
+
+CoverVector::CoverVector(Index covers)
+    : data_(new Data{device::make_field("solve::cover_vector", covers)}) {}
+CoverVector::CoverVector(const std::vector<Vec3>& values)
+    : CoverVector(static_cast<Index>(values.size())) {
+  set(values);
+}
+CoverVector::~CoverVector() = default;
+CoverVector::CoverVector(CoverVector&&) noexcept = default;
+CoverVector& CoverVector::operator=(CoverVector&&) noexcept = default;
+void CoverVector::set(const std::vector<Vec3>& values) {
+  device::copy_to_device(values, data_->field);
+}
+std::vector<Vec3> CoverVector::get() const {
+  return device::copy_to_host(data_->field);
+}
+
+struct CoverSystem::Data {
+  solve::HeldSystem held;
+};
+
+CoverSystem::CoverSystem(const CoverArrays& covers, const PieceMoments& moments,
+                         const std::vector<ElasticMaterial>& materials, const FixedPoints& fixed,
+                         Preconditioner preconditioner, const MakeDirectSolver& direct)
+    : data_(new Data{solve::make_held_system(covers,
+                                             solve::build_operator(covers, moments, materials),
+                                             fixed, preconditioner, direct)}) {}
+CoverSystem::~CoverSystem() = default;
+CoverSystem::CoverSystem(CoverSystem&&) noexcept = default;
+CoverSystem& CoverSystem::operator=(CoverSystem&&) noexcept = default;
+
+Index CoverSystem::covers() const {
+  return data_->held.op.covers;
+}
+
+Index CoverSystem::unknowns() const {
+  return data_->held.op.unknowns;
+}
+
+OperatorSize CoverSystem::size() const {
+  const auto& op = data_->held.op;
+  return {op.stencil_covers, op.block_covers, op.neighbours, op.functions};
+}
+
+void CoverSystem::apply(const SystemCoefficients& c, const CoverVector& x, CoverVector& y) const {
+  const auto& held = data_->held;
+  solve::apply(held.op, {c.stiffness, c.mass}, x.data().field, y.data().field);
+  solve::apply_springs(held.springs, c.springs, x.data().field, y.data().field);
+  Kokkos::fence();
+}
+
+std::vector<Vec3> CoverSystem::apply(const SystemCoefficients& c,
+                                     const std::vector<Vec3>& x) const {
+  CoverVector in(x), out(unknowns());
+  apply(c, in, out);
+  return out.get();
+}
+
+SolveReport CoverSystem::solve(const SystemCoefficients& c, const std::vector<Vec3>& b,
+                               std::vector<Vec3>& x, const SolveOptions& options) {
+  CoverVector load(b), result(x);
+  auto& held = data_->held;
+  solve::set_combination(held, {c.stiffness, c.mass}, c.springs, true);
+  solve::HeldOptions how;
+  how.pcg.tolerance = options.tolerance;
+  how.pcg.max_iterations = options.max_iterations;
+  how.gap_tolerance = options.gap_tolerance;
+  how.max_outer = options.max_outer;
+  const SolveReport report = solve::solve_held(held, load.data().field, held.springs.target,
+                                               result.data().field, Field(), how);
+  x = result.get();
+  return report;
+}
+
+std::vector<Vec3> CoverSystem::reactions(const std::vector<Vec3>& x) const {
+  const auto& springs = data_->held.springs;
+  CoverVector motion(x), force(springs.points.count);
+  if (springs.any())
+    solve::spring_reactions(springs, data_->held.spring_factor, motion.data().field, springs.target,
+                            force.data().field);
+  return data_->held.shares.share_out(force.get());
+}
+
+}  // namespace rockfold

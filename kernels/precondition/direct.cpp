@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kernels/operator/operator_rows_kernel.hpp"
+#include "kernels/precondition/direct_kernel.hpp"
+#include "src/base/interrupt.hpp"
+
+namespace rockfold::solve {
+namespace {
+
+/// Of systems with more covers no factors have been within reach.
+constexpr Index most_covers = 300000;
+
+/// Where the blocks of the operator's rows stand, padding included.
+struct LoadedRows {
+  Array<Index> begin;         ///< [P+1]
+  std::vector<Index> column;  ///< none: padding
+};
+
+LoadedRows load_columns(const OperatorRows& rows, Index covers) {
+  const auto count = device::allocate<Index>("solve::row_blocks", covers);
+  device::for_each(
+      "rockfold::solve::count_blocks", covers,
+      KOKKOS_LAMBDA(const Index i) { count(i) = rows.count(i); });
+  std::vector<Index> begin{0};
+  for (Index n : device::to_host(count)) begin.push_back(begin.back() + n);
+  LoadedRows loaded{device::to_device("solve::row_begin", begin), {}};
+  const auto first = loaded.begin;
+  const auto column = device::allocate<Index>("solve::row_column", begin.back());
+  device::for_each(
+      "rockfold::solve::load_columns", covers, KOKKOS_LAMBDA(const Index i) {
+        for (Index m = first(i); m < first(i + 1); ++m) column(m) = rows.column(i, m - first(i));
+      });
+  loaded.column = device::to_host(column);
+  return loaded;
+}
+
+/// The points of springs on the host.
+struct HostPoints {
+  explicit HostPoints(const Springs& springs) {
+    if (!springs.any()) return;
+    begin = device::to_host(springs.points.begin);
+    unknown = device::to_host(springs.points.unknown);
+    weight = device::to_host(springs.points.weight);
+    stiffness = device::copy_to_host(springs.stiffness);
+  }
+
+  /// f(point, entry, entry) for all pairs of entries of a point.
+  template <class F>
+  void for_each_pair(const F& f) const {
+    for (std::size_t n = 0; n < stiffness.size(); ++n)
+      for (Index i = begin[n]; i < begin[n + 1]; ++i)
+        for (Index j = begin[n]; j < begin[n + 1]; ++j) f(n, i, j);
+  }
+
+  std::vector<Index> begin, unknown;
+  std::vector<Real> weight;
+  std::vector<Vec3> stiffness;
+};
+
+BlockMatrix find_pattern(const Operator& op, const Springs& springs) {
+  const LoadedRows rows = load_columns(rows_of(op, {}), op.covers);
+  const std::vector<Index> begin = device::to_host(rows.begin);
+  std::vector<std::vector<Index>> columns(op.covers);
+  for (Index i = 0; i < op.covers; ++i)
+    for (Index m = begin[i]; m < begin[i + 1]; ++m)
+      if (rows.column[m] != none) columns[i].push_back(rows.column[m]);
+  const HostPoints points(springs);
+  points.for_each_pair([&](std::size_t, Index i, Index j) {
+    columns[points.unknown[i] % op.covers].push_back(points.unknown[j] % op.covers);
+  });
+  BlockMatrix a;
+  a.width = 3 * op.functions;
+  a.begin = {0};
+  for (auto& of_row : columns) {
+    std::sort(of_row.begin(), of_row.end());
+    of_row.erase(std::unique(of_row.begin(), of_row.end()), of_row.end());
+    a.column.insert(a.column.end(), of_row.begin(), of_row.end());
+    a.begin.push_back(static_cast<Index>(a.column.size()));
+  }
+  return a;
+}
+
+Index find_block(const BlockMatrix& a, Index row, Index column) {
+  const auto begin = a.column.begin();
+  return static_cast<Index>(
+      std::lower_bound(begin + a.begin[row], begin + a.begin[row + 1], column) - begin);
+}
+
+void fill_values(BlockMatrix& a, const Operator& op, const Combination& c, const Springs& springs,
+                 Real spring_factor) {
+  const std::size_t width = a.width, size = width * width;
+  const OperatorRows rows = rows_of(op, c);
+  const LoadedRows loaded = load_columns(rows, op.covers);
+  const auto first = loaded.begin;
+  const auto value = device::allocate<Real>("solve::row_value", loaded.column.size() * size);
+  device::for_each(
+      "rockfold::solve::load_blocks", op.covers,
+      KOKKOS_LAMBDA(const Index i) {
+        for (Index m = first(i); m < first(i + 1); ++m)
+          rows.load(i, m - first(i), &value(m * size));
+      },
+      static_cast<Index>(size));
+  const std::vector<Real> of_rows = device::to_host(value);
+  const std::vector<Index> begin = device::to_host(first);
+  a.value.assign(a.column.size() * size, 0);
+  for (Index i = 0; i < op.covers; ++i)
+    for (Index m = begin[i]; m < begin[i + 1]; ++m)
+      if (loaded.column[m] != none)
+        std::copy_n(&of_rows[m * size], size, &a.value[find_block(a, i, loaded.column[m]) * size]);
+  const HostPoints points(springs);
+  points.for_each_pair([&](std::size_t n, Index i, Index j) {
+    const Index row = points.unknown[i], column = points.unknown[j];
+    Real* to = &a.value[find_block(a, row % op.covers, column % op.covers) * size];
+    for (int d = 0; d < 3; ++d)
+      to[(3 * (column / op.covers) + d) * width + 3 * (row / op.covers) + d] +=
+          spring_factor * points.weight[i] * points.weight[j] * points.stiffness[n][d];
+  });
+}
+
+Field diagonal_of(const BlockMatrix& a) {
+  const Index covers = a.rows();
+  const std::size_t width = a.width;
+  std::vector<Vec3> diagonal(covers * width / 3);
+  for (Index i = 0; i < covers; ++i)
+    for (std::size_t e = 0; e < width; ++e)
+      diagonal[e / 3 * covers + i][e % 3] = a.value[(find_block(a, i, i) * width + e) * width + e];
+  Field field = device::make_field("solve::matrix_diagonal", static_cast<Index>(diagonal.size()));
+  device::copy_to_device(diagonal, field);
+  return field;
+}
+
+/// Where unknown u stands among those by covers.
+std::size_t by_covers(const Factors& factors, std::size_t u) {
+  const std::size_t covers = factors.pattern.rows(), width = factors.pattern.width;
+  return u % covers * width + 3 * (u / covers);
+}
+
+}  // namespace
+
+bool analyse(Factors& factors, const Operator& op, const Springs& springs) {
+  if (!factors.solver) {
+    factors.solver = factors.make();
+    factors.too_large = op.covers > most_covers;
+    if (!factors.too_large) {
+      factors.pattern = find_pattern(op, springs);
+      factors.too_large = !factors.solver->analyse(factors.pattern);
+    }
+  }
+  return !factors.too_large;
+}
+
+bool factorise(Factors& factors, const Operator& op, const Combination& c, const Springs& springs,
+               Real spring_factor, Real no_pivot) {
+  factors.current = false;
+  if (interrupt_signal || !analyse(factors, op, springs)) return false;
+  BlockMatrix a = factors.pattern;
+  fill_values(a, op, c, springs, spring_factor);
+  if (!factors.solver->factorise(a, no_pivot)) return false;
+  factors.current = true;
+  factors.pivot = no_pivot;
+  factors.diagonal = diagonal_of(a);
+  return !interrupt_signal;
+}
+
+Real rounding_of_product(const Factors& factors, const KrylovWork& work, const Field& x) {
+  // A row has some hundred entries, of which many may be as large as the diagonal's.
+  constexpr Real unit = 32 * std::numeric_limits<Real>::epsilon();
+  const Field d = factors.diagonal, q = work.q;
+  device::for_each(
+      "rockfold::solve::product_rounding", static_cast<Index>(x.extent(0)),
+      KOKKOS_LAMBDA(const Index u) {
+        for (int i = 0; i < 3; ++i) q(u, i) = unit * d(u, i) * x(u, i);
+      });
+  return std::sqrt(dot(work, q, q));
+}
+
+void precondition(const Factors& factors, const Field& r, const Field& z) {
+  std::vector<Vec3> field = device::copy_to_host(r);
+  std::vector<Real> values(3 * field.size());
+  for (std::size_t u = 0; u < field.size(); ++u)
+    std::copy_n(field[u].data(), 3, &values[by_covers(factors, u)]);
+  factors.solver->solve(values);
+  for (std::size_t u = 0; u < field.size(); ++u)
+    std::copy_n(&values[by_covers(factors, u)], 3, field[u].data());
+  device::copy_to_device(field, z);
+}
+
+}  // namespace rockfold::solve

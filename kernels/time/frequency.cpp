@@ -1,0 +1,80 @@
+// The largest natural frequency, by power iteration on M⁻¹ K: what conditionally stable schemes limit their steps by.
+#include <cmath>
+
+#include "kernels/constraints/policy_kernel.hpp"
+#include "kernels/time/motion_kernel.hpp"
+
+namespace rockfold {
+namespace motion {
+namespace {
+
+/// The quotient grows from below; it has settled when it gains less than this share, or after so many iterations.
+constexpr Real settled = 1e-4;
+constexpr int most_iterations = 100;
+
+/// Something of every mode.
+void mixed_field(const Field& x) {
+  device::for_each(
+      "rockfold::motion::mixed_field", static_cast<Index>(x.extent(0)),
+      KOKKOS_LAMBDA(const Index p) {
+        unsigned word = static_cast<unsigned>(p) * 2654435761u + 1013904223u;
+        for (int i = 0; i < 3; ++i) {
+          word = word * 1664525u + 1013904223u;
+          x(p, i) = static_cast<Real>(word >> 8) / (1 << 24) - 0.5;
+        }
+      });
+}
+
+void scale(const Field& x, Real factor) {
+  device::for_each(
+      "rockfold::motion::scale", static_cast<Index>(x.extent(0)), KOKKOS_LAMBDA(const Index p) {
+        for (int i = 0; i < 3; ++i) x(p, i) *= factor;
+      });
+}
+
+}  // namespace
+
+/// Springs are stiffness. Where multipliers hold points, theirs stand beside the mass instead, as in every step: what they hold hardly moves.
+Real largest_frequency(Motion::Data& m, Real dt) {
+  const solve::Springs& springs = m.held.springs;
+  const bool held = springs.any() && solve::largest_entry(springs.augmented) > 0;
+  const Real hold = held ? m.beta * dt * dt : 0;
+  set_matrix(m, {0, 1}, 0, hold, false);
+  if (!m.rock->linear()) m.rock->linearise(m.now.displacement);
+  const auto mass = [&](const Field& x, const Field& y) {
+    m.rock->apply({0, 1}, x, y);
+    if (held) solve::apply_springs(springs, hold, x, y);
+  };
+  const auto stiffness = [&](const Field& x, const Field& y) {
+    m.rock->apply({1, 0}, x, y);
+    if (springs.any() && !held) solve::apply_springs(springs, 1, x, y);
+  };
+  const solve::ApplyInverse blocks =
+      solve::make_inverse(m.held, Preconditioner::block_jacobi, mass);
+  solve::PcgOptions how;
+  how.tolerance = 1e-4;  // the quotient is exact for any x
+  const Field x = device::make_field("motion::mode", m.unknowns);
+  mixed_field(x);
+  Real square = 0;
+  for (int k = 0; k < most_iterations; ++k) {
+    stiffness(x, m.right);
+    mass(x, m.work);
+    const Real inertia = solve::dot(m.held.work, x, m.work);
+    const Real found = solve::dot(m.held.work, x, m.right) / inertia;
+    const bool done = std::abs(found - square) <= settled * found;
+    square = found;
+    if (done || !(found > 0)) break;
+    scale(x, square);  // a first guess of M⁻¹ K x
+    solve::solve_pcg(m.held.work, mass, blocks, m.right, x, how);
+    scale(x, 1 / std::sqrt(solve::dot(m.held.work, x, x)));
+  }
+  return std::sqrt(square);
+}
+
+}  // namespace motion
+
+Real Motion::largest_frequency(Real dt) {
+  return motion::largest_frequency(*data_, dt);
+}
+
+}  // namespace rockfold

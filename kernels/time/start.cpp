@@ -1,0 +1,200 @@
+// Where a motion begins: the first velocity and acceleration.
+#include <algorithm>
+
+#include "kernels/time/step_kernel.hpp"
+#include "src/base/interrupt.hpp"
+
+namespace rockfold::motion {
+namespace {
+
+/// Stiffness of augmented points over what the mass that they hold asks for, at most: more would drown that mass in it.
+constexpr Real most_stiffer = 100;
+/// Springs by that much stiffer than multipliers need yield to multipliers.
+constexpr Real far_stiffer = 4;
+/// Iterations of a solve with the mass alone, of covers with several functions, before the stiffness is taken in.
+constexpr Index patience_with_mass = 1000;
+/// Of what steps weigh the stiffness with beside the mass: motion with more energy of it than of the mass is gone within a step, by far …
+constexpr Real passing_share = 1e-3;
+/// … and is left out by that share of it; less would leave slivers strained, more would touch what lasts.
+constexpr Real smoothing_share = 0.1;
+
+/// A tolerance that can be met where a closer one cannot: better than to take the stiffness in.
+constexpr Real attainable = 1e-8;
+
+/// What springs were before stiff ones became multipliers.
+struct SpringsBefore {
+  Field by_multiplier, stiffness, compliance;
+};
+
+/// Springs far stiffer than the masses that they hold, by multipliers to which they yield: the same forces, found otherwise. A penalty
+/// is made for the rock's stiffness, and is enormous beside its mass: what the covers' functions can do without straining the springs
+/// would take thousands of iterations.
+SpringsBefore hold_by_multipliers(Motion::Data& m, Real spring_factor) {
+  solve::Springs& s = m.held.springs;
+  SpringsBefore before{s.by_multiplier, s.stiffness, s.compliance};
+  if (!s.any()) return before;
+  const Index count = s.points.count;
+  s.by_multiplier = device::make_field("motion::by_multiplier", count);
+  s.compliance = device::make_field("motion::compliance", count);
+  s.stiffness = device::make_field("motion::held_stiffness", count);
+  const solve::Blocks mass("rockfold::motion::mass_diagonal", m.unknowns);
+  m.rock->diagonal({0, 1}, mass);
+  solve::Springs chosen = s;  // with none given, all stand where multipliers work well
+  chosen.given_stiffness = device::make_field("motion::no_stiffness", count);
+  chosen.augmented = device::make_field("motion::all_augmented", count);
+  const auto all = chosen.augmented, given = s.given_stiffness;
+  device::for_each(
+      "rockfold::motion::all_by_multiplier", count, KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d) all(n, d) = given(n, d) > 0 ? 1 : 0;
+      });
+  solve::stiffen_springs(chosen, spring_factor, m.covers, mass, false);
+  const auto by_multiplier = s.by_multiplier, stiffness = s.stiffness, compliance = s.compliance,
+             augmented = s.augmented;
+  device::for_each(
+      "rockfold::motion::stiff_springs", count, KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d) {
+          const Real k = before.stiffness(n, d);
+          if (augmented(n, d) > 0) {
+            const Real by_mass = most_stiffer * stiffness(n, d);
+            stiffness(n, d) = by_mass > 0 && by_mass < k ? by_mass : k;
+            continue;
+          }
+          const bool stiff = stiffness(n, d) > 0 && k > far_stiffer * stiffness(n, d);
+          by_multiplier(n, d) = stiff ? 1 : 0;
+          compliance(n, d) = stiff ? 1 / (spring_factor * (k - stiffness(n, d))) : 0;
+          if (!stiff) stiffness(n, d) = k;
+        }
+      });
+  return before;
+}
+
+void make_springs_again(Motion::Data& m, const SpringsBefore& before) {
+  solve::Springs& s = m.held.springs;
+  s.by_multiplier = before.by_multiplier;
+  s.stiffness = before.stiffness;
+  s.compliance = before.compliance;
+  const auto augmented = s.augmented, multiplier = s.multiplier;
+  device::for_each(
+      "rockfold::motion::springs_again", s.points.count, KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d)
+          if (!(augmented(n, d) > 0)) multiplier(n, d) = 0;
+      });
+}
+
+/// How steps of length dt will hold the rock that begins to move.
+struct Beginning {
+  Real hold = 0;       ///< β Δt²: factor of the springs
+  Real stiffness = 0;  ///< βΔt² + γΔt · β of Rayleigh: weight of the stiffness beside the mass
+};
+
+/// Whether motion x is mostly such that it is gone within a step: slivers, which have next to no mass, make up for jumps between rock and
+/// supports and for whatever acts on them.
+bool passes(Motion::Data& m, const Beginning& begin, const Field& x) {
+  auto energy = [&](const solve::Combination& c) {
+    m.rock->apply(c, x, m.work);
+    return solve::dot(m.held.work, x, m.work);
+  };
+  return energy({passing_share * begin.stiffness, 0}) > energy({0, 1});
+}
+
+/// The velocity nearest to the present one, measured by M + αK, that goes with the augmented points. `stiffness`: α.
+SolveReport project_velocity(Motion::Data& m, const Beginning& begin, Real stiffness) {
+  const solve::Combination c{stiffness, 1};
+  set_matrix(m, c, 0, begin.hold, false);
+  m.now.learned.forget();
+  m.rock->apply(c, m.now.velocity, m.right);
+  aim_velocity(m);
+  const SolveReport report =
+      solve::solve_held(m.held, m.right, m.goal, m.now.velocity, Field(), solve_options(m, 0));
+  Kokkos::deep_copy(m.now.multiplier, 0.0);  // of a blow, not of a force
+  return report;
+}
+
+/// A support that starts with a velocity takes the rock along, and one at rest holds it: the velocity nearest to that given, measured by
+/// mass, that goes with the augmented points. Else theirs would swing about their tables' slope for ever.
+SolveReport catch_up_with_supports(Motion::Data& m, const Beginning& begin) {
+  const Real before = kinetic_energy(m);
+  const bool moving = m.supports.tables.any() && m.supports.tables.moving_after(m.now.time);
+  if (!moving &&
+      !(before > 0 && m.held.springs.any() && solve::largest_entry(m.held.springs.augmented) > 0))
+    return {};
+  const Field v = m.now.velocity, given = m.increment, change = m.correction;
+  Kokkos::deep_copy(given, v);
+  SolveReport report = project_velocity(m, begin, 0);
+  device::for_each(
+      "rockfold::motion::change_of_velocity", m.unknowns, KOKKOS_LAMBDA(const Index p) {
+        for (int i = 0; i < 3; ++i) change(p, i) = v(p, i) - given(p, i);
+      });
+  if (report.converged && passes(m, begin, change)) {
+    Kokkos::deep_copy(v, given);
+    report.add(project_velocity(m, begin, smoothing_share * begin.stiffness));
+  }
+  m.now.work.supports += kinetic_energy(m) - before;
+  return report;
+}
+
+/// The acceleration at the start, from (M + αK) a = F − C v − f(d), `stiffness` = α; the iterations of `total` are counted on.
+SolveReport find_acceleration(Motion::Data& m, const Beginning& begin, Real stiffness,
+                              Real tolerance, Index most_iterations, const SolveReport& total) {
+  set_matrix(m, {stiffness, 1}, 0, begin.hold, false);
+  m.now.learned.forget();
+  Kokkos::deep_copy(m.now.multiplier, 0.0);
+  Kokkos::deep_copy(m.now.acceleration, 0.0);
+  Step step;
+  step.inertia = step.rate = m.damped();
+  const Real reference = find_residual(m, step).reference;
+  aim_acceleration(m);
+  const std::vector<Vec3> guess = uniform_field(m.unknowns, m.covers, m.gravity);
+  device::copy_to_device(guess, m.now.acceleration);
+  solve::HeldOptions how = solve_options(m, reference);
+  how.pcg.tolerance = tolerance;
+  how.pcg.max_iterations = std::min(how.pcg.max_iterations, most_iterations);
+  // The mass resists whatever rounding leaves of the forces of strain, where these are not all there is.
+  if (how.pcg.rounding < how.pcg.tolerance * reference) how.pcg.rounding = 0;
+  SolveReport report = total;
+  report.add(solve::solve_held(m.held, m.right, m.goal, m.now.acceleration, Field(), how));
+  return report;
+}
+
+/// The velocity and the acceleration at the start. Where M a = f cannot be solved, or leads to what is gone within a step, from
+/// M a + αK a = f: among functions of which slivers hold next to no mass the stiffness tells apart what the mass does not. Motion slow
+/// beside the step is the same to a tenth of β(ωΔt)².
+SolveReport set_in_motion(Motion::Data& m, const Beginning& begin) {
+  const SolveReport caught = catch_up_with_supports(m, begin);
+  if (!caught.converged) return caught;
+  const bool several = m.held.op.functions > 1;
+  const Index most = m.solver.max_iterations, few = several ? patience_with_mass : most;
+  const Real tolerance = m.solver.tolerance;
+  SolveReport report = find_acceleration(m, begin, 0, tolerance, few, caught);
+  if (!report.converged && tolerance < attainable && !interrupt_signal)
+    report = find_acceleration(m, begin, 0, attainable, few, report);
+  // Average acceleration makes no displacement of what is gone within a step, and keeps the energy where forces are balanced at the start.
+  const bool average = m.beta == 0.25 && m.gamma == 0.5;
+  const bool stuck = several || report.iterations < most;
+  if (report.converged ? !average && passes(m, begin, m.now.acceleration)
+                       : stuck && !interrupt_signal)
+    report =
+        find_acceleration(m, begin, smoothing_share * begin.stiffness, tolerance, most, report);
+  if (m.held.springs.any())
+    solve::spring_reactions(m.held.springs, m.held.spring_factor, m.now.acceleration, m.goal,
+                            m.now.reaction);
+  return report;
+}
+
+}  // namespace
+
+SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
+  set_time(m, m.now.time);
+  const Real hold = m.beta * dt * dt;
+  m.rock->begin_step(m.now.displacement, {});
+  m.rock->soften();                          // the stiffness, without the part of the stress
+  set_matrix(m, {1, 1 / hold}, 0, 1, true);  // chooses the springs' stiffness
+  const SpringsBefore springs = hold_by_multipliers(m, hold);
+  const SolveReport report = set_in_motion(m, {hold, hold + m.gamma * dt * m.damping.stiffness});
+  make_springs_again(m, springs);
+  m.now.learned.forget();
+  m.now.learned_in = 0;
+  return report;
+}
+
+}  // namespace rockfold::motion

@@ -1,0 +1,309 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kernels/time/step_kernel.hpp"
+#include "src/base/interrupt.hpp"
+
+namespace rockfold::motion {
+namespace {
+
+constexpr int most_iterations = 60;
+/// Share of the unbalanced forces that the solve of an iteration leaves (inexact Newton: Dembo, Eisenstat & Steihaug 1982) …
+constexpr Real forcing = 1e-3;
+/// … or, where conjugate gradients get no further, may leave.
+constexpr Real good_progress = 0.1;
+
+/// What Newton's iterations have come to.
+struct Newton {
+  int iterations = 0;
+  Real reference = 0;                                 ///< N
+  Real left = std::numeric_limits<Real>::infinity();  ///< N, unbalanced
+  Real gap = left;
+  Real wanted = 0;  ///< N, below which nothing is balanced
+};
+
+Step make_step(const Motion::Data& m, Real dt) {
+  const bool linear = m.rock->linear();
+  Step step;
+  step.dt = dt;
+  step.stabilised = m.dynamic_ratio > 0;
+  step.middle = !linear && m.beta == 0.25 && m.gamma == 0.5 && step.stabilised;
+  step.inertia =
+      !linear || step.stabilised || m.now.steps == 0;  // else nothing moves before the solve
+  step.rate = linear;
+  return step;
+}
+
+void set_tangent(Motion::Data& m, const Step& step, bool first) {
+  const bool linear = m.rock->linear();
+  if (linear && step.dt > 0 && m.step_length == step.dt) return;
+  m.rock->linearise(m.now.displacement);
+  const Real of_mass = step.dt > 0 ? 1 / (m.beta * step.dt * step.dt) : 0,
+             of_damping = step.dt > 0 ? m.gamma / (m.beta * step.dt) : 0;
+  set_matrix(m,
+             {1 + (step.rate ? of_damping * m.damping.stiffness : 0),
+              of_mass + of_damping * m.damping.mass},
+             of_damping, 1, first);
+  m.step_length = step.dt;
+}
+
+/// What the multipliers' iteration has learned stays true as long as the matrix is the same.
+void forget_other_matrices(Motion::Data& m, const Step& step) {
+  if (m.rock->linear() && step.dt > 0 && m.now.learned_in == step.dt) return;
+  m.now.learned.forget();
+  m.now.learned_in = step.dt;
+}
+
+finite::ForceRule force_rule(const Motion::Data& m, const Step& step) {
+  finite::ForceRule rule;
+  rule.middle = step.middle;
+  rule.viscosity = m.damping.stiffness / step.dt * (step.middle ? 1 : m.gamma / m.beta);
+  return rule;
+}
+
+/// Half of the strain rate that was not handed on is missing in the mean over the step; at its end Newmark's formulas take in the start's.
+void carry_rate(Motion::Data& m, const Step& step) {
+  const Real at_end = m.gamma / m.beta, damping = m.damping.stiffness;
+  const Real of_rate = step.middle ? 0.5 * (1 / m.handed - 1) : 1 - at_end;
+  if (damping > 0 && of_rate != 0)
+    m.rock->carry_rate(m.now.velocity, damping * of_rate, m.now.acceleration,
+                       step.middle ? 0 : damping * step.dt * (1 - 0.5 * at_end));
+}
+
+void begin(Motion::Data& m, const Step& step) {
+  const bool linear = m.rock->linear();
+  m.rock->begin_step(m.now.displacement, force_rule(m, step));
+  if (idle_motion_is_due(m)) {
+    set_tangent(m, step, true);
+    leave_out_idle_motion(m);
+  }
+  if (!linear) {
+    carry_rate(m, step);
+    keep_start(m);
+  }
+  if (m.varying_loads.any()) varying_load(m.varying_loads, m.now.time, m.varying_before);
+  if (step.stabilised) steer(m, step.dt);
+  m.now.time += step.dt;
+  set_time(m, m.now.time);
+}
+
+/// Whether rock on which nothing acts goes on as predicted: its own forces alone are left, by rounding.
+bool flies_freely(const Motion::Data& m, const Forces& forces) {
+  return !m.held.springs.any() && forces.loads == 0 && forces.inertia == 0 &&
+         forces.internal <= m.rock->rounding(m.now.displacement);
+}
+
+/// Whether the forces are in balance, or cannot be brought there; `total` says which. Balanced forces must not turn rock inside out: elastic
+/// forces of St. Venant and Kirchhoff vanish where nothing is left of it, and have an equilibrium beyond.
+bool is_settled(Motion::Data& m, const Step& step, const Forces& forces, Newton& newton,
+                SolveReport& total) {
+  newton.reference = forces.reference;
+  if (m.rock->linear()) return total.converged = step.dt > 0 && flies_freely(m, forces);
+  const Real before = newton.left, gap_before = newton.gap;
+  newton.left = find_imbalance(m, newton.reference);
+  newton.reference = std::max(newton.reference, 1e-30);
+  newton.gap = gap_of_supports(m, newton.reference);
+  const Real rounding = m.rock->rounding(m.now.displacement);
+  newton.wanted = std::max(m.solver.tolerance * newton.reference, 16 * rounding);
+  total.residual = newton.left / newton.reference;
+  total.gap = newton.gap;
+  // Rounding alone: what is left is small, and another iteration would not take it away.
+  const Real cancelled = std::max<Real>(1, m.rock->largest_terms(m.now.displacement));
+  const bool stalled = newton.left <= 256 * cancelled * rounding && newton.left > 0.5 * before;
+  // A gap that whole solves do not halve stays: the report says how large it is, as under small strain.
+  const bool closed = newton.gap <= m.solver.gap_tolerance || newton.gap > 0.5 * gap_before;
+  if (newton.iterations > 0 && (newton.left <= newton.wanted || stalled) && closed) {
+    total.inverted = m.rock->inverted(m.now.displacement, newton.wanted);
+    total.converged = total.inverted == none;
+    return true;
+  }
+  return !std::isfinite(newton.left);
+}
+
+/// How closely the correction is solved for: wholly where it is the only one; of smooth motions in statics little shows in the forces.
+solve::HeldOptions correction_options(Motion::Data& m, const Step& step, const Newton& newton) {
+  solve::HeldOptions how = solve_options(m, newton.reference);
+  const bool closely = step.dt == 0 || !step.stabilised;
+  if (closely) close_gaps(how);
+  if (m.rock->linear()) {
+    how.rounding = [&m](const Field& x) { return m.rock->rounding(x); };
+    how.stop_at_rounding = closely;
+    return how;
+  }
+  const Real inexact = step.dt > 0 ? forcing * newton.left : 0;
+  how.pcg.tolerance =
+      std::max({0.1 * newton.wanted, inexact, 4 * m.rock->rounding(m.now.displacement)}) /
+      newton.reference;
+  how.plain_at_last = false;  // the next iteration goes on
+  how.gap_tolerance *= 0.5;   // measured against another reference there
+  return how;
+}
+
+/// The correction of the displacement, by the tangent, or by the part of it that is positive where the whole is not.
+bool solve_correction(Motion::Data& m, const Step& step, const Newton& newton, SolveReport& total) {
+  const solve::HeldOptions how = correction_options(m, step, newton);
+  const Real good = m.rock->linear() || step.dt == 0 ? 0 : good_progress * newton.left;
+  for (const bool softened : {false, true}) {
+    if (softened) {
+      m.rock->soften();
+      m.now.learned.forget();
+      set_matrix(m, m.held.combination, m.dashpot_factor, 1, false);
+    }
+    Kokkos::deep_copy(m.correction, 0.0);
+    total.add(solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how));
+    if (total.converged || total.residual * newton.reference < good) return true;
+    if (m.rock->linear() || interrupt_signal) return false;
+  }
+  return false;
+}
+
+/// d' += x, and what follows from it.
+void correct(const Motion::Data& m, const Step& step) {
+  const auto d = m.now.displacement, v = m.now.velocity, a = m.now.acceleration, way = m.increment;
+  const auto x = m.correction;
+  const Real of_velocity = step.dt > 0 ? m.gamma / (m.beta * step.dt) : 0,
+             of_acceleration = step.dt > 0 ? 1 / (m.beta * step.dt * step.dt) : 0;
+  device::for_each(
+      "rockfold::motion::correct", m.unknowns, KOKKOS_LAMBDA(const Index p) {
+        for (int i = 0; i < 3; ++i) {
+          way(p, i) += x(p, i);
+          d(p, i) += x(p, i);
+          v(p, i) += of_velocity * x(p, i);
+          a(p, i) += of_acceleration * x(p, i);
+        }
+      });
+}
+
+/// Newton's iteration from the state as it is.
+SolveReport balance_forces(Motion::Data& m, const Step& step) {
+  SolveReport total;
+  Newton newton;
+  Kokkos::deep_copy(m.correction, 0.0);
+  set_tangent(m, step, true);
+  for (; newton.iterations < most_iterations; ++newton.iterations) {
+    const Forces forces = find_residual(m, step);
+    find_goals(m, step);
+    total.converged = false;
+    if (is_settled(m, step, forces, newton, total)) return total;
+    if (newton.iterations > 0) set_tangent(m, step, false);
+    forget_other_matrices(m, step);
+    const bool solved = solve_correction(m, step, newton, total);
+    if (!solved && !m.rock->linear()) return total;
+    m.rock->turn(m.correction);
+    correct(m, step);
+    if (m.rock->linear()) return total;
+  }
+  total.converged = false;
+  return total;
+}
+
+/// What is left of the goals is where the correction ended, or, after iterations, what they are now.
+void count_supports(Motion::Data& m, bool middle) {
+  if (!m.rock->linear()) Kokkos::deep_copy(m.correction, 0.0);
+  update_reactions(m, middle);
+}
+
+}  // namespace
+
+SolveReport take_step(Motion::Data& m, Real dt) {
+  const Step step = make_step(m, dt);
+  begin(m, step);
+  predict(m, dt);
+  const SolveReport report = balance_forces(m, step);
+  count_supports(m, step.middle);
+  count_following_work(m);
+  count_work(m, dt);
+  ++m.now.steps;
+  return report;
+}
+
+SolveReport solve_equilibrium(Motion::Data& m) {
+  constexpr Real smallest = 1.0 / 4096;  // of the load
+  m.now.time = 1;
+  set_time(m, m.now.time);
+  m.rock->begin_step(m.now.displacement, {});
+  Kokkos::deep_copy(m.increment, 0.0);
+  const Field start = device::make_field("motion::start", m.unknowns);
+  Kokkos::deep_copy(start, m.now.displacement);
+  // All of the load at once; where that does not converge, in ever smaller parts.
+  MovingState good;
+  if (!m.rock->linear()) {
+    good = make_moving_state(m.unknowns, m.held.springs.points.count);
+    copy_state(m.now, good);
+  }
+  SolveReport total;
+  Real done = 0, part = 1;
+  Step step;
+  while (done < 1) {
+    step.load = std::min<Real>(1, done + part);
+    const Index inverted = total.inverted;
+    total.add(balance_forces(m, step));
+    if (m.rock->linear()) break;
+    if (total.converged) {
+      done = step.load;
+      part *= 2;
+      copy_state(m.now, good);
+      continue;
+    }
+    if (total.inverted == none) total.inverted = inverted;  // smaller parts may just not converge
+    part /= 2;
+    if (part < smallest || interrupt_signal) return total;
+    copy_state(good, m.now);
+  }
+  const auto way = m.increment, d = m.now.displacement;
+  device::for_each(
+      "rockfold::motion::way", m.unknowns, KOKKOS_LAMBDA(const Index p) {
+        for (int i = 0; i < 3; ++i) way(p, i) = d(p, i) - start(p, i);
+      });
+  count_supports(m, false);
+  count_loads_at_once(m);
+  return total;
+}
+
+void hand_on(Motion::Data& m) {
+  if (m.dynamic_ratio == 1 || m.now.steps == 0) return;
+  const Real share = m.handed = m.dynamic_ratio;
+  m.now.work.ratio += (1 - share * share) * kinetic_energy(m);
+  const bool keep_acceleration = share > 0;
+  const auto v = m.now.velocity, a = m.now.acceleration;
+  device::for_each(
+      "rockfold::motion::hand_on", m.unknowns, KOKKOS_LAMBDA(const Index p) {
+        for (int d = 0; d < 3; ++d) {
+          v(p, d) *= share;
+          if (!keep_acceleration) a(p, d) = 0;
+        }
+      });
+}
+
+void set_matrix(Motion::Data& m, const solve::Combination& c, Real dashpots, Real springs,
+                bool stiffen) {
+  m.dashpot_factor = dashpots;
+  solve::set_combination(m.held, c, springs, stiffen);
+  m.step_length = 0;
+}
+
+void set_time(Motion::Data& m, Real t) {
+  if (m.varying_loads.any()) varying_load(m.varying_loads, t, m.varying);
+  move_supports(m.supports, t, m.held.springs);
+}
+
+solve::HeldOptions solve_options(Motion::Data& m, Real reference) {
+  solve::HeldOptions how;
+  how.pcg.tolerance = m.solver.tolerance;
+  how.pcg.max_iterations = m.solver.max_iterations;
+  how.pcg.reference = reference;
+  how.pcg.rounding = m.rock->rounding(m.now.displacement);
+  how.gap_tolerance = m.solver.gap_tolerance;
+  how.max_outer = m.solver.max_outer;
+  how.acceleration = &m.now.learned;
+  return how;
+}
+
+void close_gaps(solve::HeldOptions& how) {
+  how.patience = 40;
+  how.plain_at_last = true;
+  how.max_outer = std::max<Index>(how.max_outer, 400);
+}
+
+}  // namespace rockfold::motion

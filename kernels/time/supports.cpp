@@ -1,0 +1,125 @@
+// Where fixed points have to go in a step.
+//
+// A step whose augmented points go exactly to their places leaves their velocity and acceleration to Newmark's formulas. For
+// average acceleration those have the double root −1: an error of velocity, from a multiplier that is not quite right yet, swings
+// on for ever and makes the acceleration, and with it the next multiplier's error, grow without bound (the weak instability of
+// differential-algebraic systems of index 3: Cardona & Géradin 1989; Hairer & Wanner, Solving ODEs II, ch. VII). So the points
+// are steered: with p, w, a what their place, velocity and acceleration are off by, they move by
+//   Δū − (k₀ p + k₁ Δt w + k₂ Δt² a),
+// k such that all three roots are zero (Ackermann's formula): any error is gone after three steps, and points without error
+// go exactly where they should. For average acceleration k = 1/4, −1/2, −1/16.
+#include <array>
+#include <cmath>
+
+#include "kernels/time/motion_kernel.hpp"
+
+namespace rockfold::motion {
+namespace {
+
+using Row = std::array<Real, 3>;
+using Matrix = std::array<Row, 3>;
+
+Row times(const Matrix& f, const Row& x) {
+  Row y{};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) y[i] += f[i][j] * x[j];
+  return y;
+}
+
+Row cross_product(const Row& a, const Row& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Interpolated motion of fixed points against that of their tables, from t to t + Δt.
+struct Tables {
+  Array<Real> before, now, after;  ///< values at t − Δt, t, t + Δt
+  Array<Index> table;
+  bool any;
+};
+
+}  // namespace
+
+std::array<Real, 3> steering(Real beta, Real gamma) {
+  // x = (p, Δt w, Δt² a) becomes F x + b u where the point moves by u more than its table.
+  const Matrix f{{{1, 0, 0},
+                  {0, 1 - gamma / beta, 1 - gamma / (2 * beta)},
+                  {0, -1 / beta, 1 - 1 / (2 * beta)}}};
+  const Row b{1, gamma / beta, 1 / beta};
+  const Row fb = times(f, b), ffb = times(f, fb);
+  // The row r with r·b = r·Fb = 0 and r·F²b = 1; then k = r F³.
+  const Row normal = cross_product(b, fb);
+  Real size = 0;
+  for (int i = 0; i < 3; ++i) size += normal[i] * ffb[i];
+  if (std::abs(size) < 1e-6) return {1, 0, 0};  // no steering: straight to the place
+  Row k{};
+  for (int j = 0; j < 3; ++j) {
+    Row unit{};
+    unit[j] = 1;
+    const Row column = times(f, times(f, times(f, unit)));
+    for (int i = 0; i < 3; ++i) k[j] += normal[i] / size * column[i];
+  }
+  return k;
+}
+
+void steer(const Motion::Data& m, Real dt) {
+  if (!m.held.springs.any()) return;
+  const solve::Springs s = m.held.springs;
+  const auto d = m.now.displacement, v = m.now.velocity, a = m.now.acceleration;
+  const auto way = m.support_way;
+  const auto k = steering(m.beta, m.gamma);
+  const Real k0 = k[0], k1 = k[1], k2 = k[2], share = m.dynamic_ratio;
+  const Real t = m.now.time;
+  const bool any = m.supports.tables.any();
+  Tables tables{{}, {}, {}, m.supports.table, any};
+  if (any)
+    tables = {m.supports.tables.at_or_before(t - dt, 0), m.supports.tables.at(t),
+              m.supports.tables.at(t + dt), m.supports.table, any};
+  device::for_each(
+      "rockfold::motion::steer", s.points.count, KOKKOS_LAMBDA(const Index n) {
+        const Index row = any && tables.table(n) != none ? 3 * tables.table(n) : none;
+        for (int i = 0; i < 3; ++i) {
+          Real before = s.target(n, i), now = before, after = before;
+          if (row != none) {
+            before = tables.before(row + i);
+            now = tables.now(row + i);
+            after = tables.after(row + i);
+          }
+          const Real p = solve::interpolate_one(s.points, n, i, d) - now;
+          const Real w =
+              dt * solve::interpolate_one(s.points, n, i, v) - share * (after - before) / 2;
+          const Real off =
+              dt * dt * solve::interpolate_one(s.points, n, i, a) - (after - 2 * now + before);
+          way(n, i) = after - now - (k0 * p + k1 * w + k2 * off);
+        }
+      });
+}
+
+void aim_acceleration(const Motion::Data& m) {
+  const solve::Springs s = m.held.springs;
+  const Real factor = m.held.spring_factor;
+  const auto d = m.now.displacement, goal = m.goal;
+  device::for_each(
+      "rockfold::motion::aim_acceleration", s.points.count, KOKKOS_LAMBDA(const Index n) {
+        for (int i = 0; i < 3; ++i)
+          goal(n, i) = s.augmented(n, i) > 0
+                           ? 0
+                           : (s.target(n, i) - solve::interpolate_one(s.points, n, i, d)) / factor;
+      });
+}
+
+void aim_velocity(const Motion::Data& m) {
+  const solve::Springs s = m.held.springs;
+  const auto slope = m.supports.tables.slope_after(m.now.time);
+  const auto table = m.supports.table;
+  const bool any_table = m.supports.tables.any();
+  const auto v = m.now.velocity, goal = m.goal;
+  device::for_each(
+      "rockfold::motion::aim_velocity", s.points.count, KOKKOS_LAMBDA(const Index n) {
+        for (int i = 0; i < 3; ++i)
+          goal(n, i) = !(s.augmented(n, i) > 0)        ? solve::interpolate_one(s.points, n, i, v)
+                       : any_table && table(n) != none ? slope(3 * table(n) + i)
+                                                       : 0;
+      });
+}
+
+}  // namespace rockfold::motion
