@@ -22,7 +22,7 @@ bool is_sprayed(const FaceOrigin& origin, const std::vector<WallFaces>& walls) {
 
 ShotcreteCover::ShotcreteCover(const BlockArrays& blocks, const Shotcrete& shotcrete)
     : blocks_(blocks),
-      contacts_(blocks),
+      interfaces_(blocks),
       strength_(shotcrete.shear_strength * shotcrete.thickness) {
   if (shotcrete.adhesion_strength)
     strength_ = std::min(strength_, *shotcrete.adhesion_strength * shotcrete.bond_width);
@@ -31,8 +31,8 @@ ShotcreteCover::ShotcreteCover(const BlockArrays& blocks, const Shotcrete& shotc
 }
 
 bool ShotcreteCover::is_inside(Index face, const std::vector<Index>& members) const {
-  const auto contacts = contacts_.of_face(face);
-  return std::any_of(contacts.begin(), contacts.end(), [&](const FaceContacts::Contact& c) {
+  const auto neighbours = interfaces_.of_face(face);
+  return std::any_of(neighbours.begin(), neighbours.end(), [&](const FaceInterfaces::Neighbour& c) {
     return std::find(members.begin(), members.end(), c.block) != members.end();
   });
 }

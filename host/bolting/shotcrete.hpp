@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "host/keyblock/face_contacts.hpp"
+#include "host/keyblock/face_interfaces.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/model/model.hpp"
 
@@ -32,7 +32,7 @@ class ShotcreteCover {
   void add(Index block, const std::vector<Index>& members, ShotcreteHold& sum) const;
 
   const BlockArrays& blocks_;
-  FaceContacts contacts_;
+  FaceInterfaces interfaces_;
   std::vector<bool> sprayed_;  ///< [origins]
   Real strength_ = 0;          ///< N/m
 };

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "host/cover/glue.hpp"
-#include "host/cover/piece_contacts.hpp"
+#include "host/cover/piece_interfaces.hpp"
 #include "host/cut/union_find.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
@@ -33,7 +33,7 @@ class Connector {
         cells_(covers.lattice, pieces),
         piece_parts_(static_cast<Index>(pieces.pieces.size())),
         glue_(complex, index.lattice, index.planes, cells_),
-        contacts_(complex, index.lattice, index.planes, pieces) {
+        interfaces_(complex, index.lattice, index.planes, pieces) {
     find_face_nodes();
   }
 
@@ -108,7 +108,7 @@ class Connector {
     for (const Fragment& f : complex_.fragments) {
       if ((f.joint != none && !welded) || f.narrow || complex_.touches_sliver(f)) continue;
       if (!complex_.stays(f.cell[0]) || !complex_.stays(f.cell[1])) continue;
-      glue_.visit(f, [&](const Contact& c) { add_links(c); });
+      glue_.visit(f, [&](const GlueArea& c) { add_links(c); });
     }
     for (const Beam& b : complex_.beams)
       if (b.cell[1] != none && (b.joint == none || welded) && complex_.stays(b.cell[0]) &&
@@ -159,15 +159,15 @@ class Connector {
   void add_links(const Holding& one, const Holding& two, const PartFacet* facet) {
     visit_spots(one, [&](const Spot& a) {
       visit_spots(two, [&](const Spot& b) {
-        if (!contacts_.apart(a.piece, b.piece)) add_link({a, b, facet});
+        if (!interfaces_.apart(a.piece, b.piece)) add_link({a, b, facet});
       });
     });
   }
 
-  void add_links(const Contact& c) {
+  void add_links(const GlueArea& c) {
     visit_spots(c.one, [&](const Spot& a) {
       visit_spots(c.two, [&](const Spot& b) {
-        if (contacts_.touch(a.piece, b.piece, c.polygon)) add_link({a, b, c.facet});
+        if (interfaces_.touch(a.piece, b.piece, c.polygon)) add_link({a, b, c.facet});
       });
     });
   }
@@ -254,7 +254,7 @@ class Connector {
       covers_.piece_block.push_back(complex_.cell_block[p.rock]);
       index_.piece_element[i] = e;
       index_.piece_rock.push_back(p.rock);
-      if (contacts_.any_cut()) index_.piece_cuts.push_back(p.cuts);
+      if (interfaces_.any_cut()) index_.piece_cuts.push_back(p.cuts);
       if (sliver != none)
         index_.slivers.emplace_back(pieces_.slivers[sliver].key(), static_cast<Index>(i));
       write_shape(p, covers_.lattice.cell_centre(p.lattice_cell) -
@@ -331,12 +331,12 @@ class Connector {
   void join_inside(UnionFind& stars, const CellContent& cell) {
     first_at_.clear();
     for (Index i = cell.piece_begin; i < cell.piece_end; ++i)
-      if (contacts_.is_parted(cell, record(i).rock))
+      if (interfaces_.is_parted(cell, record(i).rock))
         join_touching(stars, cell, i);
       else
         join_body(stars, record(i), piece_instance(i));
     for (Index s = cell.sliver_begin; s < cell.sliver_end; ++s)
-      if (const PieceRecord& p = pieces_.slivers[s].piece; !contacts_.is_parted(cell, p.rock))
+      if (const PieceRecord& p = pieces_.slivers[s].piece; !interfaces_.is_parted(cell, p.rock))
         join_body(stars, p, sliver_instance(s));
   }
 
@@ -362,7 +362,7 @@ class Connector {
   void join_touching(UnionFind& stars, const CellContent& cell, Index i) {
     const auto& nodes = form(cell.lattice_cell).split->part;
     for (Index j = cell.piece_begin; j < i; ++j) {
-      if (record(j).rock != record(i).rock || !contacts_.touch_inside_cell(i, j)) continue;
+      if (record(j).rock != record(i).rock || !interfaces_.touch_inside_cell(i, j)) continue;
       const CellPart &one = nodes[record(i).part], &two = nodes[record(j).part];
       for (int a = 0; a < one.nodes; ++a)
         for (int b = 0; b < two.nodes; ++b)
@@ -393,7 +393,7 @@ class Connector {
                      const PartFacet& facet) {
     visit_spots(one, [&](const Spot& a) {
       visit_spots(two, [&](const Spot& b) {
-        if (contacts_.touch_on_facet(a.piece, b.piece, facet)) join_across(stars, a, b, facet);
+        if (interfaces_.touch_on_facet(a.piece, b.piece, facet)) join_across(stars, a, b, facet);
       });
     });
   }
@@ -439,7 +439,7 @@ class Connector {
   const OccupiedCells cells_;
   UnionFind piece_parts_;
   GlueFinder glue_;
-  PieceContacts contacts_;
+  PieceInterfaces interfaces_;
   std::vector<Link> links_;
   std::vector<Index> element_of_piece_;
   std::vector<Placed> piece_order_;

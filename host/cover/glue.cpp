@@ -2,7 +2,8 @@
 
 namespace rockfold {
 
-void GlueFinder::visit(const Fragment& fragment, const std::function<void(const Contact&)>& visit) {
+void GlueFinder::visit(const Fragment& fragment,
+                       const std::function<void(const GlueArea&)>& visit) {
   const Polygon polygon = complex_.polygon_of(fragment);
   std::vector<Vec3> corner;
   walker_.walk(
@@ -12,17 +13,17 @@ void GlueFinder::visit(const Fragment& fragment, const std::function<void(const 
         for (const Vertex& v : piece.corner) corner.push_back(v.x);
         if (width_in_plane(corner, planes_.normal(polygon.plane)) < planes_.width_tolerance())
           return;
-        const Contact c = contact(fragment, ijk, part, piece);
+        const GlueArea c = glue_area(fragment, ijk, part, piece);
         if (c.one.any() && c.two.any()) visit(c);
       });
 }
 
 // The part lies below the fragment's plane where that is the plane of one of its facets.
-Contact GlueFinder::contact(const Fragment& fragment, const std::array<Index, 3>& ijk, int part,
-                            const Polygon& polygon) const {
+GlueArea GlueFinder::glue_area(const Fragment& fragment, const std::array<Index, 3>& ijk, int part,
+                               const Polygon& polygon) const {
   const Lattice& lattice = lattice_.lattice();
   const Index lattice_cell = lattice.cell_index(ijk[0], ijk[1], ijk[2]);
-  Contact c{{}, {}, nullptr, polygon};
+  GlueArea c{{}, {}, nullptr, polygon};
   c.one = cells_.find_any(lattice_cell, part, fragment.cell[0]);
   if (!c.one.any()) return c;
   for (const PartFacet& facet : lattice_.form(ijk).facet[part]) {

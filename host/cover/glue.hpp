@@ -10,7 +10,7 @@
 namespace rockfold {
 
 /// A part of a fragment between the rock of its two cells: inside a part of a lattice cell, or on one of its facets.
-struct Contact {
+struct GlueArea {
   Holding one, two;                  ///< below and above the fragment's plane
   const PartFacet* facet = nullptr;  ///< of one's part; null = inside the part
   const Polygon& polygon;            ///< about the table's centre
@@ -29,11 +29,11 @@ class GlueFinder {
         walker_(lattice, planes) {}
 
   /// Calls visit for each part of a fragment, wider than the tolerance, with rock on both sides.
-  void visit(const Fragment& fragment, const std::function<void(const Contact&)>& visit);
+  void visit(const Fragment& fragment, const std::function<void(const GlueArea&)>& visit);
 
  private:
-  Contact contact(const Fragment& fragment, const std::array<Index, 3>& ijk, int part,
-                  const Polygon& polygon) const;
+  GlueArea glue_area(const Fragment& fragment, const std::array<Index, 3>& ijk, int part,
+                     const Polygon& polygon) const;
 
   const Complex& complex_;
   const LatticePlanes& lattice_;

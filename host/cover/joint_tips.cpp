@@ -11,9 +11,9 @@ namespace rockfold {
 
 namespace {
 
-// Calls visit(contact) for what touches within a block across joints, or where there are none.
+// Calls visit(area) for what touches within a block across joints, or where there are none.
 template <class Visit>
-void visit_contacts(const Complex& complex, GlueFinder& glue, bool joints, Visit visit) {
+void visit_glue_areas(const Complex& complex, GlueFinder& glue, bool joints, Visit visit) {
   for (const Fragment& f : complex.fragments) {
     if ((f.joint != none) != joints || complex.touches_sliver(f) || f.narrow) continue;
     if (joints && !f.dead_end) continue;
@@ -28,7 +28,7 @@ void split_touched(const Complex& complex, const LatticePlanes& lattice, const P
   const OccupiedCells cells(lattice.lattice(), pieces);
   GlueFinder glue(complex, lattice, planes, cells);
   std::vector<bool> touched(pieces.regular.size(), false);
-  visit_contacts(complex, glue, true, [&](const Contact& c) {
+  visit_glue_areas(complex, glue, true, [&](const GlueArea& c) {
     for (const Index r : {c.one.regular, c.two.regular})
       if (r != none) touched[r] = true;
   });
@@ -59,7 +59,7 @@ class TipExtender {
 
   void find_elements() {
     UnionFind parts(static_cast<Index>(pieces_.pieces.size()));
-    visit_contacts(complex_, glue_, false, [&](const Contact& c) {
+    visit_glue_areas(complex_, glue_, false, [&](const GlueArea& c) {
       const Index one = c.one.piece_begin, two = c.two.piece_begin;
       if (c.facet != nullptr || c.one.regular != none || c.two.regular != none ||
           c.touches_sliver())
@@ -72,7 +72,7 @@ class TipExtender {
 
   // No lattice cell with a joint on or in it is regular any more.
   void find_tips() {
-    visit_contacts(complex_, glue_, true, [&](const Contact& c) {
+    visit_glue_areas(complex_, glue_, true, [&](const GlueArea& c) {
       if (c.touches_sliver()) return;
       const Index one = element_[c.one.piece_begin], two = element_[c.two.piece_begin];
       if (c.facet == nullptr && one != two) return;

@@ -5,8 +5,8 @@
 #include <span>
 #include <utility>
 
-#include "host/cut/contacts.hpp"
 #include "host/cut/patch_finder.hpp"
+#include "host/cut/plane_areas.hpp"
 #include "host/parallel.hpp"
 
 namespace rockfold {
@@ -53,15 +53,15 @@ class PlaneLabeller {
     if (several) only_origin_ = none;
   }
 
-  PlaneResult run(PlaneContacts& contacts) {
-    result_.fragments.reserve(contacts.shared.size());
-    for (SharedArea& shared : contacts.shared) {
+  PlaneResult run(PlaneAreas& areas) {
+    result_.fragments.reserve(areas.shared.size());
+    for (SharedArea& shared : areas.shared) {
       if (is_rock(shared.cell[0]) && is_rock(shared.cell[1]))
         label(shared);
       else
         label_gap(shared);
     }
-    for (OpenArea& open : contacts.open)
+    for (OpenArea& open : areas.open)
       if (is_rock(open.cell)) label(open, none);
     return std::move(result_);
   }
@@ -297,8 +297,8 @@ Index interface_between(const Complex& complex, const Zone& one, const Zone& two
 
 std::vector<Fragment> find_adjacency(Complex& complex, Index rock_count) {
   std::vector<PlaneResult> results(complex.planes.size());
-  for_each_plane(complex.planes, complex.cells, [&](Index plane, PlaneContacts& contacts) {
-    results[plane] = PlaneLabeller(complex, plane, rock_count).run(contacts);
+  for_each_plane(complex.planes, complex.cells, [&](Index plane, PlaneAreas& areas) {
+    results[plane] = PlaneLabeller(complex, plane, rock_count).run(areas);
   });
 
   // Joined in the order of planes, on all threads.

@@ -1,4 +1,4 @@
-// The complex of convex cells that a model is cut into: the one data structure behind blocks, covers and contacts.
+// The complex of convex cells that a model is cut into: the one data structure behind blocks, covers and interfaces.
 #pragma once
 
 #include <memory>
@@ -79,7 +79,7 @@ struct FreePart {
 };
 
 /// What a face of a wide cell meets straight through slivers: cells, or voids, narrower than the tolerance. A beam that no
-/// joint crosses joins its two cells; else it is their contact. Each is there twice, once from either cell.
+/// joint crosses joins its two cells; else it is their interface. Each is there twice, once from either cell.
 struct Beam {
   Index cell[2] = {none,
                    none};  ///< where it starts and ends; cell[1] = none: it ends where rock does

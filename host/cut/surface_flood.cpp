@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "host/cut/contacts.hpp"
 #include "host/cut/patch_finder.hpp"
+#include "host/cut/plane_areas.hpp"
 
 namespace rockfold {
 
@@ -91,9 +91,9 @@ std::vector<std::vector<Index>> surfaces_around_cells(const Complex& complex,
   std::vector<std::vector<Index>> around(cells.size());
   if (std::none_of(complex.bodies.begin(), complex.bodies.end(), is_surface)) return around;
   std::vector<std::vector<Link>> by_plane(complex.planes.size());
-  for_each_plane(complex.planes, cells, [&](Index plane, PlaneContacts& contacts) {
+  for_each_plane(complex.planes, cells, [&](Index plane, PlaneAreas& areas) {
     WallFinder finder(complex, plane);
-    for (const SharedArea& shared : contacts.shared)
+    for (const SharedArea& shared : areas.shared)
       by_plane[plane].push_back({{shared.cell[0], shared.cell[1]}, finder.walls(cells, shared)});
   });
 

@@ -71,13 +71,13 @@ class SurfaceWriter {
     BlockSurface surface;
   };
   // Of one fragment; those of one pair of faces become one.
-  struct Contact {
+  struct KeyedInterface {
     BlockArrays::Interface shared;
     Index fragment;
     auto key() const {
       return std::tie(shared.block[0], shared.face[0], shared.block[1], shared.face[1]);
     }
-    bool operator<(const Contact& o) const {
+    bool operator<(const KeyedInterface& o) const {
       return std::tuple_cat(key(), std::tie(fragment)) <
              std::tuple_cat(o.key(), std::tie(o.fragment));
     }
@@ -383,15 +383,15 @@ class SurfaceWriter {
     std::vector<Index> place(complex_.block_count + 1,
                              0);  // of each block's first; before: numbers
     for_each_chunk([&](Index k, Index begin, Index end) {
-      std::vector<Contact> contacts;
+      std::vector<KeyedInterface> keyed;
       for (Index r = begin; r < end; ++r) {
         const auto before = found[k].size();
-        find_contacts(r, contacts);
-        for (std::size_t i = 0; i < contacts.size(); ++i) {
-          if (i > 0 && contacts[i - 1].key() == contacts[i].key())
-            found[k].back().area += contacts[i].shared.area;
+        find_interfaces(r, keyed);
+        for (std::size_t i = 0; i < keyed.size(); ++i) {
+          if (i > 0 && keyed[i - 1].key() == keyed[i].key())
+            found[k].back().area += keyed[i].shared.area;
           else
-            found[k].push_back(contacts[i].shared);
+            found[k].push_back(keyed[i].shared);
         }
         place[order_.block[r] + 1] = static_cast<Index>(found[k].size() - before);
       }
@@ -404,8 +404,8 @@ class SurfaceWriter {
     });
   }
 
-  void find_contacts(Index rank, std::vector<Contact>& contacts) const {
-    contacts.clear();
+  void find_interfaces(Index rank, std::vector<KeyedInterface>& keyed) const {
+    keyed.clear();
     const Index b = order_.block[rank];
     const auto is_cut = [&](Index cell) {
       return !as_cut_.empty() && is_as_cut(order_.rank_of_cell[cell]);
@@ -413,7 +413,7 @@ class SurfaceWriter {
     const auto add = [&](Index cell, Index face, Index other, Real area, Index item) {
       const Index behind = complex_.cell_block[cell];
       if (behind > b && face != none && other != none)
-        contacts.push_back({{{b, behind}, {face, other}, area}, item});
+        keyed.push_back({{{b, behind}, {face, other}, area}, item});
     };
     const auto add_beam = [&](Index i) {
       const Beam& beam = complex_.beams[i];
@@ -432,7 +432,7 @@ class SurfaceWriter {
         for (Index k = side.begin; k < side.end && !as_cut; ++k) add_beam(k);
       }
     }
-    std::sort(contacts.begin(), contacts.end());
+    std::sort(keyed.begin(), keyed.end());
   }
 
   Index face_of_beam(Index i) const {

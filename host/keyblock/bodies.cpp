@@ -62,7 +62,7 @@ Bodies::Bodies(const BlockArrays& blocks, const Model& model)
       gravity_(model.gravity),
       spec_(model.support.value_or(SupportSpec{})),
       stress_(model.initial_stress),
-      contacts_(blocks),
+      interfaces_(blocks),
       has_polygons_(has_polygons(blocks)) {
   for (const FaceOrigin& origin : blocks.origins) nature_.push_back(nature(origin, model));
   for (const PointLoad& load : model.point_loads) {
@@ -117,8 +117,8 @@ Body Bodies::body(std::vector<Index> members, const std::vector<Index>& batch) c
 
 bool Bodies::is_encased(Index block, const std::vector<Index>& batch) const {
   for (Index id = blocks_.face_begin[at(block)]; id < blocks_.face_begin[at(block) + 1]; ++id) {
-    const auto contacts = contacts_.of_face(id);
-    if (std::none_of(contacts.begin(), contacts.end(), [&](const FaceContacts::Contact& c) {
+    const auto neighbours = interfaces_.of_face(id);
+    if (std::none_of(neighbours.begin(), neighbours.end(), [&](const FaceInterfaces::Neighbour& c) {
           return batch[at(c.block)] == 0 && c.area > 0;
         }))
       return false;
@@ -142,7 +142,7 @@ void Bodies::add_block(Body& body, Index block, const std::vector<Index>& batch)
   for (Index id = blocks_.face_begin[at(block)]; id < blocks_.face_begin[at(block) + 1]; ++id) {
     const FaceNature& nature = nature_[at(blocks_.face_origin[at(id)])];
     Real contact = 0, internal = 0;
-    for (const auto& c : contacts_.of_face(id)) {
+    for (const auto& c : interfaces_.of_face(id)) {
       if (batch[at(c.block)] != 0) continue;
       const bool inside = !alone && is_member(body, c.block);
       (inside ? internal : contact) += c.area;
@@ -213,7 +213,7 @@ std::vector<ContactPatch> Bodies::patches(const Body& body, const std::vector<In
     if (face.contact_area >= (1 - 1e-9) * blocks_.face_area[at(id)]) {
       corners = outer_loop(blocks_, id);
     } else {
-      for (const auto& c : contacts_.of_face(id))
+      for (const auto& c : interfaces_.of_face(id))
         if (batch[at(c.block)] == 0 && !is_member(body, c.block))
           for (const Vec3& x : overlap_points(blocks_, id, c.face)) corners.push_back(x);
     }

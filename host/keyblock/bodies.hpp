@@ -1,11 +1,11 @@
-// Blocks, alone or several as one rigid body, as block theory sees them: faces, loads, contacts.
+// Blocks, alone or several as one rigid body, as block theory sees them: faces, loads, interfaces.
 #pragma once
 
 #include <span>
 #include <string>
 #include <vector>
 
-#include "host/keyblock/face_contacts.hpp"
+#include "host/keyblock/face_interfaces.hpp"
 #include "host/keyblock/face_shape.hpp"
 #include "host/keyblock/single_block.hpp"
 #include "src/arrays/block_arrays.hpp"
@@ -43,7 +43,7 @@ class Bodies {
   /// Whether every face of a block leans on a block that is still there.
   bool is_encased(Index block, const std::vector<Index>& batch) const;
   bool looks_at_rotation() const { return spec_.rotation && has_polygons_; }
-  const FaceContacts& contacts() const { return contacts_; }
+  const FaceInterfaces& interfaces() const { return interfaces_; }
   const FaceOrigin& origin(Index face) const {
     return blocks_
         .origins[static_cast<std::size_t>(blocks_.face_origin[static_cast<std::size_t>(face)])];
@@ -80,7 +80,7 @@ class Bodies {
   Vec3 gravity_;
   SupportSpec spec_;
   InitialStress stress_;
-  FaceContacts contacts_;
+  FaceInterfaces interfaces_;
   std::vector<FaceNature> nature_;  ///< [origins]
   std::vector<PointForce> forces_;  ///< ordered by block
   bool has_polygons_;

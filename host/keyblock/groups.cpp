@@ -95,11 +95,11 @@ class GroupSearch {
 
   /// Adds what a face pushes on; false if that stays or is too much.
   bool push(Index face, std::vector<Index>& members) const {
-    for (const auto& contact : bodies_.contacts().of_face(face)) {
-      if (batch_[static_cast<std::size_t>(contact.block)] != 0) continue;
-      if (std::find(members.begin(), members.end(), contact.block) != members.end()) continue;
-      if (static_cast<Index>(members.size()) == largest_ || !may_move_(contact.block)) return false;
-      members.push_back(contact.block);
+    for (const auto& next : bodies_.interfaces().of_face(face)) {
+      if (batch_[static_cast<std::size_t>(next.block)] != 0) continue;
+      if (std::find(members.begin(), members.end(), next.block) != members.end()) continue;
+      if (static_cast<Index>(members.size()) == largest_ || !may_move_(next.block)) return false;
+      members.push_back(next.block);
     }
     return true;
   }
@@ -110,7 +110,7 @@ class GroupSearch {
   const std::function<bool(Index)>& may_move_;
 };
 
-/// The blocks of `blocks` that a chain of fewer than `largest` contacts joins to one with a free face:
+/// The blocks of `blocks` that a chain of fewer than `largest` interfaces joins to one with a free face:
 /// a group has a free face.
 std::vector<Index> near_free_faces(const Bodies& bodies, const std::vector<Index>& blocks,
                                    const std::vector<Index>& batch, Index largest) {
@@ -125,7 +125,7 @@ std::vector<Index> near_free_faces(const Bodies& bodies, const std::vector<Index
   for (Index step = 1; step <= largest && !front.empty(); ++step) {
     near.insert(near.end(), front.begin(), front.end());
     if (step == largest) break;
-    std::erase_if(front = bodies.contacts().neighbours(front, batch), [&](Index b) {
+    std::erase_if(front = bodies.interfaces().neighbours(front, batch), [&](Index b) {
       return std::exchange(seen[static_cast<std::size_t>(b)], std::uint8_t{1}) != 0;
     });
   }

@@ -247,7 +247,7 @@ std::vector<Index> KeyblockSearch::group_seeds() const {
   std::vector<std::uint8_t> seen(report_.batch.size(), 0);
   std::vector<Index> front = gone_since_, seeds;
   for (Index step = 0; step < spec_.largest_group && !front.empty(); ++step) {
-    std::erase_if(front = bodies_.contacts().neighbours(front, report_.batch), [&](Index b) {
+    std::erase_if(front = bodies_.interfaces().neighbours(front, report_.batch), [&](Index b) {
       return std::exchange(seen[static_cast<std::size_t>(b)], std::uint8_t{1}) != 0;
     });
     seeds.insert(seeds.end(), front.begin(), front.end());
@@ -291,7 +291,7 @@ void KeyblockSearch::find_batches(std::vector<Index> candidates) {
     if (removed.empty()) removed = move_groups();
     if (removed.empty()) return;
     gone_since_.insert(gone_since_.end(), removed.begin(), removed.end());
-    candidates = bodies_.contacts().neighbours(removed, report_.batch);
+    candidates = bodies_.interfaces().neighbours(removed, report_.batch);
     std::erase_if(candidates, [&](Index b) { return !stays(b); });
   }
 }
@@ -306,7 +306,7 @@ void KeyblockSearch::excavate(Index stage) {
       removed.push_back(b);
     }
   gone_since_.insert(gone_since_.end(), removed.begin(), removed.end());
-  std::vector<Index> candidates = bodies_.contacts().neighbours(removed, report_.batch);
+  std::vector<Index> candidates = bodies_.interfaces().neighbours(removed, report_.batch);
   std::erase_if(candidates, [&](Index b) { return !stays(b); });
   find_batches(std::move(candidates));
 }

@@ -6,10 +6,10 @@
 
 namespace rockfold {
 
-class PieceContacts {
+class PieceInterfaces {
  public:
-  PieceContacts(const Complex& complex, const LatticePlanes& lattice, const PlaneTable& planes,
-                const Pieces& pieces)
+  PieceInterfaces(const Complex& complex, const LatticePlanes& lattice, const PlaneTable& planes,
+                  const Pieces& pieces)
       : complex_(complex), lattice_(lattice), planes_(planes), pieces_(pieces), area_(planes) {
     for (const PieceRecord& p : pieces.pieces) any_cut_ = any_cut_ || !p.cuts.empty();
   }

@@ -1,4 +1,4 @@
-#include "host/cut/contacts.hpp"
+#include "host/cut/plane_areas.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +44,7 @@ class PlaneMatcher {
   PlaneMatcher(const PlaneTable& planes, const CellStore& cells, Index plane)
       : planes_(planes), cells_(cells), plane_(plane), clipper_(planes) {}
 
-  PlaneContacts run(std::vector<PlaneFace>& below, std::vector<PlaneFace>& above) {
+  PlaneAreas run(std::vector<PlaneFace>& below, std::vector<PlaneFace>& above) {
     const auto order = [](const PlaneFace& a, const PlaneFace& b) {
       return a.hash != b.hash ? a.hash < b.hash : a.ref.cell < b.ref.cell;
     };
@@ -171,7 +171,7 @@ class PlaneMatcher {
   const CellStore& cells_;
   const Index plane_;
   PolygonClipper clipper_;
-  PlaneContacts result_;
+  PlaneAreas result_;
   std::vector<Loose> loose_below_, loose_above_;
 };
 
@@ -214,7 +214,7 @@ FacesByPlane sort_by_plane(const PlaneTable& planes, const CellStore& cells) {
 }  // namespace
 
 void for_each_plane(const PlaneTable& planes, const CellStore& cells,
-                    const std::function<void(Index, PlaneContacts&)>& use) {
+                    const std::function<void(Index, PlaneAreas&)>& use) {
   const FacesByPlane by_plane = sort_by_plane(planes, cells);
   const auto match = [&](std::int64_t plane) {
     if (by_plane.begin[plane] == by_plane.begin[plane + 1]) return;
@@ -224,8 +224,8 @@ void for_each_plane(const PlaneTable& planes, const CellStore& cells,
       (is_above(cells[f.ref.cell].faces[f.ref.face].inside) ? above : below).push_back(f);
     }
     const auto p = static_cast<Index>(plane);
-    PlaneContacts contacts = PlaneMatcher(planes, cells, p).run(below, above);
-    use(p, contacts);
+    PlaneAreas areas = PlaneMatcher(planes, cells, p).run(below, above);
+    use(p, areas);
   };
   parallel_for(planes.size(), 1, match, by_plane.faces.size() > 2000);
 }

@@ -1,4 +1,4 @@
-#include "host/cover/piece_contacts.hpp"
+#include "host/cover/piece_interfaces.hpp"
 
 #include <algorithm>
 
@@ -19,22 +19,22 @@ bool are_apart(const std::vector<HalfSpaceId>& one, const std::vector<HalfSpaceI
 
 }  // namespace
 
-bool PieceContacts::touch(Index one, Index two, const Polygon& polygon) {
+bool PieceInterfaces::touch(Index one, Index two, const Polygon& polygon) {
   const auto &a = cuts(one), &b = cuts(two);
   if (a.empty() && b.empty()) return true;
   if (cut_along(a, polygon.plane) && cut_along(b, polygon.plane)) return false;
   return !are_apart(a, b) && area_(polygon, a, b);
 }
 
-bool PieceContacts::apart(Index one, Index two) const {
+bool PieceInterfaces::apart(Index one, Index two) const {
   return are_apart(cuts(one), cuts(two));
 }
 
-bool PieceContacts::touch_on_facet(Index one, Index two, const PartFacet& facet) {
+bool PieceInterfaces::touch_on_facet(Index one, Index two, const PartFacet& facet) {
   return (cuts(one).empty() && cuts(two).empty()) || share_area(one, two, facet);
 }
 
-bool PieceContacts::share_area(Index one, Index two, const PartFacet& facet) {
+bool PieceInterfaces::share_area(Index one, Index two, const PartFacet& facet) {
   const auto &a = cuts(one), &b = cuts(two);
   if (are_apart(a, b)) return false;
   // One of them is a piece; its part's facet is also the other's.
@@ -52,7 +52,7 @@ bool PieceContacts::share_area(Index one, Index two, const PartFacet& facet) {
   return face != cell.faces.end() && area_(face_polygon(cell, *face), a, b);
 }
 
-bool PieceContacts::touch_inside_cell(Index one, Index two) {
+bool PieceInterfaces::touch_inside_cell(Index one, Index two) {
   const PieceRecord &p = pieces_.pieces[one], &q = pieces_.pieces[two];
   const auto ijk = lattice_.lattice().cell_ijk(p.lattice_cell);
   const SplitTable::Form& form = lattice_.form(ijk);
@@ -69,7 +69,7 @@ bool PieceContacts::touch_inside_cell(Index one, Index two) {
   return !clip(planes_, clip_to_part(complex_, lattice_, planes_, p), inside).faces.empty();
 }
 
-bool PieceContacts::is_parted(const CellContent& cell, Index rock) const {
+bool PieceInterfaces::is_parted(const CellContent& cell, Index rock) const {
   if (!any_cut_) return false;
   for (Index i = cell.piece_begin; i < cell.piece_end; ++i)
     if (pieces_.pieces[i].rock == rock && !pieces_.pieces[i].cuts.empty()) return true;

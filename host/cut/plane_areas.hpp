@@ -21,14 +21,14 @@ struct OpenArea {
   Polygon polygon;  ///< empty = the whole face
 };
 
-struct PlaneContacts {
+struct PlaneAreas {
   std::vector<SharedArea> shared;
   std::vector<OpenArea> open;
 };
 
-/// Calls use(plane, contacts) once for each plane that carries a face, on all threads, in any order. Faces bounded by the
+/// Calls use(plane, areas) once for each plane that carries a face, on all threads, in any order. Faces bounded by the
 /// same half-spaces match by hash in O(faces); the rest by sweep and clip.
 void for_each_plane(const PlaneTable& planes, const CellStore& cells,
-                    const std::function<void(Index, PlaneContacts&)>& use);
+                    const std::function<void(Index, PlaneAreas&)>& use);
 
 }  // namespace rockfold
