@@ -26,7 +26,9 @@ if(ROCKFOLD_CCACHE AND NOT Kokkos_ENABLE_CUDA AND NOT DEFINED CMAKE_CXX_COMPILER
   find_program(ROCKFOLD_CCACHE_PROGRAM ccache)
   mark_as_advanced(ROCKFOLD_CCACHE_PROGRAM)
   if(ROCKFOLD_CCACHE_PROGRAM)
-    set(CMAKE_CXX_COMPILER_LAUNCHER "${ROCKFOLD_CCACHE_PROGRAM}")
+    # Paths below the root count relative to it: what one checkout compiled serves every other.
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${ROCKFOLD_ROOT}" CCACHE_NOHASHDIR=1
+        "${ROCKFOLD_CCACHE_PROGRAM}")
   endif()
 endif()
 

@@ -5,6 +5,7 @@
 #include "tests/cut/conservation.hpp"
 #include "tests/cut/nef_models.hpp"
 #include "tests/cut/nef_oracle.hpp"
+#include "tests/reference/sanitized.hpp"
 
 namespace rockfold::test {
 namespace {
@@ -83,7 +84,7 @@ TEST(SlowRandomFiniteJoints, OfAnyRealPositionToo) {
 
 // The same joints without their ends.
 TEST(RandomFiniteJoints, WithoutEndsMakeThoseBlocksToo) {
-  check_seeds(500, 60, [](unsigned seed) {
+  check_seeds(500, reference::cases(60u, 10u), [](unsigned seed) {
     Model model = random_finite_joints(seed);
     for (Joint& j : model.joints) j.polygon.clear();
     return model;
