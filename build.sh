@@ -12,7 +12,7 @@ usage: ./build.sh COMMAND [ARGUMENT…]
   build [PRESET]     install what is missing, build
   bench [OPTION…]    build, run every benchmark in perf/ with the options of Google Benchmark
   format             lay out the C++ files with clang-format
-  packages           list the packages of the distribution that are needed, and those that are missing
+  packages           list the packages of the distribution that are needed, those that are missing, and optional ones
   kokkos             find or build Kokkos, print its prefix
   kokkos-source      fetch the sources of the pinned Kokkos release, print where they are (for the preset cuda)
   clean              remove build/ (the cached Kokkos stays)
@@ -36,6 +36,9 @@ packages=(
   libcgal-dev libmpfr-dev libgmp-dev libeigen3-dev libhdf5-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
   libgtest-dev libbenchmark-dev python3 python3-h5py
 )
+
+# The page of `rockfold view` is made with npm. Without it, or where it cannot be installed, everything else is built.
+optional_packages=(npm)
 
 # The pinned release of Kokkos. The checksum is the published one of the release's own archive; package collections
 # (Spack, Homebrew) pin the same.
@@ -130,6 +133,20 @@ install_packages() {
   fi
   mapfile -t missing < <(missing_packages)
   [[ ${#missing[@]} -eq 0 ]] || fail "apt-get reported success, but these are still missing: ${missing[*]}"
+}
+
+# Never fails: says what will be missing.
+install_npm() {
+  command -v npm >/dev/null && return 0
+  say "Installing npm, for the page of rockfold view …"
+  local as_root=()
+  if [[ $(id -u) -ne 0 ]]; then
+    if command -v sudo >/dev/null && { sudo -n true 2>/dev/null || [[ -t 0 ]]; }; then as_root=(sudo); fi
+  fi
+  logged apt-npm "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -y -o DPkg::Lock::Timeout=300 \
+    -o Acquire::Retries=1 -o Acquire::http::Timeout=20 -o Acquire::https::Timeout=20 \
+    install --no-install-recommends "${optional_packages[@]}" ||
+    say "npm could not be installed: the program is built without the page of \`rockfold view\`."
 }
 
 check_tools() {
@@ -415,6 +432,7 @@ configure() {  # PRESET
     *) fail "there is no preset '$1'; release, debug and asan are built here (cuda: see README.md)." ;;
   esac
   install_packages
+  install_npm
   check_tools
   find_kokkos
   local werror=${ROCKFOLD_WERROR:-}
@@ -465,6 +483,7 @@ case $command in
   packages)
     printf 'needed:  %s\n' "${packages[*]}"
     printf 'missing: %s\n' "$(missing_packages | paste -sd ' ')"
+    printf 'optional: %s\n' "${optional_packages[*]}"
     ;;
   kokkos)
     install_packages

@@ -1,6 +1,7 @@
 #include "host/box_tree.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace rockfold {
@@ -13,6 +14,12 @@ void grow(Bounds& bounds, const Bounds& other) {
     bounds.min[d] = std::min(bounds.min[d], other.min[d]);
     bounds.max[d] = std::max(bounds.max[d], other.max[d]);
   }
+}
+
+bool meets(const Bounds& a, const Bounds& b) {
+  for (int d = 0; d < 3; ++d)
+    if (a.min[d] > b.max[d] || b.min[d] > a.max[d]) return false;
+  return true;
 }
 
 bool meets(const Bounds& box, const Vec3& from, const Vec3& direction, Real low, Real high) {
@@ -76,6 +83,25 @@ std::vector<Index> BoxTree::along(const Vec3& from, const Vec3& direction, Real 
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+void BoxTree::near(const Bounds& box, std::vector<Index>& found) const {
+  found.clear();
+  std::array<Index, 64> open;  // nodes to visit: at most one a level, and 2^31 boxes are 29 levels
+  int count = 0;
+  if (!nodes_.empty()) open[count++] = 0;
+  while (count > 0) {
+    const Node& node = nodes_[open[--count]];
+    if (!meets(node.bounds, box)) continue;
+    if (node.left != none) {
+      open[count++] = node.right;
+      open[count++] = node.left;
+      continue;
+    }
+    for (Index i = node.first; i < node.first + node.count; ++i)
+      if (meets(boxes_[order_[i]], box)) found.push_back(order_[i]);
+  }
+  std::sort(found.begin(), found.end());
 }
 
 }  // namespace rockfold

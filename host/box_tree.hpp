@@ -1,4 +1,4 @@
-// Boxes that a line meets or that hold a point, found without looking at all of them.
+// Boxes that a line or another box meets, or that hold a point, found without looking at all of them.
 #pragma once
 
 #include <vector>
@@ -22,6 +22,8 @@ class BoxTree {
   std::vector<Index> along(const Vec3& from, const Vec3& direction, Real low, Real high) const;
   /// The boxes that hold x, ascending. O(log n + hits)
   std::vector<Index> at(const Vec3& x) const { return along(x, {}, 0, 0); }
+  /// The boxes that share a point with `box`, ascending. O(log n + hits)
+  void near(const Bounds& box, std::vector<Index>& found) const;
 
  private:
   struct Node {

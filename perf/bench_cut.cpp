@@ -71,11 +71,11 @@ void check_volume(benchmark::State& state, long double volume) {
 
 void plain(benchmark::State& state) {
   const auto planes = plain_planes(three_sets(state.range(0)));
-  std::vector<PlainCell> cells;
+  PlainCells cells;
   for (auto _ : state)
     cells = PlainSplitter(planes).run({0, 0, 0}, {cube_edge, cube_edge, cube_edge});
   long double volume = 0;
-  for (const PlainCell& c : cells) volume += plain_volume(c);
+  for (std::size_t c = 0; c < cells.size(); ++c) volume += cells.volume(c);
   check_volume(state, volume);
   report(state, static_cast<std::int64_t>(cells.size()));
 }

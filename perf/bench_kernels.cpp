@@ -38,7 +38,7 @@ struct Bench {
       fixed.component.push_back({1, 1, 1});
       fixed.value.push_back({});
       fixed.stiffness.push_back(1e9 * side);
-      fixed.augmented.push_back(0);
+      fixed.enforce.push_back(Enforce::penalty);
     }
   }
   static const Bench& get(int cut_layers) {

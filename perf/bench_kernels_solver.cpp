@@ -64,7 +64,7 @@ struct Problem {
       fixed.component.push_back({1, 1, 1});
       fixed.value.push_back({});
       fixed.stiffness.push_back(100 * material.young_modulus / cells);
-      fixed.augmented.push_back(0);
+      fixed.enforce.push_back(Enforce::penalty);
     }
   }
 };

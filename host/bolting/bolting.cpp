@@ -194,6 +194,7 @@ bool SupportJudge::is_crossed_by_anchors(const Keyblock& key) const {
 
 /// Whether a block that stays misses the target with its support and is less safe than without.
 bool is_less_safe_now(const Keyblock& key, const BlockSupport& support) {
+  // The width tolerance over the model's size: vertices, and with them factors, are known no closer.
   constexpr Real rounding = 1e-9;
   return !support.held.adequate &&
          !(support.held.factor_of_safety >= (1 - rounding) * key.factor_of_safety);

@@ -11,11 +11,8 @@ namespace {
 
 bool is_sprayed(const FaceOrigin& origin, const std::vector<WallFaces>& walls) {
   if (origin.kind == FaceOrigin::Kind::joint || origin.continues) return false;
-  const bool excavation = origin.kind == FaceOrigin::Kind::excavation;
-  return std::any_of(walls.begin(), walls.end(), [&](const WallFaces& wall) {
-    return wall.excavation == excavation && wall.owner == origin.solid &&
-           std::find(wall.faces.begin(), wall.faces.end(), origin.solid_face) != wall.faces.end();
-  });
+  return std::any_of(walls.begin(), walls.end(),
+                     [&](const WallFaces& wall) { return wall.hold(origin); });
 }
 
 }  // namespace

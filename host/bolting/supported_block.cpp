@@ -10,7 +10,8 @@
 namespace rockfold {
 namespace {
 
-/// Of a falling block's loads: more than any support is given for.
+/// Of a falling block's loads, where doubling them ends. They lift the block off all planes, so that any support of less than this
+/// times their size is passed before. Norms square what is added: of loads up to 1e54 N that stays a double (1e308).
 constexpr Real most_factor = 1e100;
 
 /// Of the active bolts on one block.

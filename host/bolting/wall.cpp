@@ -15,12 +15,6 @@ namespace {
 
 constexpr Real infinite = std::numeric_limits<Real>::infinity();
 
-bool is_on(const FaceOrigin& origin, const WallFaces& wall) {
-  const auto kind = wall.excavation ? FaceOrigin::Kind::excavation : FaceOrigin::Kind::solid_face;
-  return origin.kind == kind && origin.solid == wall.owner && !origin.continues &&
-         std::find(wall.faces.begin(), wall.faces.end(), origin.solid_face) != wall.faces.end();
-}
-
 template <class Visit>
 void for_each_corner(const BlockArrays& blocks, Index face, Visit visit) {
   const Index loop = blocks.loop_begin[face];
@@ -81,8 +75,10 @@ Wall::Wall(const BlockArrays& blocks, const Model& model, const WallFaces& faces
   for (Index b = 0; b < blocks.block_count(); ++b) {
     if (!blocks.stage.empty() && blocks.stage[b] > 0) continue;
     for (Index f = blocks.face_begin[b]; f < blocks.face_begin[b + 1]; ++f)
-      if (is_on(blocks.origins[blocks.face_origin[f]], faces)) {
+      if (const FaceOrigin& origin = blocks.origins[blocks.face_origin[f]];
+          !origin.continues && faces.hold(origin)) {
         faces_.push_back(f);
+        side_of_face_.push_back(origin.face_of(origin.kind, faces.owner));
         boxes.push_back(bounds_of(blocks, f));
         area_ += blocks.face_area[f];
       }
@@ -106,7 +102,8 @@ Wall::Wall(const BlockArrays& blocks, const Model& model, const WallFaces& faces
              std::holds_alternative<SphereShape>(shape)) {
     lay_surfaces(faces.name);
   } else {
-    lay_planes();
+    lay_planes(shape, faces.excavation ? model.excavations[faces.owner].name
+                                       : model.solids[faces.owner].name);
   }
 }
 
@@ -139,7 +136,7 @@ void Wall::lay_sides(const Shape& shape, const std::string& name) {
   }
   // The strip of a face: of its side, on the segment whose plane is nearest.
   for (std::size_t k = 0; k < faces_.size(); ++k) {
-    const Index side = blocks_.origins[blocks_.face_origin[faces_[k]]].solid_face;
+    const Index side = side_of_face_[k];
     Real best = infinite;
     for (std::size_t s = 0; s < layout.segments.size(); ++s) {
       const auto id = static_cast<Index>(s * n + static_cast<std::size_t>(side));
@@ -180,20 +177,17 @@ void Wall::add_panel_for(const std::vector<std::size_t>& members, const Vec3& no
 }
 
 /// A panel for each plane and side of it.
-void Wall::lay_planes() {
+void Wall::lay_planes(const Shape& shape, const std::string& owner) {
   std::map<std::tuple<Index, Index, int>, std::vector<std::size_t>> planes;
   for (std::size_t k = 0; k < faces_.size(); ++k) {
     const Index f = faces_[k];
-    planes[{blocks_.origins[blocks_.face_origin[f]].solid_face, blocks_.face_plane[f],
-            blocks_.face_up[f]}]
-        .push_back(k);
+    planes[{side_of_face_[k], blocks_.face_plane[f], blocks_.face_up[f]}].push_back(k);
   }
   const Real reach = 1e-6 * size_;
-  for (const auto& [key, members] : planes) {
-    const Index f = faces_[members.front()];
-    add_panel_for(members, blocks_.face_normal[f], reach,
-                  blocks_.origins[blocks_.face_origin[f]].name);
-  }
+  const auto names = face_names(shape);
+  for (const auto& [key, members] : planes)
+    add_panel_for(members, blocks_.face_normal[faces_[members.front()]], reach,
+                  owner + "." + names[std::get<0>(key)]);
 }
 
 /// A panel for the triangles that look along each of ±x, ±y, ±z, in the mean of their directions.
@@ -243,8 +237,7 @@ std::optional<Wall::Hit> Wall::face_of(const WallPanel& panel, Index s, const Ve
     const Real step = attempt * aside * size_;
     const Vec3 beside = point + (step * odd[0]) * strip.along_u + (step * odd[1]) * strip.along_v;
     for (const Index k : tree_.along(beside, strip.across, -strip.reach, strip.reach)) {
-      const Index side = blocks_.origins[blocks_.face_origin[faces_[k]]].solid_face;
-      if (strip.side == none ? strip_of_face_[k] != s : side != strip.side) continue;
+      if (strip.side == none ? strip_of_face_[k] != s : side_of_face_[k] != strip.side) continue;
       if (!line_meets_face(blocks_, faces_[k], beside, strip.across)) continue;
       const Real t = way_to_plane(blocks_, faces_[k], point, strip.across);
       if (std::abs(t) > strip.reach) continue;

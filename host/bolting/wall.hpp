@@ -64,7 +64,7 @@ class Wall {
 
  private:
   void lay_sides(const Shape& shape, const std::string& name);
-  void lay_planes();
+  void lay_planes(const Shape& shape, const std::string& owner);
   void lay_surfaces(const std::string& name);
   void add_panel_for(const std::vector<std::size_t>& members, const Vec3& normal, Real reach,
                      std::string name);
@@ -76,6 +76,7 @@ class Wall {
   const BlockArrays& blocks_;
   Real size_ = 0;                     ///< m, of the model
   std::vector<Index> faces_;          ///< of blocks, ascending
+  std::vector<Index> side_of_face_;   ///< [faces_] which face of the wall's shape it lies on
   std::vector<Index> strip_of_face_;  ///< into strips_
   std::vector<WallStrip> strips_;
   std::vector<WallPanel> panels_;

@@ -1,5 +1,5 @@
 // Mathematical covers over the cut rock: manifold elements, physical covers, and the points of the material that
-// conditions, loads and monitors refer to. Thesis 2.3 and 4.1; DESIGN.md "Covers".
+// conditions, loads and monitors refer to. Thesis 2.3 and 4.1.
 #pragma once
 
 #include <memory>
@@ -34,6 +34,9 @@ MaterialPoints locate_points(const Covering& covering, const std::vector<Vec3>& 
 
 /// The vertices of the blocks, in the order of BlockArrays::vertex, each in its own block; slivers are passed over.
 MaterialPoints locate_block_vertices(const Covering& covering, const BlockArrays& blocks);
+/// The same of vertices `x` of blocks `block`.
+MaterialPoints locate_vertices(const Covering& covering, const std::vector<Vec3>& x,
+                               const std::vector<Index>& block);
 
 /// The points at which the model's [[fixed]] hold, with penalties of 10 E/h per area (augmented Lagrangian) or
 /// 1000 E/h (penalty). Throws Error(model) naming the `fixed` entry where a region holds nothing.

@@ -27,7 +27,7 @@ namespace rockfold {
 
 namespace {
 
-constexpr Real augmented_factor = 10;  // of E/h: the multipliers do the rest (DESIGN.md, "Solve")
+constexpr Real augmented_factor = 10;  // of E/h: the multipliers do the rest
 constexpr Real penalty_factor =
     1000;  // of E/h: displacement off by about 1e-3 of the element's own
 
@@ -237,8 +237,14 @@ class Fixer {
     if (fixed_->stiffness) return *fixed_->stiffness;
     const Material& rock = model_.materials[material_of(covers_, element)];
     const Real nu = rock.poisson_ratio, e = rock.young_modulus;
-    if (fixed_->method != FixMethod::penalty) return augmented_factor * e / reach_;
-    return penalty_factor * e * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) / reach_;
+    switch (fixed_->method) {
+      case FixMethod::penalty:
+        return penalty_factor * e * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) / reach_;
+      case FixMethod::augmented_lagrangian:
+      case FixMethod::lagrange:
+        break;
+    }
+    return augmented_factor * e / reach_;
   }
 
   void add_row(const HeldRow& row, Real stiffness) {
@@ -256,11 +262,20 @@ class Fixer {
     result_.table.push_back(row.moment ? none : table_);
     result_.condition.push_back(static_cast<Index>(fixed_ - model_.fixed.data()));
     result_.stiffness.push_back(stiffness);
-    result_.reach.push_back(row.reach);
-    const auto enforce = fixed_->method == FixMethod::penalty    ? Enforce::penalty
-                         : fixed_->method == FixMethod::lagrange ? Enforce::exact
-                                                                 : Enforce::augmented;
-    result_.augmented.push_back(static_cast<std::uint8_t>(enforce));
+    result_.motion_ratio.push_back(row.motion_ratio);
+    result_.enforce.push_back(enforce_of(row));
+  }
+
+  /// What the functions of one cover follow by themselves is prescribed exactly, unless the model gives a spring's stiffness.
+  Enforce enforce_of(const HeldRow& row) const {
+    const auto of_first = [&](Index unknown) {
+      return unknown % covers_.cover_count() == row.unknown[0] % covers_.cover_count();
+    };
+    const bool of_one_cover = std::all_of(row.unknown.begin(), row.unknown.end(), of_first);
+    if (fixed_->method == FixMethod::lagrange) return Enforce::exact;
+    const bool spring =
+        fixed_->method == FixMethod::penalty && (fixed_->stiffness || !of_one_cover);
+    return spring ? Enforce::penalty : Enforce::augmented;
   }
 
   void add_point(const Vec3& x, Index element, Index other, Real stiffness) {

@@ -30,10 +30,11 @@ std::vector<Vec3> clip(const std::vector<Vec3>& corner, int axis, Real sign, Rea
 
 class Visitor {
  public:
-  Visitor(const Cutting& cutting, const Covering& covering, const Region& region,
-          const std::function<void(const FacePolygon&)>& visit)
+  Visitor(const Cutting& cutting, const Covering& covering, const FacesOf& faces,
+          const Region& region, const std::function<void(const FacePolygon&)>& visit)
       : complex_(*cutting.complex),
         covering_(covering),
+        faces_(faces),
         region_(region),
         visit_(visit),
         surface_(complex_, covering),
@@ -50,14 +51,7 @@ class Visitor {
 
  private:
   bool wanted(Index origin) const {
-    const auto* face = std::get_if<FaceRegion>(&region_);
-    if (!face) return true;
-    if (origin == none) return false;
-    const FaceOrigin& from = complex_.origins[origin];
-    const auto kind =
-        face->of_excavation ? FaceOrigin::Kind::excavation : FaceOrigin::Kind::solid_face;
-    return from.kind == kind && from.solid == face->solid &&
-           std::find(face->faces.begin(), face->faces.end(), from.solid_face) != face->faces.end();
+    return !faces_ || (origin != none && faces_(complex_.origins[origin]));
   }
 
   /// Splits a face of a cell of the complex over the elements.
@@ -110,7 +104,8 @@ class Visitor {
 
   const Complex& complex_;
   const Covering& covering_;
-  const Region& region_;
+  const FacesOf& faces_;  // empty: all
+  const Region& region_;  // a plane or a box that they lie in; else all of them counts
   const std::function<void(const FacePolygon&)>& visit_;
   SurfaceSplitter surface_;
   const Real slack_;
@@ -129,7 +124,16 @@ void visit_free_faces(const Cutting& cutting, const Covering& covering, const Re
                       const std::function<void(const FacePolygon&)>& visit) {
   if (std::holds_alternative<PointRegion>(region) || std::holds_alternative<BlockRegion>(region))
     return;
-  Visitor(cutting, covering, region, visit).run();
+  FacesOf faces;
+  if (const auto* of_shape = std::get_if<FaceRegion>(&region))
+    faces = [of_shape](const FaceOrigin& origin) { return of_shape->holds(origin); };
+  Visitor(cutting, covering, faces, region, visit).run();
+}
+
+void visit_free_faces(const Cutting& cutting, const Covering& covering, const FacesOf& wanted,
+                      const std::function<void(const FacePolygon&)>& visit) {
+  const Region everywhere = FaceRegion{};
+  Visitor(cutting, covering, wanted, everywhere, visit).run();
 }
 
 }  // namespace rockfold

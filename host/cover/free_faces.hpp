@@ -24,6 +24,11 @@ struct FacePolygon {
 void visit_free_faces(const Cutting& cutting, const Covering& covering, const Region& region,
                       const std::function<void(const FacePolygon&)>& visit);
 
+/// Those of the origins that `wanted` takes.
+using FacesOf = std::function<bool(const FaceOrigin&)>;
+void visit_free_faces(const Cutting& cutting, const Covering& covering, const FacesOf& wanted,
+                      const std::function<void(const FacePolygon&)>& visit);
+
 /// m², and the centroid, m.
 Real polygon_area(const std::vector<Vec3>& corner);
 

@@ -54,6 +54,14 @@ Extent extent(const Points& points) {
   return e;
 }
 
+/// m, of a ball about the centre that holds all points.
+Real width(const Points& points) {
+  const Vec3 centre = extent(points).centre;
+  Real farthest = 0;
+  for (const auto& p : points) farthest = std::max(farthest, norm(p.x - centre));
+  return 2 * farthest;
+}
+
 /// Some direction across a unit vector.
 Vec3 any_across(const Vec3& normal) {
   Vec3 axis{};
@@ -317,48 +325,115 @@ void hold_covers(const CoverArrays& covers, const Points& points, const FacePoly
   }
 }
 
-/// Cuts the plane of the points into rectangles of nearly the given width, the first side along the projection of a lattice edge.
-std::vector<Points> patches(const CoverArrays& covers, const Points& points, const Vec3& normal,
-                            Real width) {
-  std::array<Vec3, 2> axis{};
-  for (const Vec3& edge : covers.lattice.edge) {
-    const Vec3 across = edge - dot(edge, normal) * normal;
-    if (norm(across) > norm(axis[0])) axis[0] = across;
-  }
-  axis[0] = normalized(axis[0]);
-  axis[1] = cross(normal, axis[0]);
-  std::array<Real, 2> low{}, step{};
-  std::array<Index, 2> count{};
-  for (int d = 0; d < 2; ++d) {
-    Real high = -std::numeric_limits<Real>::infinity();
-    low[d] = -high;
-    for (const auto& p : points) {
-      low[d] = std::min(low[d], dot(axis[d], p.x));
-      high = std::max(high, dot(axis[d], p.x));
+using Polygons = std::vector<FacePolygon>;
+
+/// The part of a convex polygon where axis · x lies between low and high.
+std::vector<Vec3> strip_of(std::vector<Vec3> corner, const Vec3& axis, Real low, Real high) {
+  for (const Real side : {1.0, -1.0}) {
+    const Real bound = side > 0 ? low : -high;
+    std::vector<Vec3> kept;
+    for (std::size_t k = 0; k < corner.size(); ++k) {
+      const Vec3 &a = corner[k], &b = corner[(k + 1) % corner.size()];
+      const Real of_a = side * dot(axis, a) - bound, of_b = side * dot(axis, b) - bound;
+      if (of_a >= 0) kept.push_back(a);
+      if ((of_a < 0) != (of_b < 0)) kept.push_back(a + (of_a / (of_a - of_b)) * (b - a));
     }
-    count[d] = std::max<Index>(1, static_cast<Index>(std::lround((high - low[d]) / width)));
-    step[d] = (high - low[d]) / count[d];
+    corner = std::move(kept);
   }
-  const auto place = [&](const Vec3& x, int d) {
-    const Index i = step[d] > 0 ? static_cast<Index>((dot(axis[d], x) - low[d]) / step[d]) : 0;
-    return std::clamp<Index>(i, 0, count[d] - 1);
-  };
-  std::map<std::array<Index, 2>, Points> found;
-  for (const auto& p : points) found[{place(p.x, 0), place(p.x, 1)}].push_back(p);
-  std::vector<Points> list;
-  for (auto& [at, patch] : found) list.push_back(std::move(patch));
-  return list;
+  return corner;
+}
+
+/// Rectangles of nearly the same width that cover a plane surface, the first side along the projection of a lattice edge.
+class PatchGrid {
+ public:
+  PatchGrid(const CoverArrays& covers, const Polygons& surface, Real width) {
+    const Vec3& normal = surface[0].normal;
+    for (const Vec3& edge : covers.lattice.edge) {
+      const Vec3 across = edge - dot(edge, normal) * normal;
+      if (norm(across) > norm(axis_[0])) axis_[0] = across;
+    }
+    axis_[0] = normalized(axis_[0]);
+    axis_[1] = cross(normal, axis_[0]);
+    for (int d = 0; d < 2; ++d) {
+      const auto [low, high] = range(surface, d);
+      low_[d] = low;
+      count_[d] = std::max<Index>(1, static_cast<Index>(std::lround((high - low) / width)));
+      step_[d] = (high - low) / count_[d];
+    }
+  }
+
+  /// What of the surface lies in each. Polygons are cut at their sides, so that the rows do not depend on how the surface was divided.
+  std::vector<Polygons> divide(const Polygons& surface) const {
+    std::map<std::array<Index, 2>, Polygons> found;
+    for (const FacePolygon& polygon : surface) {
+      const auto [first, last] = places(polygon);
+      for (Index i = first[0]; i <= last[0]; ++i)
+        for (Index j = first[1]; j <= last[1]; ++j) {
+          FacePolygon part = polygon;
+          part.corner = strip_of(strip_of(polygon.corner, axis_[0], side(0, i), side(0, i + 1)),
+                                 axis_[1], side(1, j), side(1, j + 1));
+          if (part.corner.size() > 2) found[{i, j}].push_back(std::move(part));
+        }
+    }
+    std::vector<Polygons> list;
+    for (auto& [at, patch] : found) list.push_back(std::move(patch));
+    return list;
+  }
+
+ private:
+  std::array<Real, 2> range(const Polygons& surface, int d) const {
+    Real low = std::numeric_limits<Real>::infinity(), high = -low;
+    for (const FacePolygon& polygon : surface)
+      for (const Vec3& x : polygon.corner) {
+        low = std::min(low, dot(axis_[d], x));
+        high = std::max(high, dot(axis_[d], x));
+      }
+    return {low, high};
+  }
+
+  /// Where a row of patches begins; the first and the last have no end.
+  Real side(int d, Index i) const {
+    constexpr Real far = std::numeric_limits<Real>::max();
+    return i == 0 ? -far : i == count_[d] ? far : low_[d] + i * step_[d];
+  }
+
+  /// The first and the last patch that a polygon may lie in.
+  std::array<std::array<Index, 2>, 2> places(const FacePolygon& polygon) const {
+    std::array<std::array<Index, 2>, 2> found{};
+    for (int d = 0; d < 2; ++d) {
+      const auto range_of = range({polygon}, d);
+      for (int end = 0; end < 2; ++end) {
+        const Real at = step_[d] > 0 ? (range_of[end] - low_[d]) / step_[d] : 0;
+        found[end][d] = std::clamp<Index>(static_cast<Index>(std::floor(at)), 0, count_[d] - 1);
+      }
+    }
+    return found;
+  }
+
+  std::array<Vec3, 2> axis_{};
+  std::array<Real, 2> low_{}, step_{};
+  std::array<Index, 2> count_{};
+};
+
+Extent extent(const Polygons& surface) {
+  Extent e;
+  for (const FacePolygon& polygon : surface) {
+    const Points points = surface_points({polygon}, 1);
+    for (const auto& p : points) e.centre += p.area * p.x, e.area += p.area;
+  }
+  if (e.area > 0) e.centre = (1 / e.area) * e.centre;
+  return e;
 }
 
 /// Patches that are small beside the largest go to the nearest one that is not.
-std::vector<Points> join_small(std::vector<Points> all) {
+std::vector<Polygons> join_small(std::vector<Polygons> all) {
   std::vector<Extent> of;
   Real largest = 0;
   for (const auto& patch : all) {
     of.push_back(extent(patch));
     largest = std::max(largest, of.back().area);
   }
-  std::vector<Points> joined(all.size());
+  std::vector<Polygons> joined(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     std::size_t to = i;
     Real nearest = std::numeric_limits<Real>::infinity();
@@ -370,7 +445,7 @@ std::vector<Points> join_small(std::vector<Points> all) {
     joined[to].insert(joined[to].end(), all[i].begin(), all[i].end());
   }
   joined.erase(
-      std::remove_if(joined.begin(), joined.end(), [](const Points& p) { return p.empty(); }),
+      std::remove_if(joined.begin(), joined.end(), [](const Polygons& p) { return p.empty(); }),
       joined.end());
   return joined;
 }
@@ -384,7 +459,7 @@ void hold_surface(const CoverArrays& covers, const std::vector<FacePolygon>& sur
   const int of_weights = covers.lattice.kind == LatticeKind::hex8 ? 3 : block ? 0 : 1;
   const int of_functions = of_weights + covers.order;
   const int of_series = covers.series ? covers.series->degree() : 0;
-  // Rock that is smaller than a lattice cell bends as its functions do, which are in units of its own size.
+  // Rock that is smaller than a lattice cell bends as its functions do, which are in units of its own size. A block is its own cell.
   const Real unit = covers.middle.empty() ? spacing : 2 * covers.reach * spacing;
   if (!block && runs_through_nodes(covers, surface, spacing, slack)) {
     hold_covers(covers, surface_points(surface, std::max(of_weights + 2 * covers.order, of_series)),
@@ -392,13 +467,14 @@ void hold_surface(const CoverArrays& covers, const std::vector<FacePolygon>& sur
     return;
   }
   const int degree = block ? covers.order : covers.order + 1;
-  const Points points = surface_points(surface, std::max(of_functions + degree, of_series));
-  if (points.empty()) return;
-  const Vec3& normal = surface[0].normal;
-  const std::vector<Points> all =
-      block ? std::vector<Points>{points}
-            : join_small(patches(covers, points, normal, patch_width * spacing));
-  for (const Points& patch : all) add_moments(covers, patch, normal, unit, degree, rows);
+  const std::vector<Polygons> all =
+      block ? std::vector<Polygons>{surface}
+            : join_small(PatchGrid(covers, surface, patch_width * spacing).divide(surface));
+  for (const Polygons& patch : all) {
+    const Points points = surface_points(patch, std::max(of_functions + degree, of_series));
+    if (points.empty()) continue;
+    add_moments(covers, points, surface[0].normal, block ? width(points) : unit, degree, rows);
+  }
 }
 
 }  // namespace rockfold

@@ -30,11 +30,11 @@ struct HeldRow {
   std::vector<Real> weight;
   Real area = 0;  ///< m²
   bool moment = false;
-  Real reach = 1;  ///< how far the surface moves with one metre of the row, at most
+  Real motion_ratio = 1;  ///< how far the surface moves with one metre of the row, at most
 };
 
 /// Appends the rows of a plane surface that lies in one connected part of the rock. `spacing`: m, of the lattice. `slack`: m, so
-/// near to its plane nodes lie in it: rock between them is a sliver, which has no functions of its own (DESIGN.md, rule 8).
+/// near to its plane nodes lie in it: rock between them is a sliver, which has no functions of its own (decision 5, rule 8).
 void hold_surface(const CoverArrays& covers, const std::vector<FacePolygon>& surface, Real spacing,
                   Real slack, std::vector<HeldRow>& rows);
 

@@ -11,6 +11,7 @@
 #include "host/cover/locate.hpp"
 #include "host/cover/triangle_rule.hpp"
 #include "src/arrays/shape_functions.hpp"
+#include "src/arrays/stress_on_plane.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 
@@ -43,13 +44,14 @@ class FaceIntegral {
   FaceIntegral(const Cutting& cutting, const Covering& covering, int degree)
       : cutting_(cutting), covering_(covering), rule_(triangle_rule(degree)) {}
 
-  /// Calls add(polygon, point, area). Returns whether there is any free face.
-  template <class Add>
-  bool over(const Region& region, const Add& add) const {
+  /// Calls add(polygon, point, area) for points of the parts where `depth`, linear, is not below zero. Returns whether there is any
+  /// free face.
+  template <class Faces, class Add, class Depth>
+  bool over(const Faces& faces, const Add& add, const Depth& depth) const {
     bool any = false;
-    visit_free_faces(cutting_, covering_, region, [&](const FacePolygon& polygon) {
+    visit_free_faces(cutting_, covering_, faces, [&](const FacePolygon& polygon) {
       any = true;
-      const auto& corner = polygon.corner;
+      const auto corner = part_below(polygon.corner, depth);
       for (std::size_t k = 1; k + 1 < corner.size(); ++k) {
         const Real area =
             0.5 * polygon.share * norm(cross(corner[k] - corner[0], corner[k + 1] - corner[0]));
@@ -60,8 +62,25 @@ class FaceIntegral {
     });
     return any;
   }
+  template <class Faces, class Add>
+  bool over(const Faces& faces, const Add& add) const {
+    return over(faces, add, [](const Vec3&) { return Real{1}; });
+  }
 
  private:
+  /// What of a convex polygon lies where depth ≥ 0.
+  template <class Depth>
+  static std::vector<Vec3> part_below(const std::vector<Vec3>& corner, const Depth& depth) {
+    std::vector<Vec3> part;
+    for (std::size_t i = 0; i < corner.size(); ++i) {
+      const Vec3 &a = corner[i], &b = corner[(i + 1) % corner.size()];
+      const Real da = depth(a), db = depth(b);
+      if (da >= 0) part.push_back(a);
+      if ((da > 0 && db < 0) || (da < 0 && db > 0)) part.push_back(a + da / (da - db) * (b - a));
+    }
+    return part;
+  }
+
   const Cutting& cutting_;
   const Covering& covering_;
   const std::vector<RulePoint> rule_;
@@ -114,6 +133,23 @@ void add_traction(const FaceIntegral& faces, const CoverArrays& covers, const Tr
   if (!any) throw error_at(traction.place, "where", "holds no free face of the rock");
 }
 
+/// Water up to an elevation: its pressure is that at the points where the rock lay at t = 0.
+void add_water(const FaceIntegral& faces, const CoverArrays& covers, const Vec3& gravity,
+               const Traction& traction, LoadPoints& loads) {
+  const Vec3 up = -normalized(gravity);
+  const auto depth = [&](const Vec3& x) { return *traction.head - dot(up, x); };
+  const auto add = [&](const FacePolygon& polygon, const Vec3& x, Real area) {
+    const Real pressure = traction.density * norm(gravity) * depth(x);
+    add_material_point(covers, x, polygon.element, loads.points);
+    add_force(loads, traction.follows ? Vec3{} : (-area * pressure) * polygon.normal);
+    if (!traction.follows) return;
+    loads.area.back() = area * polygon.normal;
+    loads.pressure.back() = pressure;
+  };
+  if (!faces.over(traction.where, add, depth))
+    throw error_at(traction.place, "where", "holds no free face of the rock");
+}
+
 }  // namespace
 
 LoadPoints load_points(const Cutting& cutting, const Covering& covering, const Model& model) {
@@ -126,9 +162,24 @@ LoadPoints load_points(const Cutting& cutting, const Covering& covering, const M
     add_force(loads, load.force);
     loads.table.back() = add_table(loads, load.table);
   }
-  const FaceIntegral faces(cutting, covering, function_degree(covering.arrays));
+  const int degree = function_degree(covering.arrays);
+  const FaceIntegral faces(cutting, covering, degree), under_water(cutting, covering, degree + 1);
   for (const Traction& traction : model.tractions)
-    add_traction(faces, covering.arrays, traction, loads);
+    if (traction.head)
+      add_water(under_water, covering.arrays, model.gravity, traction, loads);
+    else
+      add_traction(faces, covering.arrays, traction, loads);
+  return loads;
+}
+
+LoadPoints unloading_points(const Cutting& cutting, const Covering& covering,
+                            const InitialStress& stress, const FacesOf& made_free) {
+  LoadPoints loads;
+  const FaceIntegral faces(cutting, covering, function_degree(covering.arrays) + 1);
+  faces.over(made_free, [&](const FacePolygon& polygon, const Vec3& x, Real area) {
+    add_material_point(covering.arrays, x, polygon.element, loads.points);
+    add_force(loads, -area * traction_on(stress, x, polygon.normal));
+  });
   return loads;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/cover/cover.hpp"
+#include "host/cover/free_faces.hpp"
 #include "src/arrays/load_arrays.hpp"
 
 namespace rockfold {
@@ -10,6 +11,11 @@ namespace rockfold {
 /// area integrate it times the functions of each element exactly, so that the forces of a face sum to its area times the traction.
 /// Throws Error(model): a point that is not in the rock, a traction where no free face is.
 LoadPoints load_points(const Cutting& cutting, const Covering& covering, const Model& model);
+
+/// What making free faces does to rock under an in-situ stress σ: the traction −σ n, exact for a stress that is linear. Added to σ, the
+/// stress that it causes leaves the faces free.
+LoadPoints unloading_points(const Cutting& cutting, const Covering& covering,
+                            const InitialStress& stress, const FacesOf& made_free);
 
 /// The dashpots of [[quiet_boundary]], exact for products of two functions of an element. Throws Error(model) where no free face is.
 QuietPoints quiet_points(const Cutting& cutting, const Covering& covering, const Model& model);

@@ -87,16 +87,17 @@ void Locator::try_regular(const Vec3& x, Index regular, Found& found) const {
 
 void Locator::try_element(const Vec3& x, Index e, Found& found) const {
   for (Index q = covers_.piece_begin[e]; q < covers_.piece_begin[e + 1]; ++q)
-    try_piece(x, e, q, found);
+    try_piece(x, e, q, covers_.element_cell[e], covers_.element_part[e], found);
 }
 
-void Locator::try_piece(const Vec3& x, Index e, Index q, Found& found) const {
+void Locator::try_piece(const Vec3& x, Index e, Index q, Index lattice_cell, int part,
+                        Found& found) const {
   Holder h;
   h.element = covers_.parts_per_cell() * covers_.regular_count() + e;
   h.block = covers_.piece_block[q];
   h.rock = index_.piece_rock[q];
-  h.lattice_cell = covers_.element_cell[e];
-  h.part = covers_.element_part[e];
+  h.lattice_cell = lattice_cell;
+  h.part = part;
   h.violation = piece_violation(x, q);
   found.push_back(h);
 }
@@ -105,7 +106,10 @@ void Locator::try_piece(const Vec3& x, Index e, Index q, Found& found) const {
 Locator::Found Locator::near(const Vec3& x, Real by) const {
   Found found;
   if (covers_.lattice.kind == LatticeKind::block) {
-    for (const Index q : index_.piece_tree.at(x)) try_piece(x, index_.piece_element[q], q, found);
+    for (const Index q : index_.piece_tree.at(x)) {
+      const Index e = index_.piece_element[q];
+      try_piece(x, e, q, covers_.element_cell[e], 0, found);
+    }
     return found;
   }
   std::array<Vertex, 8> around;
@@ -124,9 +128,10 @@ Locator::Found Locator::near(const Vec3& x, Real by) const {
         if (r != none) try_regular(x, r, found);
         const IndexRange elements = elements_of_cell(covers_, lattice_cell);
         for (Index e = elements.begin; e < elements.end; ++e) try_element(x, e, found);
-        index_.visit_slivers(lattice_cell, [&](Index q) {
+        index_.visit_slivers(lattice_cell, [&](Index q, int part) {
           const Index e = index_.piece_element[q];
-          if (covers_.element_cell[e] != lattice_cell) try_piece(x, e, q, found);
+          if (covers_.element_cell[e] != lattice_cell)
+            try_piece(x, e, q, lattice_cell, part, found);
         });
       }
   return found;
@@ -240,15 +245,21 @@ MaterialPoints locate_points(const Covering& covering, const std::vector<Vec3>& 
   return result;
 }
 
-MaterialPoints locate_block_vertices(const Covering& covering, const BlockArrays& blocks) {
+MaterialPoints locate_vertices(const Covering& covering, const std::vector<Vec3>& x,
+                               const std::vector<Index>& block) {
   const Locator locator(covering);
   MaterialPoints result;
-  for (Index b = 0; b < blocks.block_count(); ++b)
-    for (Index v = blocks.vertex_begin[b]; v < blocks.vertex_begin[b + 1]; ++v) {
-      const Vec3& x = blocks.vertex[v];
-      locator.add(x, locator.of_vertex(x, b), result);
-    }
+  for (std::size_t v = 0; v < x.size(); ++v)
+    locator.add(x[v], locator.of_vertex(x[v], block[v]), result);
   return result;
+}
+
+MaterialPoints locate_block_vertices(const Covering& covering, const BlockArrays& blocks) {
+  std::vector<Index> block;
+  block.reserve(blocks.vertex.size());
+  for (Index b = 0; b < blocks.block_count(); ++b)
+    block.insert(block.end(), blocks.vertex_begin[b + 1] - blocks.vertex_begin[b], b);
+  return locate_vertices(covering, blocks.vertex, block);
 }
 
 }  // namespace rockfold

@@ -11,10 +11,10 @@ struct Holder {
   Index element = none;  ///< numbered as in CoverArrays
   Index other = none;    ///< of the second of two overlaid splits
   Index block = none;
-  Index rock = none;  ///< cell of the complex
-  Index lattice_cell = none;
-  int part = 0;        ///< of `element`
-  Real violation = 0;  ///< m, how far outside the point is; ≤ 0 inside
+  Index rock = none;          ///< cell of the complex
+  Index lattice_cell = none;  ///< that it lies in: that of `element`, but for slivers
+  int part = 0;               ///< of that lattice cell
+  Real violation = 0;         ///< m, how far outside the point is; ≤ 0 inside
 
   bool found() const { return element != none; }
 };
@@ -55,7 +55,8 @@ class Locator {
   bool is_sliver(const Holder& holder) const;
   void try_regular(const Vec3& x, Index regular, Found& found) const;
   void try_element(const Vec3& x, Index element, Found& found) const;
-  void try_piece(const Vec3& x, Index element, Index piece, Found& found) const;
+  void try_piece(const Vec3& x, Index element, Index piece, Index lattice_cell, int part,
+                 Found& found) const;
   Real outside(HalfSpaceId h, const Vec3& r) const;
   Real piece_violation(const Vec3& x, Index piece) const;
 

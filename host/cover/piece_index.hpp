@@ -42,13 +42,13 @@ struct PieceIndex {
   /// The pieces of a cell of the complex in a part of a lattice cell: several where joints are prolonged. O(log Q)
   std::vector<Index> find_pieces(const CoverArrays& covers, Index lattice_cell, int part,
                                  Index rock) const;
-  /// Calls visit(piece) for the slivers that lie in a lattice cell. O(log n + found)
+  /// Calls visit(piece, part) for the slivers that lie in a lattice cell. O(log n + found)
   template <class Visit>
   void visit_slivers(Index lattice_cell, Visit visit) const {
     const std::pair first{PieceKey{lattice_cell, 0, 0}, Index{0}};
     for (auto s = std::lower_bound(slivers.begin(), slivers.end(), first);
          s != slivers.end() && s->first.lattice_cell == lattice_cell; ++s)
-      visit(s->second);
+      visit(s->second, s->first.part);
   }
   /// What owns a sliver that is no piece, or null. O(log n)
   const PieceKey* owner_of_left_out(const PieceKey& sliver) const;

@@ -23,10 +23,11 @@ class OwnerFinder {
             beside_[f.cell[side]].emplace(f.joint != none, f.cell[1 - side]);
   }
 
-  // Round by round: what was found in the rounds before may own too. Those without an owner are returned.
-  std::vector<std::size_t> run() {
-    std::vector<std::size_t> open(pieces_.slivers.size());
-    for (std::size_t i = 0; i < open.size(); ++i) open[i] = i;
+  // Round by round: what was found in the rounds before may own too.
+  void run() {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < pieces_.slivers.size(); ++i)
+      if (pieces_.slivers[i].owner.rock == none) open.push_back(i);
     for (bool found = true; found;) {
       found = false;
       std::vector<std::pair<std::size_t, PieceKey>> owners;
@@ -38,7 +39,6 @@ class OwnerFinder {
       for (const auto& [i, owner] : owners) pieces_.slivers[i].owner = owner;
       found = !owners.empty();
     }
-    return open;
   }
 
  private:
@@ -122,13 +122,27 @@ void split_regular(const Complex& complex, const LatticePlanes& lattice, const P
   sort_pieces(pieces);
 }
 
+namespace {
+
+// `of_slivers`: also of cells that are slivers themselves.
+bool is_alone(const Sliver& s, const Complex& complex, bool of_slivers) {
+  return s.owner.rock == none && (of_slivers || complex.is_sliver[s.piece.rock] == 0);
+}
+
+}  // namespace
+
 void give_slivers_owners(const Complex& complex, const LatticePlanes& lattice,
                          const PlaneTable& planes, Pieces& pieces) {
   if (pieces.slivers.empty()) return;
-  const std::vector<std::size_t> alone = OwnerFinder(complex, lattice, pieces).run();
-  for (const std::size_t i : alone) pieces.pieces.push_back(pieces.slivers[i].piece);
-  std::erase_if(pieces.slivers, [](const Sliver& s) { return s.owner.rock == none; });
-  sort_pieces(pieces);
+  // Slivers that nothing is beside are pieces: first those of wide cells, which may then own what a sliver has beside them.
+  for (const bool of_slivers : {false, true}) {
+    OwnerFinder(complex, lattice, pieces).run();
+    for (const Sliver& s : pieces.slivers)
+      if (is_alone(s, complex, of_slivers)) pieces.pieces.push_back(s.piece);
+    std::erase_if(pieces.slivers,
+                  [&](const Sliver& s) { return is_alone(s, complex, of_slivers); });
+    sort_pieces(pieces);
+  }
   std::vector<bool> owning(pieces.regular.size(), false);
   for (const Sliver& s : pieces.slivers) {
     if (s.left_out) continue;

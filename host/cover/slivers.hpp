@@ -1,4 +1,4 @@
-// Pieces narrower than the tolerance (DESIGN.md, rule 8): their rock counts with a piece beside them, whose functions move it.
+// Pieces narrower than the tolerance (decision 5, rule 8): their rock counts with a piece beside them, whose functions move it.
 #pragma once
 
 #include <vector>

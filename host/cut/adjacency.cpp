@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <map>
 #include <span>
 #include <utility>
 
 #include "host/cut/patch_finder.hpp"
 #include "host/cut/plane_areas.hpp"
 #include "host/parallel.hpp"
+#include "src/base/vector.hpp"
 
 namespace rockfold {
 
@@ -19,6 +22,7 @@ struct PlaneResult {
   std::vector<FreePart> free_parts;
   std::vector<Fragment> gaps;
   std::vector<Polygon> polygons;
+  std::vector<std::vector<Index>> shared_faces;  // origins of the free parts that lie on several
 };
 
 bool have_common(const std::vector<Index>& a, const std::vector<Index>& b) {
@@ -96,9 +100,27 @@ class PlaneLabeller {
     for (const Index j : joints_near(shared))
       if (applies(complex_.joints[j], shared)) usable_.push_back(j);
     if (usable_.empty()) return add_whole(shared, rest, none);
-    if (const JointPatch& first = complex_.joints[usable_.front()]; !first.patch.bounded())
+    if (const JointPatch& first = complex_.joints[usable_.front()];
+        !first.patch.bounded() || lies_inside_circle(shared, first.patch))
       return add_whole(shared, first.origin, first.instance);
     divide_by_joints(shared, rest);
+  }
+
+  // As most areas that a joint covers do: their corners need not be compared with its edges.
+  bool lies_inside_circle(const SharedArea& shared, const Patch& patch) const {
+    const Real reach = patch.inner - complex_.planes.width_tolerance();
+    if (reach <= 0) return false;
+    const auto is_inside = [&](const Vertex& v) {
+      const Vec3 r = v.x - patch.middle;
+      return dot(r, r) < reach * reach;
+    };
+    const auto& polygon = shared.polygon.corner;
+    if (!polygon.empty()) return std::all_of(polygon.begin(), polygon.end(), is_inside);
+    const CellView cell = complex_.cells[shared.cell[0]];
+    const ConvexCell::Face& f = cell.faces[shared.face[0]];
+    const auto corners = cell.corners.subspan(f.begin, f.count);
+    return std::all_of(corners.begin(), corners.end(),
+                       [&](const auto& corner) { return is_inside(cell.vertices[corner.vertex]); });
   }
 
   // Rock before a narrow void has a free face there; whether rock is behind, beams will tell.
@@ -200,7 +222,7 @@ class PlaneLabeller {
 
   struct Part {
     Polygon polygon;
-    Index origin;
+    std::vector<Index> origins;  // of the faces of solids that it lies on, the last solid's first
   };
 
   // `gap`: the narrow void that the area faces, or none.
@@ -208,11 +230,12 @@ class PlaneLabeller {
     const bool whole_face = open.polygon.empty();
     const CellView cell = complex_.cells[open.cell];
     std::vector<Part> parts = divide_by_facets(
-        whole_face ? face_polygon(cell, cell.faces[open.face]) : std::move(open.polygon));
+        whole_face ? face_polygon(cell, cell.faces[open.face]) : std::move(open.polygon),
+        cell.faces[open.face].inside);
     const bool whole = whole_face && parts.size() == 1;
     for (Part& part : parts) {
       const Real area = polygon_moments(part.polygon).area;
-      result_.free_parts.push_back({open.cell, open.face, part.origin,
+      result_.free_parts.push_back({open.cell, open.face, number_of(std::move(part.origins)),
                                     whole ? none : static_cast<Index>(result_.polygons.size()),
                                     area, gap});
       if (!whole) result_.polygons.push_back(std::move(part.polygon));
@@ -223,24 +246,49 @@ class PlaneLabeller {
     return facet.origin != none && complex_.bodies[facet.body].role == Body::Role::solid;
   }
 
-  // The faces of solids that a free area lies on: of the solid that was added or taken away there last.
-  std::vector<Part> divide_by_facets(Polygon polygon) {
-    if (only_origin_ != none) return {{std::move(polygon), only_origin_}};
+  // Several faces are numbered below none; find_adjacency() makes origins of them.
+  Index number_of(std::vector<Index> origins) {
+    if (origins.size() == 1) return origins.front();
+    auto& known = result_.shared_faces;
+    const auto at = std::find(known.begin(), known.end(), origins);
+    const auto number = static_cast<Index>(at - known.begin());
+    if (at == known.end()) known.push_back(std::move(origins));
+    return none - 1 - number;
+  }
+
+  // Whether rock on the given side lies on a solid's own surface there: inside of what was added, outside of what was taken.
+  bool bounds(const Facet& facet, HalfSpaceId rock) const {
+    return (facet.inside == rock) == complex_.adds_solid[complex_.bodies[facet.body].owner];
+  }
+
+  // All faces of solids that a free area lies on; the solid that was added or taken away there last comes first.
+  std::vector<Part> divide_by_facets(Polygon polygon, HalfSpaceId rock) {
+    if (only_origin_ != none) return {{std::move(polygon), {only_origin_}}};
     facets_.near(box_of(polygon), complex_.planes.width_tolerance(), near_);
     usable_.clear();
     for (std::size_t i = near_.size(); i-- > 0;)
-      if (names_rock(complex_.facets[near_[i]])) usable_.push_back(near_[i]);
-    if (usable_.size() == 1) return {{std::move(polygon), complex_.facets[usable_.front()].origin}};
+      if (const Facet& facet = complex_.facets[near_[i]]; names_rock(facet) && bounds(facet, rock))
+        usable_.push_back(near_[i]);
+    const Index first = usable_.empty() ? nearest_face() : complex_.facets[usable_.front()].origin;
     std::vector<Part> parts;
-    std::vector<Polygon> left{std::move(polygon)};
-    Index first_listed = none;
-    for (const Index f : usable_) {
-      if (first_listed == none) first_listed = complex_.facets[f].origin;
-      left = take(complex_.facets[f], std::move(left), parts);
-    }
-    if (first_listed == none) first_listed = nearest_face();
-    for (Polygon& p : left) parts.push_back({std::move(p), first_listed});
+    parts.push_back({std::move(polygon), {}});
+    if (usable_.size() > 1)
+      for (std::size_t begin = 0, end = 0; begin < usable_.size(); begin = end) {
+        while (end < usable_.size() && owner_of(usable_[end]) == owner_of(usable_[begin])) ++end;
+        name_parts(std::span(usable_).subspan(begin, end - begin), parts);
+      }
+    for (Part& part : parts)
+      if (part.origins.empty()) part.origins = {first};
     return parts;
+  }
+
+  Index owner_of(Index facet) const { return complex_.bodies[complex_.facets[facet].body].owner; }
+
+  // Facets of one solid do not overlap: an area that lies on one of them is done.
+  void name_parts(std::span<const Index> facets, std::vector<Part>& parts) {
+    std::vector<Part> named;
+    for (const Index f : facets) parts = take(complex_.facets[f], std::move(parts), named);
+    std::move(named.begin(), named.end(), std::back_inserter(parts));
   }
 
   // Where nothing names an area: a convex part's plane that was taken for another one ends beside its facets by rounding.
@@ -252,25 +300,27 @@ class PlaneLabeller {
     return none;
   }
 
-  // What the facet does not cover; the rest becomes its parts.
-  std::vector<Polygon> take(const Facet& facet, std::vector<Polygon> left,
-                            std::vector<Part>& parts) {
-    std::vector<Polygon> rest;
-    for (Polygon& p : left) {
-      const auto share = clipper_.share(p, facet.patch.edges);
-      if (share == PolygonClipper::Share::all) {
-        parts.push_back({std::move(p), facet.origin});
-        continue;
-      }
+  // What the facet does not cover; what it covers is named after it too.
+  std::vector<Part> take(const Facet& facet, std::vector<Part> left, std::vector<Part>& named) {
+    std::vector<Part> rest;
+    for (Part& p : left) {
+      const auto share = clipper_.share(p.polygon, facet.patch.edges);
       Polygon common;
-      if (share == PolygonClipper::Share::some)
-        common = clipper_.intersection(p, facet.patch.edges);
+      if (share == PolygonClipper::Share::all)
+        common = std::move(p.polygon);
+      else if (share == PolygonClipper::Share::some)
+        common = clipper_.intersection(p.polygon, facet.patch.edges);
       if (common.empty()) {
         rest.push_back(std::move(p));
         continue;
       }
-      clipper_.subtract(p, facet.patch.edges, rest);
-      parts.push_back({std::move(common), facet.origin});
+      if (share == PolygonClipper::Share::some) {
+        std::vector<Polygon> outside;
+        clipper_.subtract(p.polygon, facet.patch.edges, outside);
+        for (Polygon& polygon : outside) rest.push_back({std::move(polygon), p.origins});
+      }
+      p.origins.push_back(facet.origin);
+      named.push_back({std::move(common), std::move(p.origins)});
     }
     return rest;
   }
@@ -287,6 +337,35 @@ class PlaneLabeller {
 
 }  // namespace
 
+namespace {
+
+// The origin of an area that lies on several faces of solids.
+FaceOrigin shared_origin(const std::vector<FaceOrigin>& origins, const std::vector<Index>& faces) {
+  FaceOrigin shared = origins[faces.front()];
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    const FaceOrigin& other = origins[faces[i]];
+    shared.name += ", " + other.name;
+    shared.also.push_back({other.solid, other.solid_face});
+    shared.continues = shared.continues || other.continues;
+  }
+  return shared;
+}
+
+// Numbers the areas on several faces as origins of their own, plane by plane.
+void add_shared_origins(std::vector<PlaneResult>& results, std::vector<FaceOrigin>& origins) {
+  std::map<std::vector<Index>, Index> number;
+  for (PlaneResult& r : results) {
+    for (const auto& faces : r.shared_faces) {
+      const auto [at, fresh] = number.try_emplace(faces, static_cast<Index>(origins.size()));
+      if (fresh) origins.push_back(shared_origin(origins, faces));
+    }
+    for (FreePart& part : r.free_parts)
+      if (part.origin < none) part.origin = number.at(r.shared_faces[none - 1 - part.origin]);
+  }
+}
+
+}  // namespace
+
 Index interface_between(const Complex& complex, const Zone& one, const Zone& two) {
   if (one.solid == two.solid) return none;
   // The later solid made the boundary.
@@ -297,9 +376,13 @@ Index interface_between(const Complex& complex, const Zone& one, const Zone& two
 
 std::vector<Fragment> find_adjacency(Complex& complex, Index rock_count) {
   std::vector<PlaneResult> results(complex.planes.size());
-  for_each_plane(complex.planes, complex.cells, [&](Index plane, PlaneAreas& areas) {
+  // Rock ends on faces of shapes alone.
+  const auto may_be_open = [&](Index plane) { return !complex.facets_by_plane.on(plane).empty(); };
+  for_each_plane(complex.planes, complex.cells, may_be_open, [&](Index plane, PlaneAreas& areas) {
     results[plane] = PlaneLabeller(complex, plane, rock_count).run(areas);
   });
+
+  add_shared_origins(results, complex.origins);
 
   // Joined in the order of planes, on all threads.
   std::vector<std::array<std::size_t, 4>> begin(results.size() + 1);

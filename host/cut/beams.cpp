@@ -44,45 +44,84 @@ struct Crossed {
   }
 };
 
-// What of a convex polygon lies on the side of a point that `inward` points to.
-std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& point, const Vec3& inward) {
-  std::vector<Vec3> inside;
+// The line of a polygon's edge, seen along an axis.
+struct EdgeLine {
+  Vec3 point;
+  Vec3 inward;  // unit
+};
+
+// The edges' lines of a convex polygon, corners in a row, seen along `axis`. An edge between two positions of one point has no
+// direction: its line might lie across the polygon.
+std::vector<EdgeLine> edge_lines(const std::vector<Vec3>& polygon, const Vec3& axis,
+                                 Real rounding) {
+  Vec3 middle{};
+  for (const Vec3& x : polygon) middle += (1.0 / static_cast<Real>(polygon.size())) * x;
+  std::vector<EdgeLine> lines;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec3 across = cross(axis, polygon[(k + 1) % polygon.size()] - polygon[k]);
+    const Real length = norm(across);
+    if (length <= rounding) continue;
+    const Real sense = dot(across, middle - polygon[k]) < 0 ? -1 : 1;
+    lines.push_back({polygon[k], (sense / length) * across});
+  }
+  return lines;
+}
+
+struct Halves {
+  std::vector<Vec3> inside, outside;
+};
+
+// The parts of a convex polygon on the two sides of a line. Corners on the line, to rounding, do not divide it: a strip without
+// area would else be on both sides of each line along it, and double each time.
+Halves split(const std::vector<Vec3>& polygon, const EdgeLine& line, Real rounding) {
+  const auto height = [&](const Vec3& x) { return dot(line.inward, x - line.point); };
+  bool any_inside = false, any_outside = false;
+  for (const Vec3& x : polygon) {
+    any_inside = any_inside || height(x) > rounding;
+    any_outside = any_outside || height(x) < -rounding;
+  }
+  if (!any_inside) return {{}, polygon};
+  if (!any_outside) return {polygon, {}};
+  Halves halves;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-    const Real dp = dot(inward, p - point), dq = dot(inward, q - point);
-    if (dp >= 0) inside.push_back(p);
-    if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0)) inside.push_back(p + (dp / (dp - dq)) * (q - p));
+    const Real dp = height(p), dq = height(q);
+    if (dp >= 0) halves.inside.push_back(p);
+    if (dp <= 0) halves.outside.push_back(p);
+    if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0)) {
+      const Vec3 on_line = p + (dp / (dp - dq)) * (q - p);
+      halves.inside.push_back(on_line);
+      halves.outside.push_back(on_line);
+    }
   }
-  return inside;
+  return halves;
 }
 
 // The part of a convex polygon inside the prism over another one, along `axis`. Corners of both in a row.
 std::vector<Vec3> clipped_to_prism(std::vector<Vec3> polygon, const std::vector<Vec3>& base,
-                                   const Vec3& axis) {
-  Vec3 middle{};
-  for (const Vec3& x : base) middle += (1.0 / static_cast<Real>(base.size())) * x;
-  for (std::size_t k = 0; k < base.size() && polygon.size() >= 3; ++k) {
-    const Vec3 inward = cross(axis, base[(k + 1) % base.size()] - base[k]);
-    polygon = clipped(polygon, base[k], dot(inward, middle - base[k]) < 0 ? -inward : inward);
-  }
+                                   const Vec3& axis, Real rounding) {
+  for (const EdgeLine& line : edge_lines(base, axis, rounding))
+    polygon = split(polygon, line, rounding).inside;
   return polygon;
 }
 
-// What of convex polygons lies outside a convex one; all in one plane, corners in a row.
+// What of convex polygons lies outside a convex one; all in one plane, corners in a row. A polygon that shares no area with it
+// stays whole; else its edges divide it.
 void subtract(std::vector<std::vector<Vec3>>& polygons, const std::vector<Vec3>& other,
-              const Vec3& normal) {
+              const Vec3& normal, Real rounding) {
+  const std::vector<EdgeLine> lines = edge_lines(other, normal, rounding);
   std::vector<std::vector<Vec3>> rest;
-  Vec3 middle{};
-  for (const Vec3& x : other) middle += (1.0 / static_cast<Real>(other.size())) * x;
   for (std::vector<Vec3>& polygon : polygons) {
-    for (std::size_t k = 0; k < other.size() && polygon.size() >= 3; ++k) {
-      const Vec3 &a = other[k], &b = other[(k + 1) % other.size()];
-      Vec3 outward = cross(b - a, normal);
-      if (dot(outward, middle - a) > 0) outward = -outward;
-      rest.push_back(clipped(polygon, a, outward));
-      if (rest.back().size() < 3) rest.pop_back();
-      polygon = clipped(polygon, a, -outward);
+    const std::size_t before = rest.size();
+    std::vector<Vec3> common = polygon;
+    for (const EdgeLine& line : lines) {
+      Halves halves = split(common, line, rounding);
+      if (!halves.outside.empty()) rest.push_back(std::move(halves.outside));
+      common = std::move(halves.inside);
     }
+    if (!common.empty()) continue;
+    rest.resize(before);
+    rest.push_back(std::move(polygon));
   }
   polygons = std::move(rest);
 }
@@ -90,7 +129,10 @@ void subtract(std::vector<std::vector<Vec3>>& polygons, const std::vector<Vec3>&
 class BeamFinder {
  public:
   BeamFinder(const Complex& complex, Index rock_count, const std::vector<Fragment>& gaps)
-      : complex_(complex), rock_count_(rock_count), gaps_(gaps) {
+      : complex_(complex),
+        rock_count_(rock_count),
+        gaps_(gaps),
+        rounding_(complex.planes.position_tolerance()) {
     number_slivers();
     find_openings();
     measure_openings();
@@ -182,7 +224,9 @@ class BeamFinder {
         const Vec3 out = outward(complex_.cells[slivers_[s]].faces[o.face]);
         o.up = dot(out, axis_[s]);
         std::vector<Vec3> corner = corners(o);
-        if (!is_narrow(corner, out)) o.corner = std::move(corner);
+        // Seen edge-on nothing is before it.
+        if (!is_narrow(corner, out) && width_in_plane(corner, axis_[s]) > rounding_)
+          o.corner = std::move(corner);
       }
     });
   }
@@ -233,8 +277,8 @@ class BeamFinder {
 
   // What no beam leaves through is narrow: it goes with the widest beam, so that an area has no holes. Beams that all end alike
   // are one.
-  static void add_strips(const std::vector<Vec3>& polygon, const Vec3& normal,
-                         std::vector<Beam>& beams) {
+  void add_strips(const std::vector<Vec3>& polygon, const Vec3& normal,
+                  std::vector<Beam>& beams) const {
     if (beams.empty()) return;
     Beam widest = *std::max_element(beams.begin(), beams.end(),
                                     [](const Beam& a, const Beam& b) { return a.area < b.area; });
@@ -247,7 +291,7 @@ class BeamFinder {
         widest.slivers.insert(widest.slivers.end(), b.slivers.begin(), b.slivers.end());
       beams.clear();
     } else if (beams.size() <= most_parts) {
-      for (const Beam& b : beams) subtract(rest, b.polygon, normal);
+      for (const Beam& b : beams) subtract(rest, b.polygon, normal, rounding_);
     } else {
       return;
     }
@@ -282,9 +326,9 @@ class BeamFinder {
     std::vector<std::vector<Vec3>> rest{polygon};
     for (const Opening& o : openings_[s]) {
       if (o.up * sense >= 0 || o.corner.empty()) continue;
-      std::vector<Vec3> part = clipped_to_prism(polygon, o.corner, axis_[s]);
+      std::vector<Vec3> part = clipped_to_prism(polygon, o.corner, axis_[s], rounding_);
       if (is_narrow(part, path.normal)) continue;
-      if (!is_rock(sliver)) subtract(rest, part, path.normal);
+      if (!is_rock(sliver)) subtract(rest, part, path.normal, rounding_);
       leave(path, std::move(part), sliver, o, crossed);
     }
     // Nothing is behind the rest of a void.
@@ -339,6 +383,7 @@ class BeamFinder {
   const Complex& complex_;
   const Index rock_count_;
   const std::vector<Fragment>& gaps_;
+  const Real rounding_;         // m: of positions of one point
   std::vector<Index> number_;   // [cells] among the slivers, or none
   std::vector<Index> slivers_;  // cells
   std::vector<Vec3> axis_;      // [slivers] unit, across the least width

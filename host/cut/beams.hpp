@@ -1,4 +1,4 @@
-// What faces of wide cells meet through slivers (DESIGN.md, rule 5). A sliver neither joins nor parts what lies sideways of it:
+// What faces of wide cells meet through slivers (decision 5, rule 5). A sliver neither joins nor parts what lies sideways of it:
 // an area looks straight through it, along the sliver's normal, at what is on the other side.
 #pragma once
 

@@ -126,9 +126,11 @@ struct Complex {
   explicit Complex(PlaneTable table) : planes(std::move(table)) {}
 
   PlaneTable planes;
-  std::vector<FaceOrigin> origins;  ///< joints, faces of solids, of excavations, then interfaces
-  std::vector<Body> bodies;   ///< of the solids in their order, of excavations, of merge regions
-  std::vector<Facet> facets;  ///< of all bodies
+  /// Joints, faces of solids, of excavations, interfaces, then what lies on faces of several solids.
+  std::vector<FaceOrigin> origins;
+  std::vector<bool> adds_solid;  ///< [solids] block operation '+', else '−'
+  std::vector<Body> bodies;      ///< of the solids in their order, of excavations, of merge regions
+  std::vector<Facet> facets;     ///< of all bodies
   std::vector<JointPatch> joints;         ///< by plane in the order of precedence
   std::vector<Index> interface_of_solid;  ///< [solids] into origins; none = welded
   ByPlane facets_by_plane, joints_by_plane;

@@ -1,4 +1,4 @@
-// Which cells are one body: over glue wider than the tolerance, and through slivers (DESIGN.md, rules 5 and 6).
+// Which cells are one body: over glue wider than the tolerance, and through slivers (decision 5, rules 5 and 6).
 #pragma once
 
 #include <vector>

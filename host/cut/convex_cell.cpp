@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/cut/polygon.hpp"
 #include "host/exact/plane_exact.hpp"
 #include "src/base/vector.hpp"
 
@@ -28,6 +29,7 @@ BoundingBall bounding_ball(const CellView& cell) {
 
 CellSide CellSplitter::classify(const CellView& cell, Index plane) {
   side_.resize(cell.vertices.size());
+  has_cut_vertices_ = false;
   bool below = false, above = false;
   for (std::size_t v = 0; v < cell.vertices.size(); ++v) {
     side_[v] = static_cast<std::int8_t>(planes_.side(cell.vertices[v], plane));
@@ -44,8 +46,51 @@ void CellSplitter::split(const CellView& cell, Index plane, ConvexCell* below, C
   if (above) write_part(cell, half_space(plane, true), *above);
 }
 
+// The cap's loop runs against the faces' sense: from the end of a face's cut edge to its start.
+template <class Visit>
+void CellSplitter::for_each_in_cap(const Visit& visit) const {
+  const std::int32_t first = cap_edges_.front().to;
+  std::int32_t at = first;
+  do {
+    const auto edge = std::find_if(cap_edges_.begin(), cap_edges_.end(),
+                                   [at](const CapEdge& e) { return e.to == at; });
+    visit(*edge);
+    at = edge->from;
+  } while (at != first);
+}
+
+// The cap of the part below, of which only the edges in the plane are looked for: what write_face() finds of them.
+void CellSplitter::section(const CellView& cell, Index plane, Polygon& section) {
+  make_cut_vertices(cell, plane);
+  cap_edges_.clear();
+  for (const auto& face : cell.faces) {
+    std::int32_t leaves = -1, enters = -1;
+    bool any_below = false;
+    for (std::int32_t k = 0; k < face.count; ++k) {
+      const std::int32_t u = cell.corners[face.begin + k].vertex;
+      const std::int32_t v = cell.corners[face.begin + (k + 1 == face.count ? 0 : k + 1)].vertex;
+      any_below = any_below || side_[u] < 0;
+      if (side_[u] < 0 && side_[v] > 0) leaves = find_cut_vertex(u, v);
+      if (side_[u] > 0 && side_[v] < 0) enters = find_cut_vertex(u, v);
+      if (side_[u] == 0) (side_[v] >= 0 ? leaves : enters) = u;
+    }
+    if (any_below && leaves >= 0) cap_edges_.push_back({leaves, enters, face.inside});
+  }
+  section.plane = plane;
+  section.corner.clear();
+  section.edge.clear();
+  const auto own = static_cast<std::int32_t>(cell.vertices.size());
+  for_each_in_cap([&](const CapEdge& e) {
+    section.corner.push_back(e.to < own ? cell.vertices[e.to] : cut_vertices_[e.to - own]);
+    section.corner.back().note(plane);
+    section.edge.push_back(e.face);
+  });
+}
+
 // Each crossed edge is met twice, once from each of its faces; the first meeting makes the vertex.
 void CellSplitter::make_cut_vertices(const CellView& cell, Index plane) {
+  if (has_cut_vertices_) return;
+  has_cut_vertices_ = true;
   cut_edges_.clear();
   cut_vertices_.clear();
   for (const auto& face : cell.faces)
@@ -132,15 +177,7 @@ void CellSplitter::write_face(const CellView& cell, const ConvexCell::Face& face
 
 void CellSplitter::write_cap(HalfSpaceId inside, ConvexCell& part) {
   const auto begin = static_cast<std::int32_t>(part.corners.size());
-  // The cap runs against the faces' sense: from the end of a face's cut edge to its start.
-  const std::int32_t first = cap_edges_.front().to;
-  std::int32_t at = first;
-  do {
-    const auto edge = std::find_if(cap_edges_.begin(), cap_edges_.end(),
-                                   [at](const CapEdge& e) { return e.to == at; });
-    part.corners.push_back({at, edge->face});
-    at = edge->from;
-  } while (at != first);
+  for_each_in_cap([&](const CapEdge& e) { part.corners.push_back({e.to, e.face}); });
   part.faces.push_back({inside, begin, static_cast<std::int32_t>(part.corners.size()) - begin});
 }
 

@@ -56,6 +56,8 @@ BoundingBall bounding_ball(const CellView& cell);
 /// Where a cell lies with respect to a plane.
 enum class CellSide : std::int8_t { below = -1, split = 0, above = 1 };
 
+struct Polygon;  // polygon.hpp
+
 /// Splits cells; keeps its workspace between calls so that nothing allocates once it has grown.
 class CellSplitter {
  public:
@@ -63,6 +65,9 @@ class CellSplitter {
 
   /// Finds the side of each vertex; `split` if some lie strictly above and some strictly below.
   CellSide classify(const CellView& cell, Index plane);
+
+  /// After classify() returned `split`: the polygon in which the plane cuts the cell. O(corners).
+  void section(const CellView& cell, Index plane, Polygon& section);
 
   /// After classify() returned `split`: writes the two parts. Either pointer may be null. O(corners).
   void split(const CellView& cell, Index plane, ConvexCell* below, ConvexCell* above);
@@ -77,17 +82,21 @@ class CellSplitter {
   void write_part(const CellView& cell, HalfSpaceId inside, ConvexCell& part);
   void write_face(const CellView& cell, const ConvexCell::Face& face, HalfSpaceId inside,
                   ConvexCell& part);
+  template <class Visit>
+  void for_each_in_cap(const Visit& visit) const;
   void write_cap(HalfSpaceId inside, ConvexCell& part);
   std::int32_t part_vertex(const CellView& cell, std::int32_t vertex, HalfSpaceId inside,
                            ConvexCell& part);
 
   const PlaneTable& planes_;
   std::vector<std::int8_t> side_;  // of each vertex
+  bool has_cut_vertices_ = false;  // since the last classify()
   std::vector<CutEdge> cut_edges_;
   std::vector<Vertex> cut_vertices_;
   std::vector<std::int32_t> renumbered_;  // vertex → vertex of the part being written
   struct CapEdge {
-    std::int32_t from, to;  // vertices of the part, in the face's sense
+    std::int32_t from,
+        to;  // in the face's sense; vertices of the part, or of the cell and the new ones
     HalfSpaceId face;
   };
   std::vector<CapEdge> cap_edges_;

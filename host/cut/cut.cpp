@@ -13,6 +13,7 @@
 #include "host/cut/blocks.hpp"
 #include "host/cut/connectivity.hpp"
 #include "host/cut/intent_report.hpp"
+#include "host/cut/near_boxes.hpp"
 #include "host/cut/subdivide.hpp"
 #include "host/cut/surfaces.hpp"
 #include "host/cut/width.hpp"
@@ -268,20 +269,33 @@ CutTotals totals_of(const Complex& complex, const Rock& rock) {
 UncutRock check_cutting(const Model& model, const std::vector<Vec3>& points) {
   const Uncut uncut = shape_rock(model);
   const Rock& rock = uncut.rock;
+  const PlaneTable& planes = uncut.complex->planes;
   UncutRock found;
-  found.of_point.assign(points.size(), UncutRock::At::outside);
   Sum volume;
+  std::vector<Box> of_cell(rock.of_rock.size()), of_point(points.size());
+  std::vector<UncutRock::At> at(rock.of_rock.size());
   for (std::size_t i = 0; i < rock.of_rock.size(); ++i) {
     const Index cell = rock.of_rock[i];
+    for (const Vertex& v : rock.cells[cell].vertices) of_cell[i].add(v.x);
     const bool stays = uncut.complex->zones[rock.zone[cell]].stage == 0;
+    at[i] = stays ? UncutRock::At::stays : UncutRock::At::excavated;
     if (stays) volume += rock.measures[i].moments.volume;
-    const auto at = stays ? UncutRock::At::stays : UncutRock::At::excavated;
-    for (std::size_t p = 0; p < points.size(); ++p)
-      if (found.of_point[p] < at && holds(rock.cells[cell], points[p], uncut.complex->planes))
-        found.of_point[p] = at;
   }
   found.volume = volume.value();
+  for (std::size_t p = 0; p < points.size(); ++p) of_point[p].add(points[p] - planes.centre());
+  const auto near = near_boxes(of_point, of_cell, planes.width_tolerance());
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    UncutRock::At& most = found.of_point.emplace_back(UncutRock::At::outside);
+    for (const Index i : near[p])
+      if (most < at[i] && holds(rock.cells[rock.of_rock[i]], points[p], planes)) most = at[i];
+  }
   return found;
+}
+
+StageKeys keys_of_cutting() {
+  return {"blocks",
+          {"title", "gravity", "material.name", "material.density", "joint_material.name", "solid",
+           "joint_set", "joint", "joint_mesh", "joint_table", "merge", "excavation", "cut"}};
 }
 
 Cutting cut_blocks(const Model& model, Progress& progress) {

@@ -1,5 +1,5 @@
 // Exact block cutting: a model's solids and joints become a complex of convex cells, and its cells blocks.
-// DESIGN.md "Cutting"; the geometry itself is host/cut/complex.hpp.
+// The geometry itself is host/cut/complex.hpp.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "src/base/progress.hpp"
+#include "src/base/stage_keys.hpp"
 #include "src/base/types.hpp"
 #include "src/model/model.hpp"
 
@@ -53,6 +54,8 @@ struct UncutRock {
   std::vector<At>
       of_point;  ///< [points] where each lies; on a boundary to 1e-9 of the model's size: in what stays
 };
+
+StageKeys keys_of_cutting();
 
 /// Throws what cut_blocks would throw before joints cut the rock: of shapes, the placing of joints, merges, estimated cells.
 UncutRock check_cutting(const Model& model, const std::vector<Vec3>& points);

@@ -6,13 +6,14 @@
 #include "host/cut/near_boxes.hpp"
 #include "host/cut/polygon.hpp"
 #include "host/exact/plane_exact.hpp"
+#include "host/parallel.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
 
 namespace {
 
-constexpr Real guard_sine = 1e-3;  // DESIGN.md, rule 3
+constexpr Real guard_sine = 1e-3;  // decision 5, rule 3
 
 struct Edge {
   Index polygon, side;
@@ -31,6 +32,14 @@ Box box_of(const Edge& e) {
 
 Real distance(const PlaneTable& planes, const Vec3& x, Index plane) {
   return dot(planes.normal(plane), x - planes.centre()) - planes.offset(plane);
+}
+
+// Exactly through both ends, perpendicular to another plane.
+NewPlane plane_of_edge(const PlaneTable& planes, const Vec3& a, const Vec3& b,
+                       Index perpendicular_to) {
+  IntegerPlane plane = plane_through_edge(a, b, planes.normal(perpendicular_to), planes.centre());
+  const UnitPlane unit = rounded(plane);
+  return {std::move(plane), unit};
 }
 
 const Vec3& farthest_from(const PlaneTable& planes, Index plane, const std::vector<Vec3>& corners) {
@@ -54,11 +63,11 @@ class EdgeFinder {
 
   void take_given_planes(const std::vector<GivenFace>& given) {
     std::vector<Box> boxes, faces;
-    std::vector<Index> plane;
+    std::vector<Index> plane, everywhere;
     for (const Edge& e : edges_) boxes.push_back(box_of(e));
     for (const GivenFace& face : given) {
       if (face.box.low[0] == -Box::infinity) {
-        for (Edge& e : edges_) offer(e, face.plane);
+        everywhere.push_back(face.plane);
       } else {
         faces.push_back(face.box);
         plane.push_back(face.plane);
@@ -70,8 +79,10 @@ class EdgeFinder {
       plane.push_back(polygon.plane);
     }
     const auto near = near_boxes(boxes, faces, planes_.identity_tolerance());
-    for (std::size_t i = 0; i < edges_.size(); ++i)
+    parallel_for(static_cast<std::int64_t>(edges_.size()), 64, [&](std::int64_t i) {
+      for (const Index p : everywhere) offer(edges_[i], p);
       for (const Index p : near[i]) offer(edges_[i], plane[p]);
+    });
   }
 
   // Long edges first, since they define a plane best.
@@ -84,6 +95,12 @@ class EdgeFinder {
     std::vector<Box> boxes;
     for (const Index i : open) boxes.push_back(box_of(edges_[i]));
     const auto longer = earlier_near_boxes(boxes, 2 * planes_.identity_tolerance());
+    // Few of them will take another one's plane.
+    std::vector<NewPlane> own(open.size());
+    parallel_for(static_cast<std::int64_t>(open.size()), 64, [&](std::int64_t r) {
+      const Edge& e = edges_[open[r]];
+      own[r] = plane_of_edge(planes_, e.a, e.b, polygons_[e.polygon].plane);
+    });
     for (std::size_t r = 0; r < open.size(); ++r) {
       Edge& e = edges_[open[r]];
       for (const Index other : longer[r]) {
@@ -91,7 +108,7 @@ class EdgeFinder {
         if (e.plane != none) break;
       }
       if (e.plane != none) continue;
-      e.plane = plane_across(planes_, e.a, e.b, polygons_[e.polygon].plane);
+      e.plane = plane_of(planes_.find_or_add(std::move(own[r])));
       e.exactly = true;
     }
   }
@@ -153,7 +170,7 @@ class EdgeFinder {
 }  // namespace
 
 Index plane_across(PlaneTable& planes, const Vec3& a, const Vec3& b, Index perpendicular_to) {
-  return plane_of(planes.find_or_add(plane_through_edge(a, b, planes.normal(perpendicular_to))));
+  return plane_of(planes.find_or_add(plane_of_edge(planes, a, b, perpendicular_to)));
 }
 
 HalfSpaceId side_of_corners(const PlaneTable& planes, Index edge_plane,

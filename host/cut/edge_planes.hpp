@@ -1,4 +1,4 @@
-// The planes of the edges of finite joints (DESIGN.md, "Exact inside, intent outside", rule 3).
+// The planes of the edges of finite joints (decision 5, rule 3).
 #pragma once
 
 #include <vector>

@@ -101,7 +101,7 @@ class JointPlanes {
   }
 
  private:
-  // A triangle's plane passes exactly through its corners (DESIGN.md, rule 1).
+  // A triangle's plane passes exactly through its corners (decision 5, rule 1).
   static ExactPlane own_plane(const OrderedJoint& joint) {
     if (joint.corner.size() != 3) return joint.plane;
     ExactPlane plane = plane_through_points(exact(joint.corner[0]), exact(joint.corner[1]),

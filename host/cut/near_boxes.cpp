@@ -2,53 +2,54 @@
 
 #include <algorithm>
 
-#include <CGAL/Box_intersection_d/Box_with_info_d.h>
-#include <CGAL/box_intersection_d.h>
+#include "host/box_tree.hpp"
+#include "host/parallel.hpp"
+#include "src/base/vector.hpp"
 
 namespace rockfold {
 
 namespace {
 
-using TreeBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, Index>;
-
-std::vector<TreeBox> tree_boxes(const std::vector<Box>& boxes, Real slack) {
-  std::vector<TreeBox> result;
-  result.reserve(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Vec3 &low = boxes[i].low, &high = boxes[i].high;
-    result.emplace_back(CGAL::Bbox_3(low[0] - slack, low[1] - slack, low[2] - slack,
-                                     high[0] + slack, high[1] + slack, high[2] + slack),
-                        static_cast<Index>(i));
-  }
-  return result;
+Bounds grown(const Box& box, Real by) {
+  const Vec3 all{by, by, by};
+  return {box.low - all, box.high + all};
 }
 
-void sort_each(std::vector<std::vector<Index>>& lists) {
-  for (auto& list : lists) std::sort(list.begin(), list.end());
+BoxTree tree_of(const std::vector<Box>& boxes) {
+  std::vector<Bounds> bounds;
+  bounds.reserve(boxes.size());
+  for (const Box& box : boxes) bounds.push_back({box.low, box.high});
+  return BoxTree(std::move(bounds));
+}
+
+// So few boxes are no work for two threads.
+constexpr std::size_t worth_threads = 1000;
+
+// `own`: of the boxes of `among` themselves, where only those before each count.
+std::vector<std::vector<Index>> near_each(const std::vector<Box>& of, const std::vector<Box>& among,
+                                          Real slack, bool own) {
+  const BoxTree tree = tree_of(among);
+  std::vector<std::vector<Index>> near(of.size());
+  const auto find = [&](std::int64_t i) {
+    thread_local std::vector<Index> found;
+    tree.near(grown(of[i], slack), found);
+    const auto end =
+        own ? std::lower_bound(found.begin(), found.end(), static_cast<Index>(i)) : found.end();
+    near[i].assign(found.begin(), end);
+  };
+  parallel_for(static_cast<std::int64_t>(of.size()), 64, find, of.size() > worth_threads);
+  return near;
 }
 
 }  // namespace
 
 std::vector<std::vector<Index>> earlier_near_boxes(const std::vector<Box>& boxes, Real slack) {
-  std::vector<std::vector<Index>> earlier(boxes.size());
-  auto tree = tree_boxes(boxes, slack / 2);
-  CGAL::box_self_intersection_d(tree.begin(), tree.end(), [&](const TreeBox& x, const TreeBox& y) {
-    const Index a = x.info(), b = y.info();
-    earlier[std::max(a, b)].push_back(std::min(a, b));
-  });
-  sort_each(earlier);
-  return earlier;
+  return near_each(boxes, boxes, slack, true);
 }
 
 std::vector<std::vector<Index>> near_boxes(const std::vector<Box>& of,
                                            const std::vector<Box>& among, Real slack) {
-  std::vector<std::vector<Index>> near(of.size());
-  auto first = tree_boxes(of, slack), second = tree_boxes(among, 0);
-  CGAL::box_intersection_d(
-      first.begin(), first.end(), second.begin(), second.end(),
-      [&](const TreeBox& x, const TreeBox& y) { near[x.info()].push_back(y.info()); });
-  sort_each(near);
-  return near;
+  return near_each(of, among, slack, false);
 }
 
 }  // namespace rockfold

@@ -8,7 +8,7 @@
 namespace rockfold {
 
 /// For each box those before it in the list that are nearer than `slack` on every axis, ascending.
-/// O(n log³ n) and what is found.
+/// O(n log n) and what is found.
 std::vector<std::vector<Index>> earlier_near_boxes(const std::vector<Box>& boxes, Real slack);
 
 /// For each box of `of` the boxes of `among` that are nearer than `slack` on every axis, ascending.

@@ -38,6 +38,10 @@ struct Patch {
   std::vector<HalfSpaceId> edges;
   Box box = Box::everything();      ///< m, about the table's centre
   Box corners = Box::everything();  ///< m, of the corners as given, to the last digit
+  /// Circles in the plane about one point, to rounding: the patch holds the inner one and lies in the outer one. Where they decide,
+  /// edges need not be asked.
+  Vec3 middle{};  ///< m, about the table's centre
+  Real inner = 0, outer = Box::infinity;
 
   bool bounded() const { return !edges.empty(); }
 };

@@ -41,8 +41,12 @@ std::uint64_t edge_set_hash(const CellView& cell, const ConvexCell::Face& face) 
 // Matches the faces of the cells below a plane with those of the cells above it.
 class PlaneMatcher {
  public:
-  PlaneMatcher(const PlaneTable& planes, const CellStore& cells, Index plane)
-      : planes_(planes), cells_(cells), plane_(plane), clipper_(planes) {}
+  PlaneMatcher(const PlaneTable& planes, const CellStore& cells, Index plane, bool may_be_open)
+      : planes_(planes),
+        cells_(cells),
+        plane_(plane),
+        may_be_open_(may_be_open),
+        clipper_(planes) {}
 
   PlaneAreas run(std::vector<PlaneFace>& below, std::vector<PlaneFace>& above) {
     const auto order = [](const PlaneFace& a, const PlaneFace& b) {
@@ -138,6 +142,7 @@ class PlaneMatcher {
       for (const std::size_t i : active)
         if (boxes_meet(b, loose_above_[i], slack)) overlap(b, loose_above_[i]);
     }
+    if (!may_be_open_) return;
     for (Loose& b : loose_below_) finish(b);
     for (Loose& a : loose_above_) finish(a);
   }
@@ -145,20 +150,20 @@ class PlaneMatcher {
   void overlap(Loose& below, Loose& above) {
     Polygon common = clipper_.intersection(below.polygon, above.polygon.edge);
     if (common.empty()) return;
-    for (Loose* side : {&below, &above}) {
-      if (!side->touched) side->rest = {side->polygon};
-      side->touched = true;
-      std::vector<Polygon> rest;
-      for (const Polygon& p : side->rest) {
-        if (clipper_.intersection(p, common.edge).empty())
-          rest.push_back(p);
-        else
-          clipper_.subtract(p, common.edge, rest);
-      }
-      side->rest = std::move(rest);
+    if (may_be_open_) {
+      cover(below, common);
+      cover(above, common);
     }
     result_.shared.push_back(
         {{below.ref.cell, above.ref.cell}, {below.ref.face, above.ref.face}, std::move(common)});
+  }
+
+  void cover(Loose& loose, const Polygon& common) {
+    if (!loose.touched) loose.rest.push_back(loose.polygon);
+    loose.touched = true;
+    std::vector<Polygon> rest;
+    for (const Polygon& p : loose.rest) clipper_.subtract(p, common.edge, rest);
+    loose.rest = std::move(rest);
   }
 
   void finish(Loose& loose) {
@@ -170,6 +175,7 @@ class PlaneMatcher {
   const PlaneTable& planes_;
   const CellStore& cells_;
   const Index plane_;
+  const bool may_be_open_;
   PolygonClipper clipper_;
   PlaneAreas result_;
   std::vector<Loose> loose_below_, loose_above_;
@@ -214,6 +220,7 @@ FacesByPlane sort_by_plane(const PlaneTable& planes, const CellStore& cells) {
 }  // namespace
 
 void for_each_plane(const PlaneTable& planes, const CellStore& cells,
+                    const std::function<bool(Index)>& may_be_open,
                     const std::function<void(Index, PlaneAreas&)>& use) {
   const FacesByPlane by_plane = sort_by_plane(planes, cells);
   const auto match = [&](std::int64_t plane) {
@@ -224,7 +231,7 @@ void for_each_plane(const PlaneTable& planes, const CellStore& cells,
       (is_above(cells[f.ref.cell].faces[f.ref.face].inside) ? above : below).push_back(f);
     }
     const auto p = static_cast<Index>(plane);
-    PlaneAreas areas = PlaneMatcher(planes, cells, p).run(below, above);
+    PlaneAreas areas = PlaneMatcher(planes, cells, p, may_be_open(p)).run(below, above);
     use(p, areas);
   };
   parallel_for(planes.size(), 1, match, by_plane.faces.size() > 2000);

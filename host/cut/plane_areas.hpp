@@ -1,5 +1,5 @@
 // Where cells touch: the faces on the two sides of a plane tile the same region, and their overlaps are the areas that
-// cells share (DESIGN.md, "Adjacency afterwards, plane by plane").
+// cells share.
 #pragma once
 
 #include <functional>
@@ -27,8 +27,10 @@ struct PlaneAreas {
 };
 
 /// Calls use(plane, areas) once for each plane that carries a face, on all threads, in any order. Faces bounded by the
-/// same half-spaces match by hash in O(faces); the rest by sweep and clip.
+/// same half-spaces match by hash in O(faces); the rest by sweep and clip. Open areas are looked for on planes for which
+/// may_be_open(plane): on others the two sides cover each other, and half of the clipping is saved.
 void for_each_plane(const PlaneTable& planes, const CellStore& cells,
+                    const std::function<bool(Index)>& may_be_open,
                     const std::function<void(Index, PlaneAreas&)>& use);
 
 }  // namespace rockfold

@@ -158,21 +158,24 @@ Polygon PolygonClipper::intersection(const Polygon& a, std::span<const HalfSpace
 
 void PolygonClipper::subtract(const Polygon& a, std::span<const HalfSpaceId> inside,
                               std::vector<Polygon>& rest) {
+  const std::size_t before = rest.size();
   Polygon kept, part;
   const Polygon* now = &a;
   for (const HalfSpaceId h : inside) {
     const Extent extent = classify(*now, h);
-    if (!extent.outside && extent.inside) continue;
-    if (!extent.inside) {
-      if (extent.outside) rest.push_back(*now);
+    if (extent.inside && !extent.outside) continue;
+    if (extent.inside) {
+      write_part(*now, h ^ 1, part);
+      if (!part.empty()) rest.push_back(part);
+      write_part(*now, h, part);
+      std::swap(kept, part);
+      now = &kept;
+    }
+    if (!extent.inside || kept.empty()) {  // nothing is taken away: `a` stays whole
+      rest.resize(before);
+      rest.push_back(a);
       return;
     }
-    write_part(*now, h ^ 1, part);
-    if (!part.empty()) rest.push_back(part);
-    write_part(*now, h, part);
-    std::swap(kept, part);
-    now = &kept;
-    if (kept.empty()) return;
   }
 }
 

@@ -51,7 +51,7 @@ class PolygonClipper {
   /// The part of `a` inside all of the half-spaces; empty if they share no area.
   Polygon intersection(const Polygon& a, std::span<const HalfSpaceId> inside);
 
-  /// What is left of `a` without that part, as convex polygons appended to `rest`.
+  /// What is left of `a` without that part, as convex polygons appended to `rest`: `a` itself if they share no area.
   void subtract(const Polygon& a, std::span<const HalfSpaceId> inside, std::vector<Polygon>& rest);
 
  private:

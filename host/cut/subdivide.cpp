@@ -80,8 +80,8 @@ class Cutter {
       const Patch& patch = *job_.surfaces[list[i]].patch;
       if (!may_meet(extent, patch)) continue;
       if (splitter_.classify(cell, patch.plane) != CellSide::split) continue;
+      if (!section_meets(cell, job_.surfaces[list[i]])) continue;
       splitter_.split(cell, patch.plane, &below, &above);
-      if (!section_meets(below, job_.surfaces[list[i]])) continue;
       child_node[0] = child_node[1] = node;
       keep_near(cell, extent, list, i + 1, rest);
       return true;
@@ -159,7 +159,16 @@ class Cutter {
     const Vec3& n = planes_.normal(patch.plane);
     const Real distance = dot(n, extent.ball.centre) - planes_.offset(patch.plane);
     return std::abs(distance) <= extent.ball.radius + slack() &&
-           (!patch.bounded() || patch.box.meets(extent.box, slack()));
+           (!patch.bounded() ||
+            (patch.box.meets(extent.box, slack()) && circles_meet(extent.ball, distance, patch)));
+  }
+
+  // The ball's circle in the plane, so far from its centre, and the one around the patch.
+  bool circles_meet(const BoundingBall& ball, Real distance, const Patch& patch) const {
+    const Vec3 r = ball.centre - patch.middle;
+    const Real reach = ball.radius + slack(), from_axis2 = dot(r, r) - distance * distance;
+    const Real apart = std::sqrt(reach * reach - distance * distance) + patch.outer + slack();
+    return from_axis2 <= apart * apart;
   }
 
   // A ball tells little of a slab between parallel planes.
@@ -183,16 +192,57 @@ class Cutter {
     }
   }
 
-  // Whether the polygon's interior meets the section, which is the last face of the part below.
-  bool section_meets(const ConvexCell& below, const CuttingSurface& surface) {
+  // Whether the polygon's interior meets the section.
+  bool section_meets(const CellView& cell, const CuttingSurface& surface) {
     const Patch& patch = *surface.patch;
     if (!patch.bounded()) return true;
-    const Polygon common =
-        clipper_.intersection(face_polygon(below, below.faces.back()), patch.edges);
+    splitter_.section(cell, patch.plane, section_);
+    const Vec3 centre = middle_of(section_);
+    if (holds_widely(patch, centre)) return true;
+    if (lies_beyond_an_edge(patch, centre)) return false;
+    const Polygon common = clipper_.intersection(section_, patch.edges);
     if (common.empty() || surface.least_width == 0) return !common.empty();
     corners_.clear();
     for (const Vertex& v : common.corner) corners_.push_back(v.x);
     return width_in_plane(corners_, planes_.normal(patch.plane)) >= surface.least_width;
+  }
+
+  static Vec3 middle_of(const Polygon& polygon) {
+    Vec3 middle{};
+    for (const Vertex& v : polygon.corner) middle += v.x;
+    return (1 / static_cast<Real>(polygon.corner.size())) * middle;
+  }
+
+  // Whether a circle about the section's middle, some tolerances wide, lies inside both: then what they share is no narrower.
+  bool holds_widely(const Patch& patch, const Vec3& centre) const {
+    const Real enough = 2 * slack();
+    if (norm(centre - patch.middle) > patch.inner - enough) return false;
+    const Vec3& n = planes_.normal(patch.plane);
+    const std::size_t count = section_.corner.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      const Vec3& a = section_.corner[k].x;
+      const Vec3 along = section_.corner[k + 1 < count ? k + 1 : 0].x - a;
+      const Vec3 across = cross(n, along);
+      const Real inside = dot(across, centre - a);
+      if (!(inside > 0 && inside * inside > enough * enough * dot(along, along))) return false;
+    }
+    return true;
+  }
+
+  // Exactly, by the edge that the section's middle is farthest beyond.
+  bool lies_beyond_an_edge(const Patch& patch, const Vec3& centre) const {
+    HalfSpaceId farthest = none;
+    Real most = 0;
+    for (const HalfSpaceId h : patch.edges) {
+      const Real above = dot(planes_.normal(plane_of(h)), centre) - planes_.offset(plane_of(h));
+      const Real beyond = is_above(h) ? -above : above;
+      if (beyond > most) most = beyond, farthest = h;
+    }
+    if (farthest == none) return false;
+    const int inside = is_above(farthest) ? 1 : -1;
+    return std::none_of(section_.corner.begin(), section_.corner.end(), [&](const Vertex& v) {
+      return planes_.side(v, plane_of(farthest)) == inside;
+    });
   }
 
   void descend(std::size_t depth, const CellView& cell, Index node, const SurfaceList& list,
@@ -222,6 +272,7 @@ class Cutter {
   const PlaneTable& planes_;
   CellSplitter splitter_;
   PolygonClipper clipper_;
+  Polygon section_;
   std::vector<Vec3> corners_;
   std::vector<std::unique_ptr<Level>> levels_;
 };

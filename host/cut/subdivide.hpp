@@ -1,4 +1,4 @@
-// Depth-first subdivision of convex cells by convex polygons on planes (DESIGN.md, "Cutting").
+// Depth-first subdivision of convex cells by convex polygons on planes.
 #pragma once
 
 #include <functional>

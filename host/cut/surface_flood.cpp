@@ -91,7 +91,8 @@ std::vector<std::vector<Index>> surfaces_around_cells(const Complex& complex,
   std::vector<std::vector<Index>> around(cells.size());
   if (std::none_of(complex.bodies.begin(), complex.bodies.end(), is_surface)) return around;
   std::vector<std::vector<Link>> by_plane(complex.planes.size());
-  for_each_plane(complex.planes, cells, [&](Index plane, PlaneAreas& areas) {
+  const auto nowhere = [](Index) { return false; };  // open areas are the border of the start
+  for_each_plane(complex.planes, cells, nowhere, [&](Index plane, PlaneAreas& areas) {
     WallFinder finder(complex, plane);
     for (const SharedArea& shared : areas.shared)
       by_plane[plane].push_back({{shared.cell[0], shared.cell[1]}, finder.walls(cells, shared)});

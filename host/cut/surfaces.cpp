@@ -110,6 +110,7 @@ void add_origins(const Model& model, const PlacedJoints& joints, std::vector<Sha
       origins.back().continues = f < continues.size() && continues[f];
     }
   }
+  for (const Solid& solid : model.solids) complex.adds_solid.push_back(solid.add);
   complex.interface_of_solid.assign(model.solids.size(), none);
   for (std::size_t s = 0; s < model.solids.size(); ++s) {
     if (model.solids[s].interface == none) continue;
@@ -287,11 +288,29 @@ std::vector<GivenFace> given_faces(const Complex& complex, const JointPolygons& 
   return faces;
 }
 
+// Of a convex polygon. An edge's plane is no nearer to the middle than the edge.
+void find_circles(const std::vector<Vec3>& corner, const PlaneTable& planes, Patch& patch) {
+  patch.middle = {};
+  for (const Vec3& x : corner)
+    patch.middle += (1 / static_cast<Real>(corner.size())) * (x - planes.centre());
+  patch.outer = 0;
+  for (const Vec3& x : corner)
+    patch.outer = std::max(patch.outer, norm(x - planes.centre() - patch.middle));
+  patch.inner = patch.outer;
+  for (const HalfSpaceId h : patch.edges) {
+    const Real above = dot(planes.normal(plane_of(h)), patch.middle) - planes.offset(plane_of(h));
+    patch.inner = std::min(patch.inner, is_above(h) ? above : -above);
+  }
+}
+
 void add_joint_edges(const JointPolygons& joints, Complex& complex, GivenIntent& intent) {
   if (joints.polygons.empty()) return;
   EdgePlanes found = edge_planes(complex.planes, joints.polygons, given_faces(complex, joints));
-  for (std::size_t i = 0; i < joints.polygons.size(); ++i)
-    complex.joints[joints.patch[i]].patch.edges = std::move(found.edges[i]);
+  for (std::size_t i = 0; i < joints.polygons.size(); ++i) {
+    Patch& patch = complex.joints[joints.patch[i]].patch;
+    patch.edges = std::move(found.edges[i]);
+    find_circles(joints.polygons[i].corner, complex.planes, patch);
+  }
   intent.edges = found.identified;
 }
 

@@ -1,5 +1,5 @@
-// What cuts: the model's shapes and joints as exact planes with polygons, with the rules of intent applied (DESIGN.md,
-// "Exact inside, intent outside", rules 1 to 3).
+// What cuts: the model's shapes and joints as exact planes with polygons, with the rules of intent applied (docs/decisions/0005-exact-inside.md,
+// rules 1 to 3).
 #pragma once
 
 #include "host/cut/complex.hpp"

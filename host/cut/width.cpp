@@ -10,7 +10,7 @@ namespace rockfold {
 
 namespace {
 
-constexpr Real parallel_sine = 1e-8;  // DESIGN.md, rule 4
+constexpr Real parallel_sine = 1e-8;  // decision 5, rule 4
 
 // m: the largest distance of n corners from the plane of the edge from corner k on. Far ones first: from `enough` on none counts.
 template <class Corner>

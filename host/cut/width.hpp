@@ -1,4 +1,4 @@
-// How wide cells and shared areas are: what is narrower than the tolerance connects and divides nothing (DESIGN.md, rule 4).
+// How wide cells and shared areas are: what is narrower than the tolerance connects and divides nothing (decision 5, rule 4).
 #pragma once
 
 #include "host/cut/convex_cell.hpp"

@@ -1,4 +1,4 @@
-// Orientations in degrees as plane normals, exact where they can be (INTERFACE.md, "Degrees are exact …").
+// Orientations in degrees as plane normals, exact where they can be.
 #pragma once
 
 #include "src/base/types.hpp"

@@ -76,6 +76,11 @@ Integer dot(const IntegerVec3& a, const IntegerVec3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+void divide(IntegerVec3& a, const Integer& by) {
+  if (by > 1)
+    for (Integer& x : a) mpz_divexact(x.get_mpz_t(), x.get_mpz_t(), by.get_mpz_t());
+}
+
 IntegerVec3 cross(const IntegerVec3& a, const IntegerVec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -122,16 +127,6 @@ ExactPlane plane_through_points(const ExactVec3& a, const ExactVec3& b, const Ex
                      {c[0] - a[0], c[1] - a[1], c[2] - a[2]});
 }
 
-ExactPlane plane_through_edge(const Vec3& a, const Vec3& b, const Vec3& normal) {
-  const DecimalVec3 from = decimals(a), to = decimals(b), across = decimals(normal);
-  const int unit = std::min({least_exponent(from), least_exponent(to), 0});
-  const IntegerVec3 p = in_units(from, unit), q = in_units(to, unit);
-  const IntegerVec3 n =
-      cross({q[0] - p[0], q[1] - p[1], q[2] - p[2]}, in_units(across, least_exponent(across)));
-  const Integer scale = power_of_ten(-unit);
-  return {{n[0] * scale, n[1] * scale, n[2] * scale}, dot(n, p)};
-}
-
 ExactPlane opposite(const ExactPlane& plane) {
   return {{-plane.n[0], -plane.n[1], -plane.n[2]}, -plane.d};
 }
@@ -150,32 +145,67 @@ IntegerPlane integers(const ExactVec3& n, const Exact& d) {
   return {{whole[0], whole[1], whole[2]}, whole[3]};
 }
 
+// All in integers: (b − a) × normal has 40 digits, and its greatest common divisor with the offset is one with a power of ten.
+IntegerPlane plane_through_edge(const Vec3& a, const Vec3& b, const Vec3& normal,
+                                const Vec3& centre) {
+  const DecimalVec3 from = decimals(a), to = decimals(b), across = decimals(normal),
+                    origin = decimals(centre);
+  const int unit = std::min({least_exponent(from), least_exponent(to), least_exponent(origin), 0});
+  const IntegerVec3 p = in_units(from, unit), q = in_units(to, unit), o = in_units(origin, unit);
+  IntegerVec3 n =
+      cross({q[0] - p[0], q[1] - p[1], q[2] - p[2]}, in_units(across, least_exponent(across)));
+  divide(n, gcd(gcd(n[0], n[1]), n[2]));
+  Integer d = dot(n, {p[0] - o[0], p[1] - o[1], p[2] - o[2]});
+  // In metres: n·x = d·10^unit.
+  Integer scale = power_of_ten(-unit);
+  const Integer shared = gcd(d, scale);
+  mpz_divexact(d.get_mpz_t(), d.get_mpz_t(), shared.get_mpz_t());
+  mpz_divexact(scale.get_mpz_t(), scale.get_mpz_t(), shared.get_mpz_t());
+  for (Integer& x : n) x *= scale;
+  return {std::move(n), std::move(d)};
+}
+
+namespace {
+
+// value·2^exponent, from the two highest machine words of an integer: to 2^-63 of it.
+struct Scaled {
+  long double value = 0;
+  long exponent = 0;
+};
+Scaled scaled(const Integer& x) {
+  const std::size_t words = mpz_size(x.get_mpz_t());
+  if (words == 0) return {};
+  constexpr int bits = GMP_NUMB_BITS;
+  auto value =
+      static_cast<long double>(mpz_getlimbn(x.get_mpz_t(), static_cast<mp_size_t>(words) - 1));
+  if (words > 1)
+    value += std::ldexp(
+        static_cast<long double>(mpz_getlimbn(x.get_mpz_t(), static_cast<mp_size_t>(words) - 2)),
+        -bits);
+  return {sgn(x) < 0 ? -value : value, bits * (static_cast<long>(words) - 1)};
+}
+
+}  // namespace
+
 Real ratio(const Integer& a, const Integer& b) {
-  // As a whole number of 62 or 63 bits, times a power of two.
-  constexpr long bits = 62;
-  const auto size = [](const Integer& x) {
-    return static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2));
-  };
-  const long shift = bits - size(a) + size(b);
-  Integer above = a, below = b;
-  if (shift > 0)
-    above <<= shift;
-  else
-    below <<= -shift;
-  const Integer quotient = above / below;
-  return std::ldexp(static_cast<Real>(quotient.get_si()), static_cast<int>(-shift));
+  const Scaled above = scaled(a), below = scaled(b);
+  return static_cast<Real>(
+      std::ldexp(above.value / below.value, static_cast<int>(above.exponent - below.exponent)));
 }
 
 UnitPlane rounded(const IntegerPlane& plane) {
-  // Scaled by the largest component first, so that normals of any length neither overflow nor vanish.
-  const Integer* largest = &plane.n[0];
-  for (const Integer& n : plane.n)
-    if (mpz_cmpabs(n.get_mpz_t(), largest->get_mpz_t()) > 0) largest = &n;
-  Vec3 m;
-  for (int d = 0; d < 3; ++d) m[d] = ratio(plane.n[d], *largest);
-  if (sgn(*largest) < 0) m = -1.0 * m;
-  const Real length = norm(m), offset = ratio(plane.d, *largest);
-  return {(1.0 / length) * m, (sgn(*largest) < 0 ? -offset : offset) / length};
+  // In units of the longest component's highest word, so that normals of any length neither overflow nor vanish.
+  std::array<Scaled, 4> part{scaled(plane.n[0]), scaled(plane.n[1]), scaled(plane.n[2]),
+                             scaled(plane.d)};
+  const long unit = std::max({part[0].exponent, part[1].exponent, part[2].exponent});
+  for (Scaled& p : part) p.value = std::ldexp(p.value, static_cast<int>(p.exponent - unit));
+  long double length = 0;
+  for (int d = 0; d < 3; ++d) length += part[d].value * part[d].value;
+  length = std::sqrt(length);
+  UnitPlane unit_plane;
+  for (int d = 0; d < 3; ++d) unit_plane.normal[d] = static_cast<Real>(part[d].value / length);
+  unit_plane.offset = static_cast<Real>(part[3].value / length);
+  return unit_plane;
 }
 
 UnitPlane rounded(const ExactPlane& plane, const Vec3& centre) {

@@ -34,9 +34,6 @@ ExactPlane plane_along(const ExactVec3& point, const ExactVec3& u, const ExactVe
 /// Exactly through three points, counter-clockwise seen from above.
 ExactPlane plane_through_points(const ExactVec3& a, const ExactVec3& b, const ExactVec3& c);
 
-/// Exactly through the points a and b, perpendicular to the plane with the given normal.
-ExactPlane plane_through_edge(const Vec3& a, const Vec3& b, const Vec3& normal);
-
 ExactPlane opposite(const ExactPlane& plane);
 
 using Integer = mpz_class;
@@ -50,15 +47,25 @@ struct IntegerPlane {
 };
 IntegerPlane integers(const ExactVec3& n, const Exact& d);
 
-/// a/b rounded to the nearest double (to 1e-19 of it), however large both are. b is not zero.
+/// Exactly through the points a and b, perpendicular to the plane with the given normal; its d is n·(a − centre).
+IntegerPlane plane_through_edge(const Vec3& a, const Vec3& b, const Vec3& normal,
+                                const Vec3& centre);
+
+/// a/b in long double (to 3e-19 of it), rounded to double, however large both are. b is not zero.
 Real ratio(const Integer& a, const Integer& b);
 
-/// In doubles: components of the unit normal to 1.5 ε (ε = 2^-52).
+/// In doubles: components of the unit normal to ε = 2^-52.
 struct UnitPlane {
   Vec3 normal;  ///< unit
   Real offset;  ///< m, n·x of its points x
 };
 UnitPlane rounded(const IntegerPlane& plane);
+
+/// What a table stores of a plane: most of the work of adding one.
+struct NewPlane {
+  IntegerPlane exact;  ///< d relative to the table's centre
+  UnitPlane unit;
+};
 /// Its offset is n·(x − centre).
 UnitPlane rounded(const ExactPlane& plane, const Vec3& centre);
 

@@ -14,9 +14,9 @@ namespace rockfold {
 namespace {
 
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
-constexpr Real identity_angle = 1e-10;  // DESIGN.md, rule 2
-// Below this determinant of the unit normals a vertex is computed exactly, so that the bound of `vertex` stays under
-// 50·48·ε·L ≈ 5e-13·L and the filter seldom fails.
+constexpr Real identity_angle = 1e-10;  // decision 5, rule 2
+// Below this determinant of the unit normals a vertex is computed exactly, so that its error bound stays small and the filter
+// seldom fails.
 constexpr Real ill_conditioned = 0.02;
 
 // As a float that is never less: of vertices next to the table's centre floats would round it to nothing.
@@ -150,12 +150,16 @@ Index PlaneTable::add(const ExactPlane& plane) {
 HalfSpaceId PlaneTable::find_or_add(const ExactPlane& plane) {
   IntegerPlane own = store_->centred(plane);
   const UnitPlane unit = rounded(own);
+  return find_or_add({std::move(own), unit});
+}
+
+HalfSpaceId PlaneTable::find_or_add(NewPlane plane) {
   HalfSpaceId found = none;
-  store_->visit_near(*this, unit, [&](Index id, bool same_sense) {
-    if (found == none && equal(store_->plane[id], own, same_sense))
+  store_->visit_near(*this, plane.unit, [&](Index id, bool same_sense) {
+    if (found == none && equal(store_->plane[id], plane.exact, same_sense))
       found = half_space(id, same_sense);
   });
-  return found != none ? found : half_space(append(unit, std::move(own)), true);
+  return found != none ? found : half_space(append(plane.unit, std::move(plane.exact)), true);
 }
 
 HalfSpaceId PlaneTable::identify_or_add(const ExactPlane& plane) {
@@ -191,6 +195,11 @@ Vec3 PlaneTable::exact_position(const std::array<Index, 3>& p) const {
   point.meet(store_->plane[p[0]], store_->plane[p[1]], store_->plane[p[2]]);
   if (point.w == 0) throw std::logic_error("three planes without a common point");
   return {ratio(point.x[0], point.w), ratio(point.x[1], point.w), ratio(point.x[2], point.w)};
+}
+
+// Twice the bound of `vertex`, 16 ε·2 L/det, for the least determinant: |x| and with it the offset of a plane through x are L/2.
+Real PlaneTable::position_tolerance() const {
+  return 2 * 32 * epsilon * size_ / ill_conditioned;
 }
 
 Vertex PlaneTable::vertex(Index p, Index q, Index r) const {

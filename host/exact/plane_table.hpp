@@ -17,6 +17,7 @@ namespace rockfold {
 
 struct ExactPlane;    // plane_exact.hpp
 struct IntegerPlane;  // plane_exact.hpp
+struct NewPlane;      // plane_exact.hpp
 struct UnitPlane;     // plane_exact.hpp
 
 /// A side of a plane: 2·plane + (1 if above). Above = the side that the plane's normal points to.
@@ -66,6 +67,7 @@ class PlaneTable {
 
   /// The half-space above `plane`, bounded by the plane of the table that is equal to it, or by itself, added. O(log n).
   HalfSpaceId find_or_add(const ExactPlane& plane);
+  HalfSpaceId find_or_add(NewPlane plane);
 
   /// The same, but that a plane which coincides with it to 1e-10 (angle, and distance over L) counts as equal; of several the
   /// one that was added first.
@@ -83,6 +85,9 @@ class PlaneTable {
   Real identity_tolerance() const { return 1e-10 * size_; }
   /// m, 1e-9·L: what is narrower connects and divides nothing (rules 4 to 6).
   Real width_tolerance() const { return 1e-9 * size_; }
+
+  /// m, 7.1e-13·L: positions of one point of the model, made by different planes, are no farther apart.
+  Real position_tolerance() const;
 
   /// The meeting of three planes that no line is parallel to. Throws std::logic_error if they have none.
   Vertex vertex(Index p, Index q, Index r) const;

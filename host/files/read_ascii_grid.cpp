@@ -13,7 +13,7 @@
 #include "host/files/terrain_surface.hpp"
 #include "host/files/text.hpp"
 #include "src/base/vector.hpp"
-#include "src/model/nearest.hpp"
+#include "src/model/text/nearest.hpp"
 
 namespace rockfold {
 

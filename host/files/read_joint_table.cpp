@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include "host/files/text.hpp"
-#include "src/model/decimal_comma.hpp"
-#include "src/model/nearest.hpp"
-#include "src/model/range.hpp"
+#include "src/model/text/decimal_comma.hpp"
+#include "src/model/text/nearest.hpp"
+#include "src/model/text/range.hpp"
 
 namespace rockfold {
 

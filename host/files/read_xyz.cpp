@@ -10,7 +10,7 @@
 #include "host/files/text.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
-#include "src/model/decimal_comma.hpp"
+#include "src/model/text/decimal_comma.hpp"
 
 namespace rockfold {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "src/model/range.hpp"
+#include "src/model/text/range.hpp"
 
 namespace rockfold {
 

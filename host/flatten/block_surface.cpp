@@ -17,8 +17,6 @@ namespace rockfold {
 namespace {
 
 constexpr Real full_turn = 6.283185307179586;
-// Of the model's size: what positions of one vertex, made by different planes, are apart. Their bound is 5e-13 (PlaneTable::vertex).
-constexpr Real rounding = 5e-14;
 
 // One directed edge of an area, between vertices that lie next to each other on its line.
 struct DirectedEdge {
@@ -77,7 +75,8 @@ class SurfaceMerger {
   // in the one sense as in the other, and is still where vertices become one. Edges then run through all vertices nearer than
   // the tolerance, so that narrow faces fold up.
   void collect_edges() {
-    VertexMerger points(rounding * complex_.planes.model_size());
+    const Real one_point = complex_.planes.position_tolerance();
+    VertexMerger points(one_point);
     for (std::size_t i = 0; i < areas_.size(); ++i) {
       const std::vector<Vec3> corner = corners(static_cast<Index>(i));
       std::vector<Index> loop;
@@ -85,7 +84,7 @@ class SurfaceMerger {
       for (std::size_t k = 0; k < loop.size(); ++k)
         edges_.push_back({loop[k], loop[(k + 1) % loop.size()], static_cast<Index>(i)});
     }
-    split_edges(points.vertices(), rounding * complex_.planes.model_size());
+    split_edges(points.vertices(), one_point);
     join_near(points.vertices());
     split_edges(vertices_, tolerance_);
     cancel([](const DirectedEdge& e) { return e.area; });
@@ -171,6 +170,17 @@ class SurfaceMerger {
     });
   }
 
+  bool is_one_face(Index one, Index two) const {
+    return one == two || complex_.origins[one].is_one_face_with(complex_.origins[two]);
+  }
+
+  // A face has the names of the part that has most; of equals the first.
+  void take_names(Index origin, Index& of_face) const {
+    const auto names = [&](Index o) { return complex_.origins[o].also.size(); };
+    if (names(origin) > names(of_face) || (names(origin) == names(of_face) && origin < of_face))
+      of_face = origin;
+  }
+
   // Areas of one origin that meet in an edge are one face, as far as they lie on the plane of the largest, to the tolerance.
   void grow_faces() {
     const auto count = static_cast<Index>(areas_.size());
@@ -210,10 +220,11 @@ class SurfaceMerger {
                                [&](std::size_t e, const auto& wanted) { return ends(e) < wanted; });
           for (; it != by_ends.end() && ends(*it) == back; ++it) {
             const Index next = edges_[*it].area;
-            if (face_of_[next] != none || origin_[next] != origin_[seed] ||
+            if (face_of_[next] != none || !is_one_face(origin_[next], origin_[seed]) ||
                 !lies_on(next, inside(seed)))
               continue;
             face_of_[next] = face;
+            take_names(origin_[next], surface_.faces[face].origin);
             open.push_back(next);
           }
         }

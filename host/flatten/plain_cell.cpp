@@ -56,8 +56,11 @@ bool is_plain_cell(const Complex& complex, Index cells, const std::vector<Bounda
   for (std::size_t f = 0; f < origin.size(); ++f) {
     if (origin[f] == none || is_narrow(cell, cell.faces[f], area[f], diameter, tolerance))
       return false;
-    for (std::size_t g = 0; g < f; ++g)
-      if (origin[f] == origin[g] && nearly_coplanar(cell, f, g, complex.planes)) return false;
+    for (std::size_t g = 0; g < f; ++g) {
+      const bool one = origin[f] == origin[g] ||
+                       complex.origins[origin[f]].is_one_face_with(complex.origins[origin[g]]);
+      if (one && nearly_coplanar(cell, f, g, complex.planes)) return false;
+    }
   }
   return true;
 }

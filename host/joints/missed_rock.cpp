@@ -91,8 +91,8 @@ Count missed_of(const JointMesh& mesh, const PlacingRegion& region) {
 
 class Beside {
  public:
-  explicit Beside(const Model& model) : model_(model) {
-    const auto extents = named_extents(model);
+  explicit Beside(const Model& model) : model_(model), extents_(named_extents(model)) {
+    const auto& extents = extents_;
     for (std::size_t s = 0; s < model.solids.size(); ++s) {
       bounds_.solid_corners.push_back(extents[s].bounded ? corners_of(extents[s].box)
                                                          : std::vector<Vec3>{});
@@ -103,6 +103,7 @@ class Beside {
   }
 
   std::vector<Diagnostic> find() {
+    find_excavations();
     for (const JointSet& set : model_.joint_sets)
       if (!set.random)
         tell(set.place, missed_of(set, region(set.within)), set.radius ? "disc" : "plane");
@@ -118,6 +119,16 @@ class Beside {
   }
 
  private:
+  void find_excavations() {
+    if (bounds_.corners.empty()) return;
+    const Extent rock = bounding_box(bounds_.corners);
+    for (std::size_t e = 0; e < model_.excavations.size(); ++e) {
+      const NamedExtent& extent = extents_[model_.solids.size() + e];
+      if (extent.bounded && !boxes_meet(extent.box, rock, 0))
+        found_.push_back({model_.excavations[e].place, "lies beside the rock and removes nothing"});
+    }
+  }
+
   PlacingRegion region(Index within) const { return placing_region(bounds_, within); }
 
   void tell(const Place& place, const Count& count, const char* what) {
@@ -132,6 +143,7 @@ class Beside {
   }
 
   const Model& model_;
+  const std::vector<NamedExtent> extents_;
   RockBounds bounds_;
   std::vector<Diagnostic> found_;
 };
@@ -141,7 +153,7 @@ class Beside {
 std::vector<Diagnostic> joints_beside_rock(const Model& model) {
   const bool none_given = model.joint_sets.empty() && model.joints.empty() &&
                           model.joint_meshes.empty() && model.joint_tables.empty();
-  if (model.solids.empty() || none_given) return {};
+  if (model.solids.empty() || (none_given && model.excavations.empty())) return {};
   return Beside(model).find();
 }
 

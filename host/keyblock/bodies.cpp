@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "host/keyblock/water.hpp"
 #include "host/refuse.hpp"
 #include "src/base/vector.hpp"
 
@@ -18,27 +19,8 @@ std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Whether a `fixed` condition stands on this face of a solid.
-bool holds(const Fixed& fixed, const FaceOrigin& origin) {
-  const auto* region = std::get_if<FaceRegion>(&fixed.where);
-  return region && !region->of_excavation && region->solid == origin.solid &&
-         std::find(region->faces.begin(), region->faces.end(), origin.solid_face) !=
-             region->faces.end();
-}
-
 bool is_member(const Body& body, Index block) {
   return std::binary_search(body.members.begin(), body.members.end(), block);
-}
-
-/// The entry that names the joint, else the one that names none.
-const Water* water_of(const std::vector<Water>& waters, const std::string& joint) {
-  const Water* for_all = nullptr;
-  for (const Water& water : waters) {
-    if (water.joints.empty()) for_all = &water;
-    if (std::find(water.joints.begin(), water.joints.end(), joint) != water.joints.end())
-      return &water;
-  }
-  return for_all;
 }
 
 /// In-situ normal stress on a plane, compression positive; no tension.
@@ -57,36 +39,48 @@ Real normal_stress(const InitialStress& stress, const Vec3& x, const Vec3& n) {
 
 }  // namespace
 
-Bodies::Bodies(const BlockArrays& blocks, const Model& model)
+Bodies::Bodies(const BlockArrays& blocks, const Model& model, const FaceTractions* tractions)
+    : Bodies(blocks, model, model.support.value_or(SupportSpec{}), model.waters, tractions) {}
+
+Bodies::Bodies(const BlockArrays& blocks, const Model& model, const SupportSpec& spec,
+               const std::vector<Water>& waters, const FaceTractions* tractions)
     : blocks_(blocks),
       gravity_(model.gravity),
-      spec_(model.support.value_or(SupportSpec{})),
+      spec_(spec),
       stress_(model.initial_stress),
+      in_situ_(tractions),
+      traction_(tractions ? &tractions->after(0) : nullptr),
       interfaces_(blocks),
+      tractions_(blocks, model),
       has_polygons_(has_polygons(blocks)) {
-  for (const FaceOrigin& origin : blocks.origins) nature_.push_back(nature(origin, model));
+  for (const FaceOrigin& origin : blocks.origins) nature_.push_back(nature(origin, model, waters));
   for (const PointLoad& load : model.point_loads) {
     const Index block = block_at(blocks, load.point);
     if (block == none)
       refuse(load.place, load.place.key + ".point",
              fmt::format("({:g}, {:g}, {:g}) is not in the rock", load.point[0], load.point[1],
                          load.point[2]));
-    forces_.push_back({block, load.point, load.force});
+    forces_.push_back(
+        {block, load.point, load.table.empty() ? load.force : load.table.at(time_of_statics)});
   }
   std::stable_sort(forces_.begin(), forces_.end(),
                    [](const auto& a, const auto& b) { return a.block < b.block; });
 }
 
-Bodies::FaceNature Bodies::nature(const FaceOrigin& origin, const Model& model) const {
+Bodies::FaceNature Bodies::nature(const FaceOrigin& origin, const Model& model,
+                                  const std::vector<Water>& waters) const {
   FaceNature nature;
   nature.continues = origin.continues;
   if (origin.kind == FaceOrigin::Kind::solid_face) {
     if (!spec_.joint_faces_only)
-      nature.continues |= std::any_of(model.fixed.begin(), model.fixed.end(),
-                                      [&](const Fixed& f) { return holds(f, origin); });
+      nature.continues |=
+          std::any_of(model.fixed.begin(), model.fixed.end(), [&](const Fixed& fixed) {
+            const auto* region = std::get_if<FaceRegion>(&fixed.where);
+            return region && region->holds(origin);
+          });
     return nature;
   }
-  nature.water = water_of(model.waters, origin.name);
+  nature.water = water_of(waters, origin.name);
   if (origin.joint_material == none) return nature;
   const auto& joint = model.joint_materials[at(origin.joint_material)];
   nature.friction = std::tan(joint.friction_angle * std::numbers::pi / 180);
@@ -137,6 +131,13 @@ void Bodies::add_point_loads(Body& body) const {
   }
 }
 
+/// What presses on the free share of a face.
+void Bodies::add_traction(Body& body, Index face, Real share) const {
+  const FaceLoad load = tractions_.on_face(face);
+  body.load += share * load.force;
+  body.moment += share * (load.moment - cross(body.centroid, load.force));
+}
+
 void Bodies::add_block(Body& body, Index block, const std::vector<Index>& batch) const {
   const bool alone = body.members.size() == 1;
   for (Index id = blocks_.face_begin[at(block)]; id < blocks_.face_begin[at(block) + 1]; ++id) {
@@ -148,6 +149,7 @@ void Bodies::add_block(Body& body, Index block, const std::vector<Index>& batch)
       (inside ? internal : contact) += c.area;
     }
     const Real area = blocks_.face_area[at(id)] - internal;
+    if (area > contact) add_traction(body, id, (area - contact) / blocks_.face_area[at(id)]);
     if (internal > 0 && contact == 0 && area <= 1e-9 * internal) continue;
     body.faces.push_back({.normal = blocks_.face_normal[at(id)],
                           .area = area,
@@ -166,18 +168,28 @@ void Bodies::press(BlockFace& face, Index id, Body& body) const {
   if (!nature.water && spec_.water_pressure == 0 && !stress_.any) return;
   const Real share = std::min(1.0, face.contact_area / blocks_.face_area[at(id)]);
   press_by_water(face, id, nature, share, body);
-  if (stress_.any && has_polygons_) {
+  if (stress_.any && has_polygons_) press_in_situ(face, id, nature);
+}
+
+/// Tension is none.
+void Bodies::press_in_situ(BlockFace& face, Index id, const FaceNature& nature) const {
+  face.clamping_holds = spec_.clamping;
+  face.normal_stiffness = nature.normal_stiffness;
+  face.shear_stiffness = nature.shear_stiffness;
+  if (!traction_) {
     face.clamping =
         face.contact_area * normal_stress(stress_, face_centre(blocks_, id), face.normal);
-    face.normal_stiffness = nature.normal_stiffness;
-    face.shear_stiffness = nature.shear_stiffness;
+    return;
   }
+  const Vec3 traction = face.contact_area * (*traction_)[at(id)];
+  face.clamping = std::max(0.0, -dot(traction, face.normal));
+  if (face.clamping > 0) face.in_situ_shear = traction + face.clamping * face.normal;
 }
 
 void Bodies::press_by_water(BlockFace& face, Index id, const FaceNature& nature, Real share,
                             Body& body) const {
   const LinearPressure p = nature.water
-                               ? pressure(*nature.water)
+                               ? linear_pressure(*nature.water, gravity_)
                                : LinearPressure{.at_origin = spec_.water_pressure, .gradient = {}};
   if (!has_polygons_) {
     face.water = share * blocks_.face_area[at(id)] * p.at_origin;
@@ -188,18 +200,6 @@ void Bodies::press_by_water(BlockFace& face, Index id, const FaceNature& nature,
   face.water = share * push.force;
   const Vec3 arm = push.first_moment - push.force * body.centroid;
   body.moment -= share * cross(arm, face.normal);
-}
-
-LinearPressure Bodies::pressure(const Water& water) const {
-  if (const auto* constant = std::get_if<WaterPressure>(&water.level))
-    return {.at_origin = constant->value, .gradient = {}};
-  const Real weight = water.density * norm(gravity_);
-  const Vec3 up = -normalized(gravity_);
-  if (const auto* head = std::get_if<WaterHead>(&water.level))
-    return {.at_origin = weight * head->elevation, .gradient = -weight * up};
-  const auto& table = std::get<WaterTable>(water.level);
-  const Real rise = weight / dot(table.normal, up);  // per m along the normal, below the table
-  return {.at_origin = rise * dot(table.point, table.normal), .gradient = -rise * table.normal};
 }
 
 std::vector<ContactPatch> Bodies::patches(const Body& body, const std::vector<Index>& batch) const {

@@ -8,7 +8,9 @@
 #include "host/keyblock/face_interfaces.hpp"
 #include "host/keyblock/face_shape.hpp"
 #include "host/keyblock/single_block.hpp"
+#include "host/keyblock/surface_loads.hpp"
 #include "src/arrays/block_arrays.hpp"
+#include "src/arrays/face_tractions.hpp"
 #include "src/model/model.hpp"
 
 namespace rockfold {
@@ -21,15 +23,25 @@ struct Body {
   Real volume = 0;               ///< m³
   Real mass = 0;                 ///< kg
   Vec3 centroid{};               ///< m, of the mass
-  Vec3 load{};                   ///< N: weight, earthquake, external forces
-  Vec3 moment{};                 ///< N m about the centroid: external forces, water
+  Vec3 load{};                   ///< N: weight, earthquake, point loads, tractions
+  Vec3 moment{};                 ///< N m about the centroid: point loads, tractions, water
   bool finite = true;
 };
 
 class Bodies {
  public:
-  /// Throws Error(model) for a point load that is not in the rock.
-  Bodies(const BlockArrays& blocks, const Model& model);
+  /// Throws Error(model) for a point load that is not in the rock, and a traction that is on no free face.
+  /// `tractions`: in-situ stress as it is round openings; null: that far from them.
+  Bodies(const BlockArrays& blocks, const Model& model, const FaceTractions* tractions = nullptr);
+  /// With another support section and other water than the model's; `waters` must live as long.
+  Bodies(const BlockArrays& blocks, const Model& model, const SupportSpec& spec,
+         const std::vector<Water>& waters, const FaceTractions* tractions = nullptr);
+
+  /// A stage is excavated: from now on in-situ stress is that round its openings.
+  bool stress_follows_openings() const { return in_situ_ != nullptr; }
+  void excavate(Index stage) {
+    if (in_situ_) traction_ = &in_situ_->after(stage);
+  }
 
   /// `batch`: of every block; those that are 0 are still there.
   Body body(std::vector<Index> members, const std::vector<Index>& batch) const;
@@ -50,6 +62,8 @@ class Bodies {
   }
   /// Area-weighted centre of the free faces; the body's centroid where no polygon is known.
   Vec3 free_centre(const Body& body) const;
+  /// kg m² about its centroid.
+  Mat3 inertia(const Body& body) const;
 
  private:
   /// What all faces of one origin have in common.
@@ -66,23 +80,26 @@ class Bodies {
     Vec3 point, force;
   };
 
-  FaceNature nature(const FaceOrigin& origin, const Model& model) const;
+  FaceNature nature(const FaceOrigin& origin, const Model& model,
+                    const std::vector<Water>& waters) const;
   void add_block(Body& body, Index block, const std::vector<Index>& batch) const;
   void add_point_loads(Body& body) const;
+  void add_traction(Body& body, Index face, Real share) const;
   void press(BlockFace& face, Index id, Body& body) const;
+  void press_in_situ(BlockFace& face, Index id, const FaceNature& nature) const;
   void press_by_water(BlockFace& face, Index id, const FaceNature& nature, Real share,
                       Body& body) const;
-  LinearPressure pressure(const Water& water) const;
-  /// kg m² about its centroid.
-  Mat3 inertia(const Body& body) const;
 
   const BlockArrays& blocks_;
   Vec3 gravity_;
   SupportSpec spec_;
   InitialStress stress_;
+  const FaceTractions* in_situ_;
+  const std::vector<Vec3>* traction_ = nullptr;  ///< [F] Pa of in_situ_, at this stage
   FaceInterfaces interfaces_;
   std::vector<FaceNature> nature_;  ///< [origins]
   std::vector<PointForce> forces_;  ///< ordered by block
+  SurfaceLoads tractions_;
   bool has_polygons_;
 };
 

@@ -68,6 +68,37 @@ WetPolygon wet_part(const std::array<Vec3, 3>& x, const std::array<Real, 3>& p) 
   return wet;
 }
 
+/// Adds the integrals of max(0, p) over a convex polygon, with the sign of its area against `normal`.
+void add_polygon(PressureForce& sum, const std::vector<Vec3>& corners, const Vec3& normal,
+                 const LinearPressure& pressure) {
+  const auto p = [&](std::size_t i) { return pressure.unclipped(corners[i]); };
+  for (std::size_t k = 2; k < corners.size(); ++k) {
+    const WetPolygon wet =
+        wet_part({corners[0], corners[k - 1], corners[k]}, {p(0), p(k - 1), p(k)});
+    for (std::size_t i = 2; i < wet.size; ++i)
+      add_triangle(sum, normal, {wet.x[0], wet.x[i - 1], wet.x[i]},
+                   {wet.p[0], wet.p[i - 1], wet.p[i]});
+  }
+}
+
+/// What of a convex polygon lies in a box.
+std::vector<Vec3> part_in_box(std::vector<Vec3> corners, const BoxRegion& box, Real slack) {
+  for (std::size_t d = 0; d < 3; ++d)
+    for (const Real sign : {1.0, -1.0}) {
+      const Real limit = sign > 0 ? box.max[d] : -box.min[d];
+      std::vector<Vec3> kept;
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec3 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+        const Real over_a = sign * a[d] - limit, over_b = sign * b[d] - limit;
+        if (over_a <= slack) kept.push_back(a);
+        if ((over_a > slack && over_b < -slack) || (over_a < -slack && over_b > slack))
+          kept.push_back(a + over_a / (over_a - over_b) * (b - a));
+      }
+      corners = std::move(kept);
+    }
+  return corners;
+}
+
 using Point = std::array<Real, 2>;
 
 /// Coordinates in a plane, from its first point.
@@ -135,15 +166,25 @@ Real LinearPressure::unclipped(const Vec3& x) const {
 
 PressureForce pressure_force(const BlockArrays& blocks, Index face,
                              const LinearPressure& pressure) {
+  return pressure_force(blocks, face, pressure, nullptr, 0);
+}
+
+PressureForce pressure_force(const BlockArrays& blocks, Index face, const LinearPressure& pressure,
+                             const BoxRegion* box, Real slack) {
   PressureForce sum;
   const Vec3& normal = blocks.face_normal[at(face)];
   for_each_triangle(blocks, face, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-    const WetPolygon wet =
-        wet_part({a, b, c}, {pressure.unclipped(a), pressure.unclipped(b), pressure.unclipped(c)});
-    for (std::size_t i = 2; i < wet.size; ++i)
-      add_triangle(sum, normal, {wet.x[0], wet.x[i - 1], wet.x[i]},
-                   {wet.p[0], wet.p[i - 1], wet.p[i]});
+    std::vector<Vec3> part{a, b, c};
+    if (box) part = part_in_box(std::move(part), *box, slack);
+    add_polygon(sum, part, normal, pressure);
   });
+  return sum;
+}
+
+PressureForce pressure_on_polygon(const std::vector<Vec3>& corners, const Vec3& normal,
+                                  const LinearPressure& pressure) {
+  PressureForce sum;
+  add_polygon(sum, corners, normal, pressure);
   return sum;
 }
 

@@ -5,6 +5,7 @@
 
 #include "src/arrays/block_arrays.hpp"
 #include "src/base/types.hpp"
+#include "src/model/model.hpp"
 
 namespace rockfold {
 
@@ -25,6 +26,13 @@ struct PressureForce {
   Vec3 first_moment{};
 };
 PressureForce pressure_force(const BlockArrays& blocks, Index face, const LinearPressure& pressure);
+/// Likewise over the part in a box, if one is given; corners within `slack` (m) of its sides lie in it.
+PressureForce pressure_force(const BlockArrays& blocks, Index face, const LinearPressure& pressure,
+                             const BoxRegion* box, Real slack);
+
+/// Likewise over a convex polygon, counter-clockwise against its normal.
+PressureForce pressure_on_polygon(const std::vector<Vec3>& corners, const Vec3& normal,
+                                  const LinearPressure& pressure);
 
 /// The area-weighted centre of a face, m.
 Vec3 face_centre(const BlockArrays& blocks, Index face);

@@ -16,6 +16,8 @@ struct ClampedJoint {
   const ContactPlane* plane;
   Real opening;     ///< a = −s·n, ≥ 0; exactly 0 where the block shears along the joint
   Real tangential;  ///< t
+  Real
+      shear;  ///< S₀, N: what it held against the motion before that began; negative: it pushed the block on
 
   /// m: the way after which it has opened; infinite where it does not open.
   Real opens_at() const {
@@ -36,13 +38,19 @@ struct ClampedJoint {
   Real shear_force(Real d) const {
     if (is_open(d) || tangential == 0) return 0;
     const Real strength = normal_force(d) * plane->friction + plane->cohesion;
-    return std::isinf(d) ? strength : std::min(strength, plane->shear_stiffness * tangential * d);
+    if (std::isinf(d)) return strength;
+    return std::clamp(shear + plane->shear_stiffness * tangential * d, -strength, strength);
   }
   /// Where it yields and where it has opened.
   void add_events(std::vector<Real>& ways) const {
     const Real opening_stiffness = plane->normal_stiffness * opening;
-    ways.push_back((plane->clamping * plane->friction + plane->cohesion) /
-                   (plane->shear_stiffness * tangential + opening_stiffness * plane->friction));
+    const Real strength = plane->clamping * plane->friction + plane->cohesion;
+    const Real stiffness = plane->shear_stiffness * tangential;
+    const Real softening = opening_stiffness * plane->friction;
+    ways.push_back(std::max(0.0, (strength - shear) / (stiffness + softening)));
+    const Real pushing =
+        (strength + shear) / (softening - stiffness);  // it begins or ceases to slide the other way
+    if (std::isfinite(pushing) && pushing > 0) ways.push_back(pushing);
     if (opening > 0) ways.push_back(opens_at());
   }
 };
@@ -58,7 +66,11 @@ std::vector<ClampedJoint> clamped_joints(std::span<const ContactPlane> planes,
       continue;
     Real opening = -dot(movement.direction, planes[p].normal);
     if (opening <= direction_tolerance) opening = 0;
-    clamped.push_back({&planes[p], opening, std::sqrt(std::max(0.0, 1 - opening * opening))});
+    const Real tangential = std::sqrt(std::max(0.0, 1 - opening * opening));
+    // In the plane the block moves along s + a n; `in_situ_shear` lies in it, so that its part along n is none.
+    const Real shear =
+        tangential > 0 ? -dot(planes[p].in_situ_shear, movement.direction) / tangential : 0;
+    clamped.push_back({&planes[p], opening, tangential, shear});
   }
   return clamped;
 }

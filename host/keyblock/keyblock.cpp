@@ -13,6 +13,7 @@
 #include "host/keyblock/least_support.hpp"
 #include "host/parallel.hpp"
 #include "src/base/vector.hpp"
+#include "src/model/openings.hpp"
 
 namespace rockfold {
 namespace {
@@ -34,7 +35,7 @@ std::vector<Vec3> normals_of(const std::vector<ContactPlane>& planes) {
 /// The state between batches: which blocks are left, and what each of them is.
 class KeyblockSearch {
  public:
-  KeyblockSearch(const BlockArrays& blocks, const Model& model);
+  KeyblockSearch(const BlockArrays& blocks, const Model& model, const FaceTractions* in_situ);
   KeyblockReport run();
 
  private:
@@ -44,6 +45,8 @@ class KeyblockSearch {
   };
   void excavate(Index stage);
   void find_batches(std::vector<Index> candidates);
+  bool goes_on_after(Index batches) const;
+  void leave_unexamined(const std::vector<Index>& blocks);
   std::vector<Index> move_single_blocks(const std::vector<Index>& candidates);
   std::vector<Index> move_groups();
   std::vector<Index> group_seeds() const;
@@ -72,11 +75,12 @@ class KeyblockSearch {
   std::vector<Index> gone_since_;                // what has left since groups were searched
 };
 
-KeyblockSearch::KeyblockSearch(const BlockArrays& blocks, const Model& model)
+KeyblockSearch::KeyblockSearch(const BlockArrays& blocks, const Model& model,
+                               const FaceTractions* in_situ)
     : blocks_(blocks),
       model_(model),
       spec_(model.support.value_or(SupportSpec{})),
-      bodies_(blocks, model),
+      bodies_(blocks, model, in_situ),
       anchored_(has_active_bolts(model)) {
   const auto count = static_cast<std::size_t>(blocks.block_count());
   report_.block_class.assign(count, BlockClass::tapered);
@@ -285,8 +289,23 @@ std::vector<Index> KeyblockSearch::move_groups() {
   return removed;
 }
 
+/// Whether another batch is looked for after so many of a stage.
+bool KeyblockSearch::goes_on_after(Index batches) const {
+  const Index most = spec_.batches.value_or(model_.excavations.empty() ? 0 : 1);
+  return most == 0 || batches < most;
+}
+
+/// Blocks that only the loss of reported ones lays free: what they would do is not known.
+void KeyblockSearch::leave_unexamined(const std::vector<Index>& blocks) {
+  for (const Index block : blocks)
+    if (auto& its_class = report_.block_class[static_cast<std::size_t>(block)];
+        its_class == BlockClass::tapered)
+      its_class = BlockClass::not_examined;
+}
+
 void KeyblockSearch::find_batches(std::vector<Index> candidates) {
-  while (true) {
+  for (Index batches = 0;; ++batches) {
+    if (!goes_on_after(batches)) return leave_unexamined(candidates);
     std::vector<Index> removed = move_single_blocks(candidates);
     if (removed.empty()) removed = move_groups();
     if (removed.empty()) return;
@@ -299,6 +318,7 @@ void KeyblockSearch::find_batches(std::vector<Index> candidates) {
 /// Takes the rock of a stage out and looks at what leaned on it.
 void KeyblockSearch::excavate(Index stage) {
   stage_ = stage;
+  bodies_.excavate(stage);
   std::vector<Index> removed;
   for (Index b = 0; b < blocks_.block_count(); ++b)
     if (stage_of(b) == stage && report_.batch[static_cast<std::size_t>(b)] == 0) {
@@ -307,6 +327,11 @@ void KeyblockSearch::excavate(Index stage) {
     }
   gone_since_.insert(gone_since_.end(), removed.begin(), removed.end());
   std::vector<Index> candidates = bodies_.interfaces().neighbours(removed, report_.batch);
+  if (bodies_.stress_follows_openings())
+    for (std::size_t b = 0; b < stable_.size(); ++b)
+      if (stable_[b]) candidates.push_back(static_cast<Index>(b));
+  std::sort(candidates.begin(), candidates.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
   std::erase_if(candidates, [&](Index b) { return !stays(b); });
   find_batches(std::move(candidates));
 }
@@ -340,8 +365,25 @@ bool has_active_bolts(const Model& model) {
           std::any_of(model.bolt_types.begin(), model.bolt_types.end(), is_active));
 }
 
-KeyblockReport find_keyblocks(const BlockArrays& blocks, const Model& model) {
-  return KeyblockSearch(blocks, model).run();
+StageKeys keys_of_keyblocks(const Model& model) {
+  StageKeys stage{
+      "key blocks",
+      {"gravity", "material.density", "joint_material.friction_angle", "joint_material.cohesion",
+       "support", "water", "point_load", "traction", "bolt", "bolt_pattern", "shotcrete"}};
+  if (model.initial_stress.any)
+    for (const char* key :
+         {"initial_stress", "joint_material.normal_stiffness", "joint_material.shear_stiffness"})
+      stage.keys.emplace_back(key);
+  if (has_elastic_joint_stress(model))
+    for (const char* key : {"material.young_modulus", "material.poisson_ratio"})
+      stage.keys.emplace_back(key);
+  if (model.support && !model.support->joint_faces_only) stage.keys.emplace_back("fixed.where");
+  return stage;
+}
+
+KeyblockReport find_keyblocks(const BlockArrays& blocks, const Model& model,
+                              const FaceTractions* in_situ) {
+  return KeyblockSearch(blocks, model, in_situ).run();
 }
 
 }  // namespace rockfold

@@ -12,6 +12,7 @@
 //   bodies.hpp         blocks of a model as such blocks, alone or several as one
 //   groups.hpp         blocks that fail together where none can alone
 //   keyblock.hpp       the blocks of a model, stage by stage and batch by batch
+//   first_look.hpp     what of it can be done again with other strengths and loads
 #pragma once
 
 #include <optional>
@@ -21,6 +22,8 @@
 #include "host/keyblock/pyramid.hpp"
 #include "host/keyblock/single_block.hpp"
 #include "src/arrays/block_arrays.hpp"
+#include "src/arrays/face_tractions.hpp"
+#include "src/base/stage_keys.hpp"
 #include "src/base/types.hpp"
 #include "src/model/model.hpp"
 
@@ -76,6 +79,9 @@ struct KeyblockReport {
   std::vector<Keyblock> at_rest;
 };
 
+/// Faces named in a [[fixed]] count where support.joint_faces_only is false.
+StageKeys keys_of_keyblocks(const Model& model);
+
 /// Whether the model has bolts, or searches a pattern of bolts, that are active.
 bool has_active_bolts(const Model& model);
 
@@ -85,6 +91,8 @@ bool has_active_bolts(const Model& model);
 /// Excavations follow in the order of their stages, each when nothing moves any more; rock that a
 /// later stage excavates stays until then.
 /// Cost: one look at each block with a free face, then one at each neighbour of a removed block.
-KeyblockReport find_keyblocks(const BlockArrays& blocks, const Model& model);
+/// `in_situ`: where in-situ stress on joints is that round openings; null: far from them.
+KeyblockReport find_keyblocks(const BlockArrays& blocks, const Model& model,
+                              const FaceTractions* in_situ = nullptr);
 
 }  // namespace rockfold

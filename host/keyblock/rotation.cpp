@@ -85,7 +85,8 @@ Real friction_moment(Patches patches, const RigidBody& body, const Rotation& rot
   Real sum = 0;
   for (const ContactPatch& patch : patches) {
     const Real pressed = dot(resultant(body), patch.normal);
-    if (!(pressed > 0) || patch.friction == 0 || lifts(patch, rotation.point, rotation.axis))
+    if (!(pressed > 0) || patch.friction == 0 || patch.corners.empty() ||
+        lifts(patch, rotation.point, rotation.axis))
       continue;
     const Vec3 foot =
         body.centroid + dot(patch.corners[0] - body.centroid, patch.normal) * patch.normal;

@@ -75,6 +75,8 @@ std::vector<ContactPlane> contact_planes(std::span<const BlockFace> faces) {
     plane.cohesion += face.contact_area * face.cohesion;
     plane.water += face.water;
     plane.clamping += face.clamping;
+    plane.in_situ_shear += face.in_situ_shear;
+    plane.clamping_holds = plane.clamping_holds && face.clamping_holds;
     plane.normal_stiffness += face.contact_area * face.normal_stiffness;
     plane.shear_stiffness += face.contact_area * face.shear_stiffness;
   }
@@ -84,7 +86,12 @@ std::vector<ContactPlane> contact_planes(std::span<const BlockFace> faces) {
 
 std::optional<Movement> governing_movement(std::span<const ContactPlane> planes, const Vec3& r) {
   auto movements = possible_movements(planes, r);
-  for (Movement& m : movements) m = with_in_situ_stress(planes, m, r);
+  const bool holds = std::all_of(planes.begin(), planes.end(),
+                                 [](const ContactPlane& p) { return p.clamping_holds; });
+  for (Movement& m : movements) {
+    const Movement stressed = with_in_situ_stress(planes, m, r);
+    if (holds || stressed.sliding_force() > m.sliding_force()) m = stressed;
+  }
   return least_safe(movements, r);
 }
 

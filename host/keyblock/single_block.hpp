@@ -17,25 +17,28 @@ std::optional<Movement> governing_movement(std::span<const ContactPlane> planes,
 
 /// What block theory says of a block.
 enum class BlockClass {
-  infinite,  ///< the rock goes on beyond one of its faces
-  tapered,   ///< no free face, or no direction that its joint faces allow
-  stable,    ///< removable, but the resistance is no less than the driving force
-  key,       ///< removable, and moves without support
-  excavated  ///< removed by an excavation before any block moves
+  infinite,     ///< the rock goes on beyond one of its faces
+  tapered,      ///< no free face, or no direction that its joint faces allow
+  stable,       ///< removable, but the resistance is no less than the driving force
+  key,          ///< removable, and moves without support
+  excavated,    ///< removed by an excavation before any block moves
+  not_examined  ///< only blocks of the last batch that was looked for keep it in place
 };
 
 /// A face of a block as block theory sees it.
 struct BlockFace {
-  Vec3 normal{};              ///< unit, outward
-  Real area = 0;              ///< m²
-  Real contact_area = 0;      ///< m², against rock that stays: 0 = a free face, otherwise ≤ area
-  Real friction = 0;          ///< tan φ of the joint
-  Real cohesion = 0;          ///< Pa
-  Real water = 0;             ///< N, of water on the part in contact, beside a uniform pressure
-  Real clamping = 0;          ///< N, in-situ normal force on the part in contact
-  Real normal_stiffness = 0;  ///< Pa/m of the joint; only with clamping
-  Real shear_stiffness = 0;   ///< Pa/m
-  bool continues = false;     ///< the rock goes on beyond
+  Vec3 normal{};          ///< unit, outward
+  Real area = 0;          ///< m²
+  Real contact_area = 0;  ///< m², against rock that stays: 0 = a free face, otherwise ≤ area
+  Real friction = 0;      ///< tan φ of the joint
+  Real cohesion = 0;      ///< Pa
+  Real water = 0;         ///< N, of water on the part in contact, beside a uniform pressure
+  Real clamping = 0;      ///< N, in-situ normal force on the part in contact
+  Vec3 in_situ_shear{};   ///< N, in-situ force of the rock on that part along the face
+  bool clamping_holds = true;  ///< as of a contact plane
+  Real normal_stiffness = 0;   ///< Pa/m of the joint; only with clamping
+  Real shear_stiffness = 0;    ///< Pa/m
+  bool continues = false;      ///< the rock goes on beyond
 };
 
 struct BlockVerdict {

@@ -23,6 +23,9 @@ struct ContactPlane {
   Real cohesion = 0;  ///< N: Σ c A
   Real water = 0;     ///< N: Σ ∫ p dA, that pushes the block off
   Real clamping = 0;  ///< N: Σ of the in-situ normal force, compression positive (in_situ.hpp)
+  bool clamping_holds =
+      true;              ///< false: the clamping counts only where it makes the block less safe
+  Vec3 in_situ_shear{};  ///< N: Σ of what the rock did along the plane before the block moved
   Real normal_stiffness = 0;  ///< N/m: Σ k_n A
   Real shear_stiffness = 0;   ///< N/m: Σ k_s A
   Index face = none;          ///< the face with the largest contact, to name the plane after

@@ -18,7 +18,8 @@ struct HalfSpaceSide {
 
 /// Areas of the sides and the volume of the polytope that they bound.
 struct Polytope {
-  std::vector<Real> area;  ///< [sides]
+  std::vector<Real> area;                  ///< [sides]
+  std::vector<std::vector<Vec3>> polygon;  ///< [sides] counter-clockwise seen from outside
   std::vector<Vec3> corners;
   Real volume = 0;
 };
@@ -64,20 +65,25 @@ Polytope polytope(std::span<const HalfSpaceSide> sides) {
         area += 0.5 * dot(side.normal, cross(on[c] - on[0], on[c + 1] - on[0]));
     }
     made.area.push_back(area);
+    made.polygon.push_back(on);
     made.volume += area * (side.at - dot(side.normal, made.corners.front())) / 3;
   }
   return made;
 }
 
-TheoryShape shape_of(const Polytope& block, std::size_t joints, Real scale) {
+/// `toe`: the point of the polytope that becomes the origin.
+TheoryShape shape_of(const Polytope& block, std::size_t joints, const Vec3& toe, Real scale) {
   TheoryShape shape;
   shape.volume = scale * scale * scale * block.volume;
   for (std::size_t i = 0; i < block.area.size(); ++i) {
     const Real area = scale * scale * block.area[i];
-    if (i < joints)
-      shape.joint_area.push_back(area);
-    else
+    if (i >= joints) {
       shape.free_area += area;
+      continue;
+    }
+    shape.joint_area.push_back(area);
+    shape.joint_corners.push_back(block.polygon[i]);
+    for (Vec3& x : shape.joint_corners.back()) x = scale * (x - toe);
   }
   return shape;
 }
@@ -115,19 +121,20 @@ std::optional<TheoryShape> largest_block(const SlopeFrame& slope, std::span<cons
     sides.push_back({slope.upper, dot(slope.upper, crest)});
     const Polytope wedge = polytope(sides);
     if (wedge.corners.size() < 4 || !(wedge.volume > 0)) return {};
-    return shape_of(wedge, 2, 1);
+    return shape_of(wedge, 2, {}, 1);
   }
   // The pyramid with its apex at the origin, cut by the face alone at a distance of 1, then scaled.
   if (!is_removable(normals, std::vector<Vec3>{slope.face})) return {};
   sides.push_back({slope.face, 1});
   const Polytope block = polytope(sides);
   if (block.corners.size() < 4 || !(block.volume > 1e-12)) return {};
-  std::vector<Real> heights;
+  std::vector<Vec3> on_face;
   for (const Vec3& c : block.corners)
-    if (std::abs(dot(slope.face, c) - 1) <= 1e-9 * (1 + norm(c))) heights.push_back(c[2]);
-  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-  if (heights.empty() || !(*high > *low)) return {};
-  return shape_of(block, normals.size(), slope.height / (*high - *low));
+    if (std::abs(dot(slope.face, c) - 1) <= 1e-9 * (1 + norm(c))) on_face.push_back(c);
+  const auto [low, high] = std::minmax_element(
+      on_face.begin(), on_face.end(), [](const Vec3& a, const Vec3& b) { return a[2] < b[2]; });
+  if (on_face.empty() || !((*high)[2] > (*low)[2])) return {};
+  return shape_of(block, normals.size(), *low, slope.height / ((*high)[2] - (*low)[2]));
 }
 
 }  // namespace rockfold

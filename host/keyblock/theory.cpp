@@ -6,6 +6,7 @@
 #include "host/keyblock/slope_block.hpp"
 #include "host/keyblock/tunnel_block.hpp"
 #include "host/parallel.hpp"
+#include "host/refuse.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -110,7 +111,7 @@ PyramidEntry pyramid_entry(const Model& model, const std::vector<TheorySet>& set
   if (!entry.exists) return entry;
   entry.space = removable_space(normals);
   auto dry = sets;
-  for (TheorySet& set : dry) set.cohesion = 0;
+  for (TheorySet& set : dry) set.cohesion = 0, set.water = nullptr;
   TheoryLoads loads = theory_loads(model);
   loads.water_pressure = 0;
   if (const Real g = norm(loads.gravity); g > 0) loads.density = 1 / g;
@@ -124,6 +125,17 @@ PyramidEntry pyramid_entry(const Model& model, const std::vector<TheorySet>& set
     if (is_removable(normals, excavation_normals(slope_frame(slope, slope.face.dip_direction))))
       entry.removable_from.push_back(slope.name);
   return entry;
+}
+
+/// Depths below a level are known in slopes, whose toe is z = 0.
+void require_water_that_has_a_place(const Model& model) {
+  if (model.theory->tunnels.empty()) return;
+  for (const Water& water : model.waters)
+    if (!std::holds_alternative<WaterPressure>(water.level))
+      refuse(
+          water.place, water.place.key,
+          "where the blocks of a tunnel lie is not known: water has a pressure there, no head or "
+          "table (slopes take these, with their toe at z = 0)");
 }
 
 }  // namespace
@@ -156,7 +168,35 @@ std::vector<TheoryBlock> slope_blocks(const std::vector<TheorySet>& sets, const 
   return blocks;
 }
 
+StageKeys keys_of_theory(const Model&) {
+  return {"block theory",
+          {"title",
+           "gravity",
+           "material.name",
+           "material.density",
+           "joint_material.name",
+           "joint_material.friction_angle",
+           "joint_material.cohesion",
+           "joint_set.name",
+           "joint_set.dip",
+           "joint_set.dip_direction",
+           "joint_set.normal",
+           "joint_set.strike",
+           "joint_set.rule",
+           "joint_set.trend",
+           "joint_set.plunge",
+           "joint_set.spacing",
+           "joint_set.material",
+           "joint_set.random",
+           "block_theory",
+           "support.water_pressure",
+           "water",
+           "support.seismic_coefficient",
+           "support.target_factor_of_safety"}};
+}
+
 TheoryReport joint_set_theory(const Model& model) {
+  require_water_that_has_a_place(model);
   TheoryReport report;
   report.sets = theory_sets(model);
   const TheoryLoads loads = theory_loads(model);

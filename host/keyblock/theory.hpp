@@ -8,6 +8,7 @@
 
 #include "host/keyblock/monte_carlo.hpp"
 #include "host/keyblock/theory_block.hpp"
+#include "src/base/stage_keys.hpp"
 #include "src/model/model.hpp"
 
 namespace rockfold {
@@ -51,6 +52,8 @@ struct TheoryReport {
   std::vector<PyramidEntry> pyramids;  ///< all 2^n, ascending
   std::vector<ExcavationTheory> excavations;
 };
+
+StageKeys keys_of_theory(const Model& model);
 
 /// Throws Error(model) at a tunnel whose Monte Carlo simulation is not possible.
 TheoryReport joint_set_theory(const Model& model);

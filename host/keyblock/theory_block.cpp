@@ -6,9 +6,23 @@
 #include "host/joints/disc.hpp"
 #include "host/keyblock/least_support.hpp"
 #include "host/keyblock/single_block.hpp"
+#include "host/keyblock/water.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
+
+namespace {
+
+/// N, of the water in one joint of a block.
+Real water_on(const TheorySet& set, const Vec3& outward, const TheoryShape& shape, std::size_t face,
+              const TheoryLoads& loads) {
+  if (!set.water) return loads.water_pressure * shape.joint_area[face];
+  const LinearPressure pressure = linear_pressure(*set.water, loads.gravity);
+  if (shape.joint_corners.empty()) return pressure.at_origin * shape.joint_area[face];
+  return pressure_on_polygon(shape.joint_corners[face], outward, pressure).force;
+}
+
+}  // namespace
 
 std::vector<TheorySet> theory_sets(const Model& model) {
   std::vector<TheorySet> sets;
@@ -16,6 +30,7 @@ std::vector<TheorySet> theory_sets(const Model& model) {
     TheorySet found;
     found.name = set.name;
     found.upward = plane_frame(set.orientation).normal;
+    found.water = water_of(model.waters, set.name);
     if (set.material != none) {
       const auto& joint = model.joint_materials[static_cast<std::size_t>(set.material)];
       found.friction = std::tan(joint.friction_angle * std::numbers::pi / 180);
@@ -63,10 +78,10 @@ TheoryBlock judge_theory_block(const std::vector<TheorySet>& sets, const std::st
                      .area = shape.joint_area[i],
                      .contact_area = shape.joint_area[i],
                      .friction = sets[used[i]].friction,
-                     .cohesion = sets[used[i]].cohesion});
+                     .cohesion = sets[used[i]].cohesion,
+                     .water = water_on(sets[used[i]], normals[i], shape, i, loads)});
   faces.push_back({.normal = {}, .area = shape.free_area});
-  const auto verdict =
-      judge_block(faces, mass * loads.gravity + block.weight * loads.seismic, loads.water_pressure);
+  const auto verdict = judge_block(faces, mass * loads.gravity + block.weight * loads.seismic, 0);
   block.movement = verdict.movement;
   block.key = verdict.block_class == BlockClass::key;
   if (!block.movement) return block;

@@ -15,9 +15,10 @@ namespace rockfold {
 /// A joint set as block theory of joint sets alone sees it.
 struct TheorySet {
   std::string name;
-  Vec3 upward{};      ///< unit normal
-  Real friction = 0;  ///< tan φ
-  Real cohesion = 0;  ///< Pa
+  Vec3 upward{};                 ///< unit normal
+  Real friction = 0;             ///< tan φ
+  Real cohesion = 0;             ///< Pa
+  const Water* water = nullptr;  ///< of the model; null: TheoryLoads::water_pressure
 };
 std::vector<TheorySet> theory_sets(const Model& model);
 
@@ -26,7 +27,7 @@ struct TheoryLoads {
   Real density = 0;         ///< kg/m³
   Vec3 gravity{};           ///< m/s²
   Vec3 seismic{};           ///< fraction of g
-  Real water_pressure = 0;  ///< Pa on joint faces
+  Real water_pressure = 0;  ///< Pa on joint faces of sets without a [[water]]
   Real target_safety = 1.5;
 };
 TheoryLoads theory_loads(const Model& model);
@@ -36,6 +37,8 @@ struct TheoryShape {
   Real volume = 0;               ///< m³
   Real free_area = 0;            ///< m²
   std::vector<Real> joint_area;  ///< m²
+  /// m, counter-clockwise seen from outside, with the slope's toe at the origin; empty of tunnels: where their blocks lie is not known.
+  std::vector<std::vector<Vec3>> joint_corners = {};
 };
 
 struct TheoryBlock {

@@ -84,6 +84,10 @@ Real mean_rqd(const std::vector<LineMeasure>& lines) {
 
 }  // namespace
 
+StageKeys keys_of_measuring() {
+  return {"measures", {"scanline", "cut"}};
+}
+
 RockMeasures measure_rock(const Cutting& cutting, const BlockArrays& blocks, const Model& model) {
   const Complex& complex = *cutting.complex;
   RockMeasures out;

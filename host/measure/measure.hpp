@@ -9,6 +9,7 @@
 #include "host/measure/block_statistics.hpp"
 #include "host/measure/lines.hpp"
 #include "host/measure/sections.hpp"
+#include "src/base/stage_keys.hpp"
 
 namespace rockfold {
 
@@ -38,6 +39,8 @@ struct RockMeasures {
   std::array<SectionMeasure, 3> sections;
   std::vector<StageReport> stages;
 };
+
+StageKeys keys_of_measuring();
 
 /// Measures the rock. Deterministic; linear in cells, fragments and vertices.
 RockMeasures measure_rock(const Cutting& cutting, const BlockArrays& blocks, const Model& model);

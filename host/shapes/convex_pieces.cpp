@@ -18,7 +18,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Ring = std::vector<Index>;  // corners of the polygon, counter-clockwise
 
-// Of the angle by which a corner turns. Planes closer than the first are one (DESIGN.md, rule 2), and then the second of
+// Of the angle by which a corner turns. Planes closer than the first are one (decision 5, rule 2), and then the second of
 // two edges would lose its name; corners flatter than the second are not made where there is a choice.
 constexpr Real least_sine = 1e-10, good_sine = 1e-7;
 

@@ -20,4 +20,8 @@ struct NamedExtent {
 /// shape_geometry throws.
 std::vector<NamedExtent> named_extents(const Model& model);
 
+/// A warning for each shape or surface from a file that is some thousand times larger, or smaller, than the solids that the model
+/// gives by numbers: files in other units.
+std::vector<Diagnostic> files_out_of_scale(const Model& model);
+
 }  // namespace rockfold

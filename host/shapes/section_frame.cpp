@@ -7,7 +7,7 @@
 namespace rockfold {
 
 SectionFrame section_frame(const Vec3& direction) {
-  constexpr Real vertical = 1e-10;  // DESIGN.md: directions closer than that are one
+  constexpr Real vertical = 1e-10;  // directions closer than that are one
   const Vec3 t = normalized(direction);
   const Real horizontal = std::hypot(t[0], t[1]);
   SectionFrame frame;

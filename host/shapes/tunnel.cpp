@@ -16,7 +16,7 @@ namespace rockfold {
 
 namespace {
 
-constexpr Real straight = 1e-10;  // DESIGN.md, rule 2
+constexpr Real straight = 1e-10;  // decision 5, rule 2
 // Relative to the section's reach: ten times the tolerance by which the cutter takes planes for one.
 constexpr Real matching = 1e-9;
 constexpr Real turns_back = 1e-6;  // twice the sine of half the angle between the legs of a bend

@@ -1,6 +1,6 @@
 #include "kernels/constraints/cover_system.hpp"
 
-#include "kernels/constraints/held_kernel.hpp"
+#include "kernels/constraints/constrained_system_kernel.hpp"
 #include "kernels/operator/cover_vector_kernel.hpp"
 
 namespace rockfold {
@@ -24,36 +24,37 @@ std::vector<Vec3> CoverVector::get() const {
 }
 
 struct CoverSystem::Data {
-  solve::HeldSystem held;
+  solve::ConstrainedSystem system;
 };
 
 CoverSystem::CoverSystem(const CoverArrays& covers, const PieceMoments& moments,
                          const std::vector<ElasticMaterial>& materials, const FixedPoints& fixed,
                          Preconditioner preconditioner, const MakeDirectSolver& direct)
-    : data_(new Data{solve::make_held_system(covers,
-                                             solve::build_operator(covers, moments, materials),
-                                             fixed, preconditioner, direct)}) {}
+    : data_(new Data{
+          solve::make_constrained_system(covers, solve::build_operator(covers, moments, materials),
+                                         fixed, preconditioner, direct)}) {}
 CoverSystem::~CoverSystem() = default;
 CoverSystem::CoverSystem(CoverSystem&&) noexcept = default;
 CoverSystem& CoverSystem::operator=(CoverSystem&&) noexcept = default;
 
 Index CoverSystem::covers() const {
-  return data_->held.op.covers;
+  return data_->system.op.covers;
 }
 
 Index CoverSystem::unknowns() const {
-  return data_->held.op.unknowns;
+  return data_->system.op.unknowns;
 }
 
 OperatorSize CoverSystem::size() const {
-  const auto& op = data_->held.op;
+  const auto& op = data_->system.op;
   return {op.stencil_covers, op.block_covers, op.neighbours, op.functions};
 }
 
 void CoverSystem::apply(const SystemCoefficients& c, const CoverVector& x, CoverVector& y) const {
-  const auto& held = data_->held;
-  solve::apply(held.op, {c.stiffness, c.mass}, x.data().field, y.data().field);
-  solve::apply_springs(held.springs, c.springs, x.data().field, y.data().field);
+  const auto& system = data_->system;
+  solve::apply(system.op, {c.stiffness, c.mass}, x.data().field, y.data().field);
+  solve::set_tangents(system.springs, c.springs, system.terms, 0);
+  solve::apply_terms(system.terms, x.data().field, y.data().field);
   Kokkos::fence();
 }
 
@@ -67,26 +68,26 @@ std::vector<Vec3> CoverSystem::apply(const SystemCoefficients& c,
 SolveReport CoverSystem::solve(const SystemCoefficients& c, const std::vector<Vec3>& b,
                                std::vector<Vec3>& x, const SolveOptions& options) {
   CoverVector load(b), result(x);
-  auto& held = data_->held;
-  solve::set_combination(held, {c.stiffness, c.mass}, c.springs, true);
-  solve::HeldOptions how;
+  auto& system = data_->system;
+  solve::set_combination(system, {c.stiffness, c.mass}, c.springs, true);
+  solve::ConstraintOptions how;
   how.pcg.tolerance = options.tolerance;
   how.pcg.max_iterations = options.max_iterations;
   how.gap_tolerance = options.gap_tolerance;
   how.max_outer = options.max_outer;
-  const SolveReport report = solve::solve_held(held, load.data().field, held.springs.target,
-                                               result.data().field, Field(), how);
+  const SolveReport report = solve::solve_constrained(
+      system, load.data().field, system.springs.target, result.data().field, Field(), how);
   x = result.get();
   return report;
 }
 
 std::vector<Vec3> CoverSystem::reactions(const std::vector<Vec3>& x) const {
-  const auto& springs = data_->held.springs;
+  const auto& springs = data_->system.springs;
   CoverVector motion(x), force(springs.points.count);
   if (springs.any())
-    solve::spring_reactions(springs, data_->held.spring_factor, motion.data().field, springs.target,
-                            force.data().field);
-  return data_->held.shares.share_out(force.get());
+    solve::spring_reactions(springs, data_->system.spring_factor, motion.data().field,
+                            springs.target, force.data().field);
+  return data_->system.shares.share_out(force.get());
 }
 
 }  // namespace rockfold

@@ -10,7 +10,7 @@ namespace rockfold::solve {
 namespace {
 
 using RoundedWeights = std::vector<std::pair<Index, long long>>;
-using Key = std::tuple<RoundedWeights, std::array<std::uint8_t, 3>, Vec3, std::uint8_t, Index>;
+using Key = std::tuple<RoundedWeights, std::array<std::uint8_t, 3>, Vec3, Enforce, Index>;
 
 Key key_of(const FixedPoints& given, std::size_t n) {
   RoundedWeights weights;
@@ -19,7 +19,7 @@ Key key_of(const FixedPoints& given, std::size_t n) {
     if (rounded != 0) weights.emplace_back(given.points.unknown[i], rounded);
   }
   std::sort(weights.begin(), weights.end());
-  return {weights, given.component[n], given.value[n], given.augmented[n],
+  return {weights, given.component[n], given.value[n], given.enforce[n],
           given.table.empty() ? none : given.table[n]};
 }
 
@@ -34,8 +34,8 @@ void append(FixedPoints& to, const FixedPoints& from, std::size_t n) {
   to.component.push_back(from.component[n]);
   to.value.push_back(from.value[n]);
   to.stiffness.push_back(0);
-  to.augmented.push_back(from.augmented[n]);
-  to.reach.push_back(0);
+  to.enforce.push_back(from.enforce[n]);
+  to.motion_ratio.push_back(0);
 }
 
 }  // namespace
@@ -56,8 +56,8 @@ MergedPoints merge_points(const FixedPoints& given) {
     if (is_new) append(result.fixed, given, n);
     result.shares.merged.push_back(at->second);
     result.fixed.stiffness[at->second] += given.stiffness[n];
-    Real& reach = result.fixed.reach[at->second];
-    reach = std::max(reach, given.reach.empty() ? 1 : given.reach[n]);
+    Real& reach = result.fixed.motion_ratio[at->second];
+    reach = std::max(reach, given.motion_ratio.empty() ? 1 : given.motion_ratio[n]);
   }
   for (std::size_t n = 0; n < given.points.size(); ++n) {
     const Real sum = result.fixed.stiffness[result.shares.merged[n]];

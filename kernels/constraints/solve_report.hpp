@@ -8,6 +8,7 @@ namespace rockfold {
 struct SolveReport {
   Index iterations = 0;  ///< of conjugate gradients, over all outer iterations
   Index outer = 0;       ///< updates of the multipliers
+  Index newton = 0;      ///< iterations of Newton's method
   Real residual =
       0;  ///< true ‖b − A x‖ / ‖b‖ of the last solve; NaN where numbers left their range
   Real gap =
@@ -23,6 +24,7 @@ struct SolveReport {
   void add(SolveReport next) {
     next.iterations += iterations;
     next.outer += outer;
+    next.newton += newton;
     next.fallbacks += fallbacks;
     *this = next;
   }

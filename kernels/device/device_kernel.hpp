@@ -79,6 +79,12 @@ Array<T> allocate(const std::string& label, std::size_t size) {
   return Array<T>(Kokkos::view_alloc(Kokkos::WithoutInitializing, "rockfold::" + label), size);
 }
 
+/// Room for n; what was there is lost where it grows, by half as much again, so that what comes and goes allocates seldom.
+template <class T>
+void grow(Array<T>& array, const char* label, std::size_t n) {
+  if (array.extent(0) < n) array = allocate<T>(label, n + n / 2);
+}
+
 inline Field make_field(const std::string& label, Index covers) {
   return Field("rockfold::" + label, covers);
 }

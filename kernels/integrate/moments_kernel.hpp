@@ -6,7 +6,7 @@
 //   ∫ x^a y^b z^c dV = 6V · a! b! c! / (a+b+c+3)! · H[a,b,c],
 //   Σ H[a,b,c] s^a t^b u^c = Π_k 1 / (1 − (x_k s + y_k t + z_k u)),       k over the three vertices,
 //
-// which follows from ∫ λ1^p λ2^q λ3^r dV = 6V p! q! r! / (p+q+r+3)! (REFERENCES group A). Dividing a power series by
+// which follows from ∫ λ1^p λ2^q λ3^r dV = 6V p! q! r! / (p+q+r+3)! (cases A). Dividing a power series by
 // 1 − (x s + y t + z u) is one sweep of three multiply-adds a monomial: no sums over multi-indices.
 #pragma once
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "src/base/types.hpp"
@@ -49,5 +50,34 @@ inline Real largest_of_tridiagonal(const std::vector<Real>& diagonal,
   }
   return high;
 }
+
+/// The largest eigenvalue of D⁻¹A to a few percent, from above: Lanczos' method by way of conjugate gradients (Saad, §6.7.3).
+/// `cg` is one system on a level: begin() gives r·Br of a random r, with d = B r; curvature() d·A d; advance(α) takes α A d off r and gives
+/// the new r·Br; turn(β) makes d = B r + β d.
+template <class ConjugateGradients>
+Real estimate_largest_eigenvalue(ConjugateGradients& cg) {
+  constexpr int steps = 12;     // find it to a few percent, from below
+  constexpr Real margin = 1.1;  // for the rest: Chebyshev's iteration diverges above its interval
+  std::vector<Real> diagonal, beside;
+  Real energy = cg.begin(), alpha_before = 1, beta = 0;
+  for (int k = 0; k < steps && energy > 0; ++k) {
+    const Real alpha = energy / cg.curvature();
+    if (!(alpha > 0) || !std::isfinite(alpha)) break;
+    diagonal.push_back(1 / alpha + beta / alpha_before);
+    const Real next = cg.advance(alpha);
+    beta = next / energy;
+    energy = next;
+    alpha_before = alpha;
+    cg.turn(beta);
+    if (k + 1 < steps && energy > 0) beside.push_back(std::sqrt(beta) / alpha);
+  }
+  if (diagonal.empty()) return 1;
+  beside.resize(diagonal.size() - 1);
+  return margin * largest_of_tridiagonal(diagonal, beside);
+}
+
+/// The smoother of a coarsest level that is too large to be solved: its degree, and the share of the largest eigenvalue down to which it works.
+inline constexpr int coarsest_degree = 16;
+inline constexpr Real coarsest_share = 1.0 / 200;
 
 }  // namespace rockfold::solve

@@ -1,4 +1,4 @@
-// Points as coarse levels see them: the rows N P of springs, which stand beside the matrices of all levels. Written into them they
+// Points as coarse levels see them: the rows N P of terms, which stand beside the matrices of all levels. Written into them they
 // would couple covers that share no element, for which block rows have no place.
 #pragma once
 

@@ -28,9 +28,8 @@ KOKKOS_INLINE_FUNCTION void own_matrix(const DeviceBlocks& block, const DeviceSt
     }
 }
 
-/// a += factor · Nᵀ k N of cover p with itself.
-KOKKOS_INLINE_FUNCTION void add_springs(const Springs& s, Real factor, Index p, Index covers, int n,
-                                        Real* a) {
+/// a += Nᵀ D N of cover p with itself.
+KOKKOS_INLINE_FUNCTION void add_terms(const PointTerms& s, Index p, Index covers, int n, Real* a) {
   const int width = 3 * n;
   for (int k = 0; k < n; ++k) {
     const Index t = find_row(s.row, k * covers + p);
@@ -40,9 +39,10 @@ KOKKOS_INLINE_FUNCTION void add_springs(const Springs& s, Real factor, Index p, 
       for (Index j = s.points.begin(point); j < s.points.begin(point + 1); ++j) {
         if (s.points.unknown(j) % covers != p) continue;
         const int l = s.points.unknown(j) / covers;
+        const Real w = s.points.weight(entry) * s.points.weight(j);
         for (int d = 0; d < 3; ++d)
-          a[(3 * k + d) * width + 3 * l + d] +=
-              factor * s.points.weight(entry) * s.points.weight(j) * s.stiffness(point, d);
+          for (int e = 0; e < 3; ++e)
+            a[(3 * k + d) * width + 3 * l + e] += w * s.tangent(point, symmetric_entry(d, e));
       }
     }
   }
@@ -76,7 +76,8 @@ Array<Index> cover_places(const Operator& op) {
   return place;
 }
 
-void invert_cover_blocks(const CoverBlocks& blocks, const Springs& springs, Real spring_factor) {
+void invert_cover_blocks(const CoverBlocks& blocks, const PointTerms& terms,
+                         const PointTerms& contacts) {
   const CoverBlocks to = blocks;
   device::for_each(
       "rockfold::solve::invert_cover_blocks", to.covers,
@@ -85,7 +86,8 @@ void invert_cover_blocks(const CoverBlocks& blocks, const Springs& springs, Real
         const int n = to.functions, width = to.width();
         Real* inverse = &to.inverse(static_cast<std::size_t>(p) * width * width);
         for (int e = 0; e < width * width; ++e) a[e] = inverse[e];
-        if (springs.any()) add_springs(springs, spring_factor, p, to.covers, n, a);
+        if (terms.any()) add_terms(terms, p, to.covers, n, a);
+        if (contacts.any()) add_terms(contacts, p, to.covers, n, a);
         for (int i = 0; i < width; ++i) {
           const Real d = a[i * width + i];
           to.scale(i / 3 * to.covers + p, i % 3) = d > 0 ? 1 / device::math::sqrt(d) : 0;
@@ -102,8 +104,8 @@ void invert_cover_blocks(const CoverBlocks& blocks, const Springs& springs, Real
       blocks.width() * blocks.width());
 }
 
-void set_values(const CoverBlocks& blocks, const Operator& op, const Springs& springs,
-                const Combination& c, Real spring_factor) {
+void set_values(const CoverBlocks& blocks, const Operator& op, const PointTerms& terms,
+                const Combination& c, const PointTerms& contacts) {
   const CoverBlocks to = blocks;
   const DeviceStencil stencil = op.stencil;
   const DeviceBlocks block = op.block;
@@ -114,7 +116,7 @@ void set_values(const CoverBlocks& blocks, const Operator& op, const Springs& sp
         own_matrix(block, stencil, place(p), c, to.functions,
                    &to.inverse(static_cast<std::size_t>(p) * width * width));
       });
-  invert_cover_blocks(blocks, springs, spring_factor);
+  invert_cover_blocks(blocks, terms, contacts);
 }
 
 }  // namespace rockfold::solve

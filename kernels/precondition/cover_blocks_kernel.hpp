@@ -2,8 +2,8 @@
 // and 2 this takes in what the functions of one cover share, which their 3×3 blocks alone leave to the iteration.
 #pragma once
 
+#include "kernels/operator/point_terms_kernel.hpp"
 #include "kernels/operator/simd.hpp"
-#include "kernels/operator/springs_kernel.hpp"
 #include "src/arrays/shape_functions.hpp"
 
 namespace rockfold::solve {
@@ -21,12 +21,13 @@ struct CoverBlocks {
 };
 CoverBlocks make_cover_blocks(Index covers, int functions);
 
-/// Of αK + βM + γ NᵀkN.
-void set_values(const CoverBlocks& blocks, const Operator& op, const Springs& springs,
-                const Combination& c, Real spring_factor);
+/// Of αK + βM and the terms.
+void set_values(const CoverBlocks& blocks, const Operator& op, const PointTerms& terms,
+                const Combination& c, const PointTerms& contacts = {});
 
-/// With the springs, from `blocks.inverse` as it holds the blocks themselves.
-void invert_cover_blocks(const CoverBlocks& blocks, const Springs& springs, Real spring_factor);
+/// With the terms, from `blocks.inverse` as it holds the blocks of the rock.
+void invert_cover_blocks(const CoverBlocks& blocks, const PointTerms& terms,
+                         const PointTerms& contacts = {});
 
 /// Where the couplings of each cover with itself stand: its slot of block rows, or −1 − its run.
 Array<Index> cover_places(const Operator& op);

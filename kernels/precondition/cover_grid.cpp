@@ -20,9 +20,6 @@ int smoothing_degree(int functions) {
 Real smoothed_share(int functions) {
   return functions > 4 ? 1.0 / 16 : 1.0 / 6;
 }
-/// Where the coarsest level cannot be solved.
-constexpr int coarsest_degree = 16;
-constexpr Real coarsest_share = 1.0 / 200;
 
 /// r −= q; d = old · d + share · B r; x += d. Where there is no q yet: x = d = share · B r.
 void advance(const CoverLevel& level, bool first, Real old, Real share) {
@@ -71,15 +68,14 @@ void combine(const Field& y, Real share, Real factor, const Field& x) {
 /// One W-cycle on the levels from `l` down.
 class Cycle {
  public:
-  Cycle(const CoverGrid& grid, const Apply& a, Real spring_factor)
-      : grid_(grid), finest_(a), factor_(spring_factor) {}
+  Cycle(const CoverGrid& grid, const Apply& a) : grid_(grid), finest_(a) {}
 
   /// q = A d.
   void multiply(std::size_t l) const {
     const CoverLevel& level = grid_.levels[l];
     if (l == 0) return finest_(level.d, level.q);
     apply(level.a, level.d, level.q);
-    apply_springs(level.springs, factor_, level.d, level.q);
+    apply_terms(level.terms, level.d, level.q);
   }
 
   /// x from r, which is used up.
@@ -134,7 +130,6 @@ class Cycle {
 
   const CoverGrid& grid_;
   const Apply& finest_;
-  Real factor_;
 };
 
 /// Numbers without pattern.
@@ -164,38 +159,40 @@ void precondition_blocks(const CoverLevel& level) {
       });
 }
 
-/// Of D⁻¹A, by Lanczos' method by way of conjugate gradients: 12 steps find it to a few percent. They start from A x: what A does
-/// not resist (covers' functions are dependent) would otherwise soon be all there is of the directions, and end the search
-/// with less than a third of the eigenvalue.
-Real largest_eigenvalue(const Cycle& cycle, const CoverLevel& level, std::size_t l,
-                        const KrylovWork& work) {
-  constexpr int steps = 12;
-  constexpr Real margin = 1.1;
-  scatter(level.r);
-  precondition_blocks(level);
-  Kokkos::deep_copy(level.d, level.x);
-  cycle.multiply(l);
-  Kokkos::deep_copy(level.r, level.q);
-  precondition_blocks(level);
-  Kokkos::deep_copy(level.d, level.x);
-  std::vector<Real> diagonal, beside;
-  Real energy = dot(work, level.r, level.x), alpha_before = 1, beta = 0;
-  for (int k = 0; k < steps && energy > 0; ++k) {
-    cycle.multiply(l);
-    const Real alpha = energy / dot(work, level.d, level.q);
-    if (!(alpha > 0) || !std::isfinite(alpha)) break;
-    diagonal.push_back(1 / alpha + beta / alpha_before);
-    combine(level.r, 1, -alpha, level.q);
-    precondition_blocks(level);
-    const Real next = dot(work, level.r, level.x);
-    beta = next / energy;
-    combine(level.d, beta, 1, level.x);
-    if (k + 1 < steps) beside.push_back(std::sqrt(std::fabs(beta)) / alpha);
-    energy = next;
-    alpha_before = alpha;
+/// Conjugate gradients on D⁻¹A of a level, for estimate_largest_eigenvalue. They start from A x: what A does not resist (covers' functions are
+/// dependent) would otherwise soon be all there is of the directions, and end the search with less than a third of the eigenvalue.
+class CoverGradients {
+ public:
+  CoverGradients(const Cycle& cycle, const CoverLevel& level, std::size_t l, const KrylovWork& work)
+      : cycle_(cycle), level_(level), l_(l), work_(work) {}
+
+  Real begin() {
+    scatter(level_.r);
+    precondition_blocks(level_);
+    Kokkos::deep_copy(level_.d, level_.x);
+    cycle_.multiply(l_);
+    Kokkos::deep_copy(level_.r, level_.q);
+    precondition_blocks(level_);
+    Kokkos::deep_copy(level_.d, level_.x);
+    return dot(work_, level_.r, level_.x);
   }
-  return diagonal.empty() ? 1 : margin * largest_of_tridiagonal(diagonal, beside);
-}
+  Real curvature() {
+    cycle_.multiply(l_);
+    return dot(work_, level_.d, level_.q);
+  }
+  Real advance(Real alpha) {
+    combine(level_.r, 1, -alpha, level_.q);
+    precondition_blocks(level_);
+    return dot(work_, level_.r, level_.x);
+  }
+  void turn(Real beta) { combine(level_.d, beta, 1, level_.x); }
+
+ private:
+  const Cycle& cycle_;
+  const CoverLevel& level_;
+  std::size_t l_;
+  const KrylovWork& work_;
+};
 
 /// [entries][3] finer place − coarser place in cells of the lattice; `half`: half an edge of the finer level in cells.
 std::vector<Real> parent_steps(const std::vector<HalfPlace>& fine, const CoarseCovers& coarse,
@@ -247,7 +244,7 @@ void make_coarse_level(CoverLevel& level, const CoarseCovers& coarse, int functi
   allocate_level(level, covers, functions);
   level.load = device::make_field("solve::cover_level_load", covers * functions);
   level.first = device::make_field("solve::cover_level_first", covers * functions);
-  static_cast<PointRows&>(level.springs) = make_point_rows(points, covers * functions);
+  static_cast<PointRows&>(level.terms) = make_point_rows(points, covers * functions);
   level.blocks = make_cover_blocks(covers, functions);
   level.a = {covers,
              functions,
@@ -283,34 +280,33 @@ CoverGrid make_cover_grid(const CoverArrays& covers, const MaterialPoints& point
 }
 
 void set_values(CoverGrid& grid, const Apply& a, const KrylovWork& work, const Operator& op,
-                const CoverBlocks& blocks, const Springs& springs, const Combination& c,
-                Real spring_factor) {
+                const CoverBlocks& blocks, const PointTerms& terms, const Combination& c) {
   grid.levels[0].blocks = blocks;
   for (std::size_t l = 1; l < grid.levels.size(); ++l) {
     CoverLevel& level = grid.levels[l];
     if (level.a.value.extent(0) == 0)  // not before they are needed
       level.a.value = device::allocate<Real>(
           "solve::cover_value", level.a.column.extent(0) * level.a.width() * level.a.width());
-    level.springs.stiffness = springs.stiffness;
-    level.springs.force = springs.force;
+    level.terms.tangent = terms.tangent;
+    level.terms.force = terms.force;
     if (l == 1)
       multiply(op, c, level.from, level.a);
     else
       multiply(grid.levels[l - 1].a, level.from, level.a);
-    set_values(level.blocks, level.a, level.springs, spring_factor);
+    set_values(level.blocks, level.a, level.terms);
   }
   const bool solved = grid.coarsest.any();
-  if (solved)
-    invert_parts(grid.levels.back().a, grid.levels.back().springs, spring_factor, grid.coarsest);
-  const Cycle cycle(grid, a, spring_factor);
-  for (std::size_t l = 0; l + (solved ? 1 : 0) < grid.levels.size(); ++l)
-    grid.levels[l].largest = largest_eigenvalue(cycle, grid.levels[l], l, work);
+  if (solved) invert_parts(grid.levels.back().a, grid.levels.back().terms, grid.coarsest);
+  const Cycle cycle(grid, a);
+  for (std::size_t l = 0; l + (solved ? 1 : 0) < grid.levels.size(); ++l) {
+    CoverGradients gradients(cycle, grid.levels[l], l, work);
+    grid.levels[l].largest = estimate_largest_eigenvalue(gradients);
+  }
 }
 
-void precondition(const CoverGrid& grid, const Apply& a, Real spring_factor, const Field& r,
-                  const Field& z) {
+void precondition(const CoverGrid& grid, const Apply& a, const Field& r, const Field& z) {
   Kokkos::deep_copy(grid.levels[0].r, r);
-  Cycle(grid, a, spring_factor).run(0);
+  Cycle(grid, a).run(0);
   Kokkos::deep_copy(z, grid.levels[0].x);
 }
 

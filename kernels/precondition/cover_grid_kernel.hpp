@@ -8,7 +8,7 @@
 // g_a = G (x_a − x_A), so that what is nothing on the coarse level stays nothing on the finer one. A local
 // series has coefficients that vary slowly where its functions are alike from cover to cover: they are interpolated likewise.
 //
-// Levels, places and weights are those of coarse_covers.hpp; their matrices are Galerkin's products. Springs stay beside them, by rows Nₗ = N P.
+// Levels, places and weights are those of coarse_covers.hpp; their matrices are Galerkin's products. Terms stay beside them, by rows Nₗ = N P.
 #pragma once
 
 #include <vector>
@@ -40,7 +40,7 @@ struct CoverTransfer {
 };
 
 struct CoverLevel {
-  Springs springs;
+  PointTerms terms;  ///< N P, the tangents those of the finest level
   CoverBlocks blocks;
   Real largest = 0;  ///< eigenvalue of D⁻¹A, with a margin
   Field x, r, d, q;
@@ -68,14 +68,12 @@ struct CoverGrid {
 /// Levels without values, from topology; none for a lattice that has no coarser one.
 CoverGrid make_cover_grid(const CoverArrays& covers, const MaterialPoints& points);
 
-/// Values for A = αK + βM + γ NᵀkN. `a` applies it; `blocks`: those of its covers.
+/// Values for A = αK + βM and the terms. `a` applies it; `blocks`: those of its covers.
 void set_values(CoverGrid& grid, const Apply& a, const KrylovWork& work, const Operator& op,
-                const CoverBlocks& blocks, const Springs& springs, const Combination& c,
-                Real spring_factor);
+                const CoverBlocks& blocks, const PointTerms& terms, const Combination& c);
 
 /// z = B r.
-void precondition(const CoverGrid& grid, const Apply& a, Real spring_factor, const Field& r,
-                  const Field& z);
+void precondition(const CoverGrid& grid, const Apply& a, const Field& r, const Field& z);
 
 // cover_matrix.cpp
 
@@ -87,9 +85,8 @@ void multiply(const Operator& op, const Combination& c, const CoverTransfer& p,
               const CoverMatrix& to);
 void multiply(const CoverMatrix& fine, const CoverTransfer& p, const CoverMatrix& to);
 
-/// The blocks of covers with themselves, with the springs, inverted.
-void set_values(const CoverBlocks& blocks, const CoverMatrix& a, const Springs& springs,
-                Real spring_factor);
+/// The blocks of covers with themselves, with the terms, inverted.
+void set_values(const CoverBlocks& blocks, const CoverMatrix& a, const PointTerms& terms);
 
 /// coarse = Pᵀ fine.
 void restrict_functions(const CoverTransfer& p, int functions, const Field& fine,
@@ -102,8 +99,7 @@ void add_correction(const CoverTransfer& p, int functions, const Field& coarse, 
 
 /// Parts (the smallest cover of each) and room for their inverses.
 CoverParts make_cover_parts(const std::vector<Index>& part, int functions);
-void invert_parts(const CoverMatrix& a, const Springs& springs, Real spring_factor,
-                  const CoverParts& parts);
+void invert_parts(const CoverMatrix& a, const PointTerms& terms, const CoverParts& parts);
 /// x = A⁻¹ r.
 void solve_parts(const CoverParts& parts, int functions, const Field& r, const Field& x);
 

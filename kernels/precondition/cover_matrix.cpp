@@ -127,8 +127,7 @@ void multiply(const CoverMatrix& fine, const CoverTransfer& p, const CoverMatrix
   multiply_rows(MatrixRows{fine, fine.functions}, p, to);
 }
 
-void set_values(const CoverBlocks& blocks, const CoverMatrix& a, const Springs& springs,
-                Real spring_factor) {
+void set_values(const CoverBlocks& blocks, const CoverMatrix& a, const PointTerms& terms) {
   const CoverBlocks to = blocks;
   const CoverMatrix m = a;
   device::for_each(
@@ -137,7 +136,7 @@ void set_values(const CoverBlocks& blocks, const CoverMatrix& a, const Springs& 
         const Real* own = find_block(m, p, p);
         for (int e = 0; e < size; ++e) to.inverse(static_cast<std::size_t>(p) * size + e) = own[e];
       });
-  invert_cover_blocks(blocks, springs, spring_factor);
+  invert_cover_blocks(blocks, terms);
 }
 
 void restrict_functions(const CoverTransfer& p, int functions, const Field& fine,

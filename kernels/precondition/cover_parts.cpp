@@ -12,8 +12,8 @@ KOKKOS_INLINE_FUNCTION std::int64_t entry(Index members, int width, Index m, int
   return (std::int64_t{m} * width + e) * members * width + std::int64_t{o} * width + f;
 }
 
-KOKKOS_INLINE_FUNCTION void add_springs(const CoverParts& parts, const Springs& s, Real factor,
-                                        Index covers, int functions, Index p, Real* a) {
+KOKKOS_INLINE_FUNCTION void add_terms(const CoverParts& parts, const PointTerms& s, Index covers,
+                                      int functions, Index p, Real* a) {
   const Index part = parts.part(p), members = parts.begin(part + 1) - parts.begin(part);
   for (int k = 0; k < functions; ++k) {
     const Index t = find_row(s.row, k * covers + p);
@@ -24,9 +24,11 @@ KOKKOS_INLINE_FUNCTION void add_springs(const CoverParts& parts, const Springs& 
         const Index q = s.points.unknown(j) % covers;
         const int l = s.points.unknown(j) / covers;
         if (parts.part(q) != part) continue;
+        const Real w = s.points.weight(of) * s.points.weight(j);
         for (int d = 0; d < 3; ++d)
-          a[entry(members, 3 * functions, parts.at(p), 3 * k + d, parts.at(q), 3 * l + d)] +=
-              factor * s.points.weight(of) * s.points.weight(j) * s.stiffness(point, d);
+          for (int e = 0; e < 3; ++e)
+            a[entry(members, 3 * functions, parts.at(p), 3 * k + d, parts.at(q), 3 * l + e)] +=
+                w * s.tangent(point, symmetric_entry(d, e));
       }
     }
   }
@@ -84,8 +86,7 @@ CoverParts make_cover_parts(const std::vector<Index>& part, int functions) {
           device::allocate<Real>("solve::cover_part_scale", covers * 3 * functions)};
 }
 
-void invert_parts(const CoverMatrix& a, const Springs& springs, Real spring_factor,
-                  const CoverParts& parts) {
+void invert_parts(const CoverMatrix& a, const PointTerms& terms, const CoverParts& parts) {
   const CoverMatrix m = a;
   const CoverParts to = parts;
   Kokkos::deep_copy(parts.inverse, 0.0);
@@ -99,8 +100,7 @@ void invert_parts(const CoverMatrix& a, const Springs& springs, Real spring_fact
             for (int e = 0; e < width; ++e)
               values[entry(members, width, to.at(p), e, to.at(m.column(k)), f)] =
                   m.value((static_cast<std::size_t>(k) * width + f) * width + e);
-        if (springs.any())
-          add_springs(to, springs, spring_factor, m.covers, m.functions, p, values);
+        if (terms.any()) add_terms(to, terms, m.covers, m.functions, p, values);
       });
   device::for_each(
       "rockfold::solve::invert_cover_parts", static_cast<Index>(parts.first.extent(0)),

@@ -44,9 +44,9 @@ void invert_dense(Real* a, std::size_t n) {
 struct HostMatrix {
   std::vector<Index> slice_begin, value_begin, column, row, place;
   std::vector<float> value, own;
-  std::vector<Index> point_begin, unknown;  // of the springs
+  std::vector<Index> point_begin, unknown;  // of the terms
   std::vector<Real> weight;
-  std::vector<Vec3> stiffness;
+  std::vector<std::array<Real, 6>> tangent;
 
   explicit HostMatrix(const LevelMatrix& a)
       : slice_begin(device::to_host(a.block.slice_begin)),
@@ -56,15 +56,15 @@ struct HostMatrix {
         place(device::to_host(a.place)),
         value(device::to_host(a.block.value)),
         own(device::to_host(a.block.own)) {
-    const SingleSprings& s = a.springs;
+    const SingleTerms& s = a.terms;
     if (!s.any()) return;
     point_begin = device::to_host(s.points.begin);
     unknown = device::to_host(s.points.unknown);
     weight = device::to_host(s.points.weight);
-    stiffness.resize(point_begin.size() - 1);
-    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), s.stiffness);
-    for (std::size_t n = 0; n < stiffness.size(); ++n)
-      for (int d = 0; d < 3; ++d) stiffness[n][d] = host(n, d);
+    tangent.resize(point_begin.size() - 1);
+    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), s.tangent);
+    for (std::size_t n = 0; n < tangent.size(); ++n)
+      for (int m = 0; m < 6; ++m) tangent[n][m] = host(n, m);
   }
 
   /// Adds the rows `member` to dense[n][n], n = 3 · members.
@@ -92,19 +92,21 @@ struct HostMatrix {
   }
 };
 
-/// Adds the springs between members of one part to that part's matrix, dense[first …].
-void add_springs(const HostMatrix& a, const std::vector<Index>& part, const std::vector<Index>& at,
-                 const std::vector<Index>& begin, const std::vector<std::int64_t>& first,
-                 std::vector<Real>& dense) {
-  for (std::size_t n = 0; n < a.stiffness.size(); ++n)
+/// Adds the terms between members of one part to that part's matrix, dense[first …].
+void add_terms(const HostMatrix& a, const std::vector<Index>& part, const std::vector<Index>& at,
+               const std::vector<Index>& begin, const std::vector<std::int64_t>& first,
+               std::vector<Real>& dense) {
+  for (std::size_t n = 0; n < a.tangent.size(); ++n)
     for (Index i = a.point_begin[n]; i < a.point_begin[n + 1]; ++i)
       for (Index j = a.point_begin[n]; j < a.point_begin[n + 1]; ++j) {
         const Index p = a.unknown[i], q = a.unknown[j], c = part[p];
         if (part[q] != c) continue;
         const std::int64_t width = std::int64_t{3} * (begin[c + 1] - begin[c]);
+        const Real w = a.weight[i] * a.weight[j];
         for (int d = 0; d < 3; ++d)
-          dense[first[c] + width * (3 * at[p] + d) + 3 * at[q] + d] +=
-              a.weight[i] * a.weight[j] * a.stiffness[n][d];
+          for (int e = 0; e < 3; ++e)
+            dense[first[c] + width * (3 * at[p] + d) + 3 * at[q] + e] +=
+                w * a.tangent[n][symmetric_entry(d, e)];
       }
 }
 
@@ -145,7 +147,7 @@ void invert_parts(const LevelMatrix& a, const DenseParts& parts) {
                            member = device::to_host(parts.member), at = device::to_host(parts.at);
   const std::vector<std::int64_t> first = device::to_host(parts.first);
   std::vector<Real> values(parts.inverse.extent(0), 0.0);
-  add_springs(matrix, device::to_host(parts.part), at, begin, first, values);
+  add_terms(matrix, device::to_host(parts.part), at, begin, first, values);
   for (std::size_t c = 0; c + 1 < begin.size(); ++c) {
     const Index members = begin[c + 1] - begin[c];
     matrix.add(&member[begin[c]], members, at, &values[first[c]]);

@@ -36,40 +36,46 @@ LoadedRows load_columns(const OperatorRows& rows, Index covers) {
   return loaded;
 }
 
-/// The points of springs on the host.
+/// The points of the terms on the host.
 struct HostPoints {
-  explicit HostPoints(const Springs& springs) {
-    if (!springs.any()) return;
-    begin = device::to_host(springs.points.begin);
-    unknown = device::to_host(springs.points.unknown);
-    weight = device::to_host(springs.points.weight);
-    stiffness = device::copy_to_host(springs.stiffness);
+  explicit HostPoints(const PointTerms& terms) {
+    if (!terms.any()) return;
+    begin = device::to_host(terms.points.begin);
+    unknown = device::to_host(terms.points.unknown);
+    weight = device::to_host(terms.points.weight);
+    tangent.resize(terms.points.count);  // arrays may have room for more
+    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), terms.tangent);
+    for (std::size_t n = 0; n < tangent.size(); ++n)
+      for (int m = 0; m < 6; ++m) tangent[n][m] = host(n, m);
   }
 
   /// f(point, entry, entry) for all pairs of entries of a point.
   template <class F>
   void for_each_pair(const F& f) const {
-    for (std::size_t n = 0; n < stiffness.size(); ++n)
+    for (std::size_t n = 0; n < tangent.size(); ++n)
       for (Index i = begin[n]; i < begin[n + 1]; ++i)
         for (Index j = begin[n]; j < begin[n + 1]; ++j) f(n, i, j);
   }
 
   std::vector<Index> begin, unknown;
   std::vector<Real> weight;
-  std::vector<Vec3> stiffness;
+  std::vector<std::array<Real, 6>> tangent;
 };
 
-BlockMatrix find_pattern(const Operator& op, const Springs& springs) {
+BlockMatrix find_pattern(const Operator& op, const TermLists& terms) {
   const LoadedRows rows = load_columns(rows_of(op, {}), op.covers);
   const std::vector<Index> begin = device::to_host(rows.begin);
   std::vector<std::vector<Index>> columns(op.covers);
   for (Index i = 0; i < op.covers; ++i)
     for (Index m = begin[i]; m < begin[i + 1]; ++m)
       if (rows.column[m] != none) columns[i].push_back(rows.column[m]);
-  const HostPoints points(springs);
-  points.for_each_pair([&](std::size_t, Index i, Index j) {
-    columns[points.unknown[i] % op.covers].push_back(points.unknown[j] % op.covers);
-  });
+  for (const PointTerms* list : terms) {
+    const HostPoints points(*list);
+    points.for_each_pair([&](std::size_t, Index i, Index j) {
+      const Index row = points.unknown[i] % op.covers, column = points.unknown[j] % op.covers;
+      if (columns[row].empty() || columns[row].back() != column) columns[row].push_back(column);
+    });
+  }
   BlockMatrix a;
   a.width = 3 * op.functions;
   a.begin = {0};
@@ -88,8 +94,27 @@ Index find_block(const BlockMatrix& a, Index row, Index column) {
       std::lower_bound(begin + a.begin[row], begin + a.begin[row + 1], column) - begin);
 }
 
-void fill_values(BlockMatrix& a, const Operator& op, const Combination& c, const Springs& springs,
-                 Real spring_factor) {
+void add_terms(BlockMatrix& a, Index covers, const HostPoints& points) {
+  const std::size_t width = a.width, size = width * width;
+  Index of_row = none, of_column = none, block = none;
+  points.for_each_pair([&](std::size_t n, Index i, Index j) {
+    const Index row = points.unknown[i], column = points.unknown[j];
+    if (row % covers != of_row ||
+        column % covers != of_column) {  // functions of a cover follow each other
+      of_row = row % covers;
+      of_column = column % covers;
+      block = find_block(a, of_row, of_column);
+    }
+    Real* to = &a.value[block * size];
+    const Real w = points.weight[i] * points.weight[j];
+    for (int d = 0; d < 3; ++d)
+      for (int e = 0; e < 3; ++e)
+        to[(3 * (column / covers) + d) * width + 3 * (row / covers) + e] +=
+            w * points.tangent[n][symmetric_entry(d, e)];
+  });
+}
+
+void fill_values(BlockMatrix& a, const Operator& op, const Combination& c, const TermLists& terms) {
   const std::size_t width = a.width, size = width * width;
   const OperatorRows rows = rows_of(op, c);
   const LoadedRows loaded = load_columns(rows, op.covers);
@@ -109,14 +134,7 @@ void fill_values(BlockMatrix& a, const Operator& op, const Combination& c, const
     for (Index m = begin[i]; m < begin[i + 1]; ++m)
       if (loaded.column[m] != none)
         std::copy_n(&of_rows[m * size], size, &a.value[find_block(a, i, loaded.column[m]) * size]);
-  const HostPoints points(springs);
-  points.for_each_pair([&](std::size_t n, Index i, Index j) {
-    const Index row = points.unknown[i], column = points.unknown[j];
-    Real* to = &a.value[find_block(a, row % op.covers, column % op.covers) * size];
-    for (int d = 0; d < 3; ++d)
-      to[(3 * (column / op.covers) + d) * width + 3 * (row / op.covers) + d] +=
-          spring_factor * points.weight[i] * points.weight[j] * points.stiffness[n][d];
-  });
+  for (const PointTerms* list : terms) add_terms(a, op.covers, HostPoints(*list));
 }
 
 Field diagonal_of(const BlockMatrix& a) {
@@ -139,26 +157,31 @@ std::size_t by_covers(const Factors& factors, std::size_t u) {
 
 }  // namespace
 
-bool analyse(Factors& factors, const Operator& op, const Springs& springs) {
-  if (!factors.solver) {
-    factors.solver = factors.make();
-    factors.too_large = op.covers > most_covers;
-    if (!factors.too_large) {
-      factors.pattern = find_pattern(op, springs);
-      factors.too_large = !factors.solver->analyse(factors.pattern);
-    }
+bool analyse(Factors& factors, const Operator& op, const TermLists& terms) {
+  if (factors.analysed) return !factors.too_large;
+  factors.analysed = true;
+  if (!factors.solver) factors.solver = factors.make();
+  if (op.covers > most_covers) {
+    factors.too_large = true;
+    return false;
   }
+  BlockMatrix pattern = find_pattern(op, terms);
+  if (pattern.begin == factors.pattern.begin && pattern.column == factors.pattern.column)
+    return !factors.too_large;
+  factors.pattern = std::move(pattern);
+  factors.current = factors.of_this_step = false;
+  factors.too_large = !factors.solver->analyse(factors.pattern);
   return !factors.too_large;
 }
 
-bool factorise(Factors& factors, const Operator& op, const Combination& c, const Springs& springs,
-               Real spring_factor, Real no_pivot) {
-  factors.current = false;
-  if (interrupt_signal || !analyse(factors, op, springs)) return false;
+bool factorise(Factors& factors, const Operator& op, const Combination& c, const TermLists& terms,
+               Real no_pivot) {
+  factors.current = factors.of_this_step = false;
+  if (interrupt_signal) return false;
   BlockMatrix a = factors.pattern;
-  fill_values(a, op, c, springs, spring_factor);
+  fill_values(a, op, c, terms);
   if (!factors.solver->factorise(a, no_pivot)) return false;
-  factors.current = true;
+  factors.current = factors.of_this_step = true;
   factors.pivot = no_pivot;
   factors.diagonal = diagonal_of(a);
   return !interrupt_signal;

@@ -81,17 +81,15 @@ SingleBlocks combined_blocks(const DeviceBlocks& from, const Combination& c, Rea
 
 }  // namespace
 
-SingleSprings level_springs(const Springs& springs, const PointRows& points, Real spring_factor,
-                            Real scale) {
+SingleTerms level_terms(const PointTerms& terms, const PointRows& points, Real scale) {
   const Index count = points.points.count;
-  SingleSprings single{points, SingleField("rockfold::solve::single_stiffness", count),
-                       SingleField("rockfold::solve::single_force", count)};
-  const auto stiffness = springs.stiffness;
-  const auto to = single.stiffness;
+  SingleTerms single{points, decltype(SingleTerms::tangent)("rockfold::solve::single_terms", count),
+                     SingleField("rockfold::solve::single_force", count)};
+  const auto from = terms.tangent;
+  const auto to = single.tangent;
   device::for_each(
-      "rockfold::solve::single_springs", count, KOKKOS_LAMBDA(const Index n) {
-        for (int d = 0; d < 3; ++d)
-          to(n, d) = static_cast<float>(spring_factor * stiffness(n, d) / scale);
+      "rockfold::solve::single_terms", count, KOKKOS_LAMBDA(const Index n) {
+        for (int m = 0; m < 6; ++m) to(n, m) = static_cast<float>(from(n, m) / scale);
       });
   return single;
 }

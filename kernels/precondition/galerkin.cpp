@@ -324,15 +324,15 @@ void invert_diagonal(const LevelMatrix& a, const SingleInverse& inverse) {
           diagonal(p, m) = sum;
         }
       });
-  const SingleSprings springs = a.springs;
+  const SingleTerms terms = a.terms;
   device::for_each(
-      "rockfold::solve::level_springs", static_cast<Index>(springs.row.extent(0)),
+      "rockfold::solve::level_terms", static_cast<Index>(terms.row.extent(0)),
       KOKKOS_LAMBDA(const Index t) {
-        for (Index k = springs.row_begin(t); k < springs.row_begin(t + 1); ++k) {
-          const Index e = springs.row_entry(k);
-          const Real w = springs.points.weight(e);
-          for (int d = 0; d < 3; ++d)
-            diagonal(springs.row(t), d) += w * w * springs.stiffness(springs.entry_point(e), d);
+        for (Index k = terms.row_begin(t); k < terms.row_begin(t + 1); ++k) {
+          const Index e = terms.row_entry(k);
+          const Real w = terms.points.weight(e);
+          for (int m = 0; m < 6; ++m)
+            diagonal(terms.row(t), m) += w * w * terms.tangent(terms.entry_point(e), m);
         }
       });
   invert_blocks(diagonal);

@@ -74,13 +74,11 @@ ApplyInverse of_multigrid(const Multigrid& grid, const KrylovWork& work) {
   };
 }
 
-ApplyInverse of_cover_grid(const CoverGrid& grid, const Apply& a, Real spring_factor,
-                           const KrylovWork& work) {
-  return
-      [&grid, a, spring_factor, work](const Field& r, const Field& z, const Array<Real>& energy) {
-        precondition(grid, a, spring_factor, r, z);
-        dot_on_device(work, r, z, energy);
-      };
+ApplyInverse of_cover_grid(const CoverGrid& grid, const Apply& a, const KrylovWork& work) {
+  return [&grid, a, work](const Field& r, const Field& z, const Array<Real>& energy) {
+    precondition(grid, a, r, z);
+    dot_on_device(work, r, z, energy);
+  };
 }
 
 ApplyInverse of_factors(const Factors& factors, const KrylovWork& work) {

@@ -16,8 +16,7 @@ ApplyInverse of_cover_blocks(const CoverBlocks& blocks, const KrylovWork& work);
 /// A cycle of multigrid, for covers of one function.
 ApplyInverse of_multigrid(const Multigrid& grid, const KrylovWork& work);
 /// Likewise of several; `a` applies the matrix.
-ApplyInverse of_cover_grid(const CoverGrid& grid, const Apply& a, Real spring_factor,
-                           const KrylovWork& work);
+ApplyInverse of_cover_grid(const CoverGrid& grid, const Apply& a, const KrylovWork& work);
 /// Direct factorisation.
 ApplyInverse of_factors(const Factors& factors, const KrylovWork& work);
 

@@ -173,17 +173,19 @@ void sweep(const LevelMatrix& a, const Sweep& s) {
 
 #endif
 
-/// r −= Nᵀ k N d.
-void subtract_springs(const SingleSprings& springs, const SingleField& d, const SingleField& r) {
-  if (springs.points.count == 0) return;
-  const SingleSprings s = springs;
+/// r −= Nᵀ D N d.
+void subtract_terms(const SingleTerms& terms, const SingleField& d, const SingleField& r) {
+  if (!terms.any()) return;
+  const SingleTerms s = terms;
   device::for_each(
-      "rockfold::solve::single_stretch", s.points.count, KOKKOS_LAMBDA(const Index n) {
+      "rockfold::solve::single_term_forces", s.points.count, KOKKOS_LAMBDA(const Index n) {
+        Real u[3] = {0, 0, 0};
+        for (Index e = s.points.begin(n); e < s.points.begin(n + 1); ++e)
+          for (int i = 0; i < 3; ++i) u[i] += s.points.weight(e) * d(s.points.unknown(e), i);
         for (int i = 0; i < 3; ++i) {
-          Real u = 0;
-          for (Index e = s.points.begin(n); e < s.points.begin(n + 1); ++e)
-            u += s.points.weight(e) * d(s.points.unknown(e), i);
-          s.force(n, i) = static_cast<float>(s.stiffness(n, i) * u);
+          Real sum = 0;
+          for (int j = 0; j < 3; ++j) sum += s.tangent(n, symmetric_entry(i, j)) * u[j];
+          s.force(n, i) = static_cast<float>(sum);
         }
       });
   device::for_each(
@@ -205,12 +207,12 @@ void subtract_springs(const SingleSprings& springs, const SingleField& d, const 
 void smooth(const LevelMatrix& a, const SingleInverse& inverse, float old_share, float new_share,
             const SingleField& d, const SingleField& r, const SingleField& x,
             const SingleField& step) {
-  subtract_springs(a.springs, d, r);
+  subtract_terms(a.terms, d, r);
   sweep(a, {true, old_share, new_share, inverse, d, r, x, step});
 }
 
 void subtract_product(const LevelMatrix& a, const SingleField& d, const SingleField& r) {
-  subtract_springs(a.springs, d, r);
+  subtract_terms(a.terms, d, r);
   sweep(a, {false, 0, 0, {}, d, r, {}, {}});
 }
 

@@ -1,10 +1,10 @@
 // One level of the multigrid preconditioner: a matrix in single precision, y = A x with
 //   y_i = D_i x_i + Σ_j A_ij (x_j − x_i),   D_i the sum of a row's blocks (mass; diagonal),
 // so that a translation meets exactly what it ought to: nothing where the rock is free. All values are divided by `scale`.
-// The finest level shares the rows of the operator; coarser ones are block rows. Springs stand beside them.
+// The finest level shares the rows of the operator; coarser ones are block rows. Terms stand beside them.
 #pragma once
 
-#include "kernels/operator/springs_kernel.hpp"
+#include "kernels/operator/point_terms_kernel.hpp"
 #include "kernels/precondition/coarse_covers.hpp"
 
 namespace rockfold::solve {
@@ -36,9 +36,10 @@ struct SingleBlocks {
   }
 };
 
-/// Springs between the rock and the ground, y += Nᵀ k N x.
-struct SingleSprings : PointRows {
-  SingleField stiffness, force;
+/// PointTerms in single precision.
+struct SingleTerms : PointRows {
+  Kokkos::View<float* [6], Kokkos::LayoutLeft, device::Memory> tangent;
+  SingleField force;
 };
 
 /// Inverted diagonal blocks, [rows] xx yy zz xy yz zx.
@@ -48,16 +49,15 @@ struct LevelMatrix {
   Index rows = 0;
   SingleStencil stencil;
   SingleBlocks block;
-  SingleSprings springs;
+  SingleTerms terms;
   Array<Index> place;  ///< [rows] where a row stands: its slot of `block`, or −1 − its run
 };
 
 /// The finest level: functions 0 of all covers.
 LevelMatrix finest_matrix(const Operator& op, const Combination& c, Real scale);
 
-/// The springs of a level whose functions have the weights `points` there.
-SingleSprings level_springs(const Springs& springs, const PointRows& points, Real spring_factor,
-                            Real scale);
+/// The terms of a level whose functions have the weights `points` there.
+SingleTerms level_terms(const PointTerms& terms, const PointRows& points, Real scale);
 
 /// Interpolation from a level to the next finer one, and its transpose. A cover between 2ⁿ coarse ones takes as much of each.
 struct Interpolation {

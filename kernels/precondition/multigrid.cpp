@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/device/sums_kernel.hpp"
 #include "kernels/precondition/chebyshev.hpp"
 #include "kernels/precondition/coarse_points.hpp"
 #include "kernels/precondition/multigrid_kernel.hpp"
@@ -14,9 +15,6 @@ using device::Sums;
 constexpr Index small_part = 64;
 /// The smoother works on eigenvalues from the largest down to this share of it.
 constexpr Real smoothed_share = 1.0 / 6;
-/// Where the coarsest level cannot be solved: degree and share of its smoother.
-constexpr int coarsest_degree = 16;
-constexpr Real coarsest_share = 1.0 / 200;
 
 /// d = x = share · B r.
 void first_step(const GridLevel& level, Real share) {
@@ -120,38 +118,27 @@ void scatter_residual(const GridLevel& level) {
       });
 }
 
-/// Lanczos' method by way of conjugate gradients on D⁻¹A: 12 steps find the largest eigenvalue to a few percent.
-class Estimate {
+/// Conjugate gradients on D⁻¹A of a level, for estimate_largest_eigenvalue.
+class LevelGradients {
  public:
-  explicit Estimate(const GridLevel& level)
+  explicit LevelGradients(const GridLevel& level)
       : level_(level),
         partial_(device::allocate<Real>("solve::estimate", 2 * device::chunk_count(level.a.rows))),
         sums_("rockfold::solve::estimate_sums", 2) {}
 
-  Real largest() {
-    constexpr int steps = 12;
-    constexpr Real margin = 1.1;
+  Real begin() {
     scatter_residual(level_);
-    std::vector<Real> diagonal, beside;
-    Real energy = residual_energy(), alpha_before = 1, beta = 0;
     turn(0);
-    for (int k = 0; k < steps && energy > 0; ++k) {
-      Kokkos::deep_copy(level_.step, 0.0F);
-      subtract_product(level_.a, level_.d, level_.step);
-      const Real alpha = energy / direction_energy();
-      if (!(alpha > 0) || !std::isfinite(alpha)) break;
-      diagonal.push_back(1 / alpha + beta / alpha_before);
-      advance(alpha);
-      const Real next = residual_energy();
-      beta = next / energy;
-      energy = next;
-      alpha_before = alpha;
-      turn(beta);
-      if (k + 1 < steps && energy > 0) beside.push_back(std::sqrt(beta) / alpha);
-    }
-    if (diagonal.empty()) return 1;
-    beside.resize(diagonal.size() - 1);
-    return margin * largest_of_tridiagonal(diagonal, beside);
+    return residual_energy();
+  }
+  Real curvature() {
+    Kokkos::deep_copy(level_.step, 0.0F);
+    subtract_product(level_.a, level_.d, level_.step);
+    return direction_energy();
+  }
+  Real advance(Real alpha) {
+    step_residual(alpha);
+    return residual_energy();
   }
 
  private:
@@ -192,7 +179,7 @@ class Estimate {
     return device::to_host(sums_)[0];
   }
   /// r −= α A d.
-  void advance(Real alpha) {
+  void step_residual(Real alpha) {
     const auto r = level_.r, step = level_.step;
     const float share = static_cast<float>(alpha);
     device::for_each(
@@ -296,19 +283,20 @@ void set_inverse(Multigrid& grid, const Blocks& inverse, Real scale) {
       });
 }
 
-void set_values(Multigrid& grid, const Operator& op, const Springs& springs, const Combination& c,
-                Real spring_factor) {
+void set_values(Multigrid& grid, const Operator& op, const PointTerms& terms,
+                const Combination& c) {
   for (std::size_t l = 0; l < grid.levels.size(); ++l) {
     GridLevel& level = grid.levels[l];
     level.a = l == 0 ? finest_matrix(op, c, grid.scale)
                      : coarse_matrix(grid.levels[l - 1].a, level.from, level.structure);
-    if (springs.any())
-      level.a.springs = level_springs(springs, level.points, spring_factor, grid.scale);
+    if (terms.any()) level.a.terms = level_terms(terms, level.points, grid.scale);
     if (l > 0) invert_diagonal(level.a, level.inverse);
   }
   const bool dense = grid.coarsest.any();
-  for (std::size_t l = 0; l + (dense ? 1 : 0) < grid.levels.size(); ++l)
-    grid.levels[l].largest = Estimate(grid.levels[l]).largest();
+  for (std::size_t l = 0; l + (dense ? 1 : 0) < grid.levels.size(); ++l) {
+    LevelGradients gradients(grid.levels[l]);
+    grid.levels[l].largest = estimate_largest_eigenvalue(gradients);
+  }
   if (dense) invert_parts(grid.levels.back().a, grid.coarsest);
 }
 

@@ -14,7 +14,7 @@ namespace rockfold::solve {
 struct GridLevel {
   LevelMatrix a;
   PointRows
-      points;  ///< of the springs, as the level sees them: with the weights of functions 0 alone
+      points;  ///< of the terms, as the level sees them: with the weights of functions 0 alone
   SingleInverse inverse;
   Real largest = 0;  ///< eigenvalue of D⁻¹A, with a margin
   SingleField x, r, d, step;
@@ -30,16 +30,15 @@ struct Multigrid {
   Real scale = 1;       ///< what all values are divided by
 };
 
-/// Levels without values, from topology; none for a lattice that has no coarser one. `points`: those of the springs. `lent`: [P] a
+/// Levels without values, from topology; none for a lattice that has no coarser one. `points`: those of the terms. `lent`: [P] a
 /// vector of the caller's in whose memory d and step of the finest level lie, in single precision: whatever it held is lost in
 /// set_values and precondition, and what is written to it in between does not matter.
 Multigrid make_multigrid(const CoverArrays& covers, const Operator& op,
                          const MaterialPoints& points, const Field& lent);
 
-/// For αK + βM + γ NᵀkN: its inverted diagonal blocks, and its largest diagonal entry. Then come the values.
+/// For αK + βM and the terms: its inverted diagonal blocks, and its largest diagonal entry. Then come the values.
 void set_inverse(Multigrid& grid, const Blocks& inverse, Real scale);
-void set_values(Multigrid& grid, const Operator& op, const Springs& springs, const Combination& c,
-                Real spring_factor);
+void set_values(Multigrid& grid, const Operator& op, const PointTerms& terms, const Combination& c);
 
 /// levels[0].x = scale / ‖r‖ · B r, with ‖r‖² = squared_norm(0) on the device.
 void precondition(const Multigrid& grid, const Field& r, const Array<Real>& squared_norm);

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "kernels/constraints/held_kernel.hpp"
+#include "kernels/constraints/constrained_system_kernel.hpp"
 #include "kernels/finite/deformation_kernel.hpp"
 #include "kernels/operator/sampled_elements_kernel.hpp"
 #include "kernels/time/motion.hpp"
@@ -54,12 +54,12 @@ class Deformation {
   /// J that this viscosity takes in the step that ends at d (finite::viscous_work).
   virtual Real viscous_work(const Field& /*d*/, Real /*viscosity*/) const { return 0; }
   /// Takes the tangent of the last linearise() again without the part of the stress, which compression may make negative.
-  virtual void soften() {}
+  virtual void drop_geometric_stiffness() {}
   /// Turns a correction to the end of the step, where forces are taken in its middle.
   virtual void turn(const Field& /*x*/) const {}
   /// An element that d turns inside out, or none; those whose forces at a strain of 1 are below `least`, N, do not count.
   virtual Index inverted(const Field& /*d*/, Real /*least*/) const { return none; }
-  /// Sizes of the terms of ∂u/∂X, which cancel where idle motion (idle_motion.cpp) has grown: rounding grows with them.
+  /// Sizes of the terms of ∂u/∂X, which cancel where null-space motion (null_space_motion.cpp) has grown: rounding grows with them.
   virtual Real largest_terms(const Field& /*d*/) const { return 1; }
 
   /// [elements][6] Pa, the mean of each element.
@@ -77,9 +77,9 @@ inline solve::PointSlopes sampled_slopes_at(const CoverArrays* sampled,
 }
 
 std::unique_ptr<Deformation> make_small_strain(const MotionSetup& setup,
-                                               const solve::HeldSystem& held);
+                                               const solve::ConstrainedSystem& system);
 std::unique_ptr<Deformation> make_finite_strain(const MotionSetup& setup,
-                                                const solve::HeldSystem& held);
+                                                const solve::ConstrainedSystem& system);
 
 }  // namespace motion
 }  // namespace rockfold

@@ -14,17 +14,18 @@ using device::Sums;
 
 /// ½ (x + y)·Δd
 Real mean_work(const Motion::Data& m, const Field& x, const Field& y) {
-  return 0.5 * (solve::dot(m.held.work, x, m.increment) + solve::dot(m.held.work, y, m.increment));
+  return 0.5 *
+         (solve::dot(m.system.work, x, m.increment) + solve::dot(m.system.work, y, m.increment));
 }
 
 }  // namespace
 
 void update_reactions(Motion::Data& m, bool middle) {
-  const solve::Springs s = m.held.springs;
+  const solve::Springs s = m.system.springs;
   if (!s.any()) return;
   const auto way = m.increment, before = m.now.reaction;
   const auto out = m.sums;
-  solve::spring_reactions(s, m.held.spring_factor, m.correction, m.goal, s.force);
+  solve::spring_reactions(s, m.system.spring_factor, m.correction, m.prescribed, s.force);
   device::sum_then<1>(
       "rockfold::motion::support_work", s.points.count, m.partial,
       KOKKOS_LAMBDA(const Index n, Sums<1>& sum) {
@@ -49,12 +50,12 @@ void count_work(Motion::Data& m, Real dt) {
   }
   if (by.mass > 0 || by.stiffness > 0) {
     m.rock->apply({by.stiffness, by.mass}, m.increment, m.work);
-    work.damping += solve::dot(m.held.work, m.work, m.increment) / dt;
+    work.damping += solve::dot(m.system.work, m.work, m.increment) / dt;
   }
   if (m.dashpots.any()) {
     Kokkos::deep_copy(m.work, 0.0);
     add_dashpots(m.dashpots, 1, m.increment, m.work);
-    work.quiet += solve::dot(m.held.work, m.work, m.increment) / dt;
+    work.quiet += solve::dot(m.system.work, m.work, m.increment) / dt;
   }
 }
 
@@ -62,24 +63,24 @@ void count_following_work(Motion::Data& m) {
   if (!m.following.any()) return;
   Kokkos::deep_copy(m.work, m.following_before);
   add_following_pressures(m.following, m.now.time, m.now.displacement, 1, m.work);
-  m.now.work.loads += 0.5 * solve::dot(m.held.work, m.work, m.increment);
+  m.now.work.loads += 0.5 * solve::dot(m.system.work, m.work, m.increment);
 }
 
 void count_loads_at_once(Motion::Data& m) {
   Real& work = m.now.work.loads;
-  if (m.varying_loads.any()) work += solve::dot(m.held.work, m.varying, m.increment);
+  if (m.varying_loads.any()) work += solve::dot(m.system.work, m.varying, m.increment);
   if (!m.following.any()) return;
   const Field in_place = m.correction;
   Kokkos::deep_copy(in_place, 0.0);
   Kokkos::deep_copy(m.work, 0.0);
   add_following_pressures(m.following, m.now.time, in_place, 0.5, m.work);
   add_following_pressures(m.following, m.now.time, m.now.displacement, 0.5, m.work);
-  work += solve::dot(m.held.work, m.work, m.increment);
+  work += solve::dot(m.system.work, m.work, m.increment);
 }
 
 Real kinetic_energy(const Motion::Data& m) {
   m.rock->apply({0, 1}, m.now.velocity, m.work);
-  return 0.5 * solve::dot(m.held.work, m.now.velocity, m.work);
+  return 0.5 * solve::dot(m.system.work, m.now.velocity, m.work);
 }
 
 }  // namespace motion
@@ -90,14 +91,18 @@ Energy Motion::energy() const {
   Energy e;
   e.kinetic = motion::kinetic_energy(m);
   e.strain = m.rock->energy(m.now.displacement);
-  e.potential = -solve::dot(m.held.work, m.load, m.now.displacement);
+  e.potential = -solve::dot(m.system.work, m.load, m.now.displacement);
   e.loads = work.loads;
   e.supports = work.supports;
+  e.contact = m.now.contact_energy;
+  e.friction = work.friction;
+  e.impact = work.impact;
   e.damping = work.damping;
   e.quiet = work.quiet;
   e.ratio = work.ratio;
-  e.dissipated = m.now.initial_energy + e.loads + e.supports - (e.kinetic + e.strain + e.potential);
-  e.numerical = e.dissipated - (e.damping + e.quiet + e.ratio);
+  e.dissipated = m.now.initial_energy + e.loads + e.supports -
+                 (e.kinetic + e.strain + e.potential + e.contact);
+  e.numerical = e.dissipated - (e.damping + e.quiet + e.ratio + e.friction + e.impact);
   return e;
 }
 

@@ -11,8 +11,8 @@ namespace {
 
 class FiniteStrain : public Deformation {
  public:
-  FiniteStrain(const MotionSetup& setup, const solve::HeldSystem& held)
-      : op_(held.op),
+  FiniteStrain(const MotionSetup& setup, const solve::ConstrainedSystem& system)
+      : op_(system.op),
         body_(finite::make_deformation(setup.covers, setup.moments, setup.materials,
                                        setup.initial_stress)),
         elements_(solve::make_element_table(setup.covers, setup.moments, setup.materials)),
@@ -48,7 +48,7 @@ class FiniteStrain : public Deformation {
     finite::deform(body_, d);
     finite::assemble_tangent(body_, rule_, op_.block);
   }
-  void soften() override {
+  void drop_geometric_stiffness() override {
     finite::ForceRule rule = rule_;
     rule.geometric = false;
     finite::assemble_tangent(body_, rule, op_.block);
@@ -111,8 +111,8 @@ class FiniteStrain : public Deformation {
 }  // namespace
 
 std::unique_ptr<Deformation> make_finite_strain(const MotionSetup& setup,
-                                                const solve::HeldSystem& held) {
-  return std::make_unique<FiniteStrain>(setup, held);
+                                                const solve::ConstrainedSystem& system) {
+  return std::make_unique<FiniteStrain>(setup, system);
 }
 
 }  // namespace rockfold::motion

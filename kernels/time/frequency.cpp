@@ -36,21 +36,24 @@ void scale(const Field& x, Real factor) {
 
 /// Springs are stiffness. Where multipliers hold points, theirs stand beside the mass instead, as in every step: what they hold hardly moves.
 Real largest_frequency(Motion::Data& m, Real dt) {
-  const solve::Springs& springs = m.held.springs;
+  const solve::Springs& springs = m.system.springs;
   const bool held = springs.any() && solve::largest_entry(springs.augmented) > 0;
   const Real hold = held ? m.beta * dt * dt : 0;
   set_matrix(m, {0, 1}, 0, hold, false);
   if (!m.rock->linear()) m.rock->linearise(m.now.displacement);
+  solve::PointTerms stiff = m.system.terms;
+  stiff.tangent = solve::Blocks("rockfold::motion::spring_tangents", stiff.points.count);
+  solve::set_tangents(springs, 1, stiff, 0);
   const auto mass = [&](const Field& x, const Field& y) {
     m.rock->apply({0, 1}, x, y);
-    if (held) solve::apply_springs(springs, hold, x, y);
+    if (held) solve::apply_terms(m.system.terms, x, y);
   };
   const auto stiffness = [&](const Field& x, const Field& y) {
     m.rock->apply({1, 0}, x, y);
-    if (springs.any() && !held) solve::apply_springs(springs, 1, x, y);
+    if (held) return;
+    solve::apply_terms(stiff, x, y);
   };
-  const solve::ApplyInverse blocks =
-      solve::make_inverse(m.held, Preconditioner::block_jacobi, mass);
+  const solve::ApplyInverse blocks = solve::make_inverse(m.system, Preconditioner::block_jacobi);
   solve::PcgOptions how;
   how.tolerance = 1e-4;  // the quotient is exact for any x
   const Field x = device::make_field("motion::mode", m.unknowns);
@@ -59,14 +62,14 @@ Real largest_frequency(Motion::Data& m, Real dt) {
   for (int k = 0; k < most_iterations; ++k) {
     stiffness(x, m.right);
     mass(x, m.work);
-    const Real inertia = solve::dot(m.held.work, x, m.work);
-    const Real found = solve::dot(m.held.work, x, m.right) / inertia;
+    const Real inertia = solve::dot(m.system.work, x, m.work);
+    const Real found = solve::dot(m.system.work, x, m.right) / inertia;
     const bool done = std::abs(found - square) <= settled * found;
     square = found;
     if (done || !(found > 0)) break;
     scale(x, square);  // a first guess of M⁻¹ K x
-    solve::solve_pcg(m.held.work, mass, blocks, m.right, x, how);
-    scale(x, 1 / std::sqrt(solve::dot(m.held.work, x, x)));
+    solve::solve_pcg(m.system.work, mass, blocks, m.right, x, how);
+    scale(x, 1 / std::sqrt(solve::dot(m.system.work, x, x)));
   }
   return std::sqrt(square);
 }

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "kernels/constraints/held_kernel.hpp"
+#include "kernels/constraints/constrained_system_kernel.hpp"
 #include "kernels/time/loads_kernel.hpp"
 
 namespace rockfold::motion {
@@ -174,33 +174,29 @@ void add_dashpots(const Dashpots& dashpots, Real factor, const Field& x, const F
   solve::scatter(c.points, factor, c.force, y);
 }
 
-void add_dashpot_diagonal(const Dashpots& dashpots, Real factor, const solve::Blocks& block) {
+void set_tangents(const Dashpots& dashpots, Real factor, const solve::PointTerms& terms,
+                  Index first) {
   if (!dashpots.any()) return;
   const Dashpots c = dashpots;
-  const solve::PointRows rows = c.points;
+  const auto tangent = terms.tangent;
   device::for_each(
-      "rockfold::motion::dashpot_diagonal", static_cast<Index>(rows.row.extent(0)),
-      KOKKOS_LAMBDA(const Index t) {
-        for (Index i = rows.row_begin(t); i < rows.row_begin(t + 1); ++i) {
-          const Index n = rows.entry_point(rows.row_entry(i));
-          const Real w = rows.points.weight(rows.row_entry(i));
-          const Real shear = c.shear_damping(n), extra = c.normal_damping(n) - shear;
-          for (int d = 0; d < 3; ++d) {
-            const Real a = c.normal(n, d), b = c.normal(n, (d + 1) % 3);
-            block(rows.row(t), d) += factor * w * w * (shear + extra * a * a);
-            block(rows.row(t), 3 + d) += factor * w * w * extra * a * b;
-          }
-        }
+      "rockfold::motion::dashpot_tangents", c.points.points.count, KOKKOS_LAMBDA(const Index n) {
+        const Real shear = c.shear_damping(n), extra = c.normal_damping(n) - shear;
+        for (int i = 0; i < 3; ++i)
+          for (int j = i; j < 3; ++j)
+            tangent(first + n, solve::symmetric_entry(i, j)) =
+                factor * ((i == j ? shear : 0) + extra * c.normal(n, i) * c.normal(n, j));
       });
 }
 
-MovingSupports make_moving_supports(const FixedPoints& fixed, const solve::HeldSystem& held) {
+MovingSupports make_moving_supports(const FixedPoints& fixed,
+                                    const solve::ConstrainedSystem& system) {
   MovingSupports supports;
   if (fixed.tables.empty() || fixed.table.empty()) return supports;
-  const Index count = held.springs.points.count;
+  const Index count = system.springs.points.count;
   std::vector<Index> of_merged(count, none);
   for (std::size_t n = 0; n < fixed.table.size(); ++n)
-    of_merged[held.shares.merged[n]] = fixed.table[n];
+    of_merged[system.shares.merged[n]] = fixed.table[n];
   supports.tables = DeviceTables(fixed.tables);
   supports.table = device::to_device("motion::support_table", of_merged);
   return supports;

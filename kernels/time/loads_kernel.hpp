@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "kernels/constraints/held_kernel.hpp"
+#include "kernels/constraints/constrained_system_kernel.hpp"
 #include "kernels/time/motion.hpp"
 
 namespace rockfold::motion {
@@ -65,15 +65,17 @@ struct Dashpots {
 Dashpots make_dashpots(const QuietPoints& quiet, Index unknowns);
 /// y += factor · C x.
 void add_dashpots(const Dashpots& dashpots, Real factor, const Field& x, const Field& y);
-/// The diagonal blocks of factor · C, added to d.
-void add_dashpot_diagonal(const Dashpots& dashpots, Real factor, const solve::Blocks& d);
+/// factor · C as tangents of the points of `terms` from `first` on.
+void set_tangents(const Dashpots& dashpots, Real factor, const solve::PointTerms& terms,
+                  Index first);
 
 /// Tables of fixed points: which each follows.
 struct MovingSupports {
   DeviceTables tables;
   Array<Index> table;  ///< [merged points] or none
 };
-MovingSupports make_moving_supports(const FixedPoints& fixed, const solve::HeldSystem& held);
+MovingSupports make_moving_supports(const FixedPoints& fixed,
+                                    const solve::ConstrainedSystem& system);
 /// Sets the targets of the springs at t.
 void move_supports(const MovingSupports& supports, Real t, const solve::Springs& springs);
 

@@ -5,7 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "kernels/time/motion_kernel.hpp"
+#include "kernels/time/step_kernel.hpp"
+#include "src/base/vector.hpp"
 
 namespace rockfold {
 
@@ -24,17 +25,10 @@ MovingState make_moving_state(Index unknowns, Index fixed) {
 }
 
 void copy_state(const MovingState& from, MovingState& to) {
-  Kokkos::deep_copy(to.displacement, from.displacement);
-  Kokkos::deep_copy(to.velocity, from.velocity);
-  Kokkos::deep_copy(to.acceleration, from.acceleration);
-  Kokkos::deep_copy(to.multiplier, from.multiplier);
-  Kokkos::deep_copy(to.reaction, from.reaction);
-  to.time = from.time;
-  to.work = from.work;
-  to.learned = from.learned;
-  to.learned_in = from.learned_in;
-  to.steps = from.steps;
-  to.initial_energy = from.initial_energy;
+  static_cast<StateNumbers&>(to) = from;
+  to.multiplier_history = from.multiplier_history;
+  const auto of_from = from.fields(), of_to = to.fields();
+  for (std::size_t i = 0; i < of_to.size(); ++i) Kokkos::deep_copy(of_to[i], of_from[i]);
 }
 
 std::vector<Vec3> uniform_field(Index unknowns, Index covers, const Vec3& v) {
@@ -46,23 +40,21 @@ std::vector<Vec3> uniform_field(Index unknowns, Index covers, const Vec3& v) {
 namespace {
 
 void make_system(Motion::Data& m, const MotionSetup& setup) {
-  m.held = solve::make_held_system(
+  m.system = solve::make_constrained_system(
       setup.covers,
       solve::build_operator(setup.covers, setup.moments, setup.materials, !setup.large),
-      setup.fixed, setup.preconditioner, setup.direct);
-  m.rock = setup.large ? make_finite_strain(setup, m.held) : make_small_strain(setup, m.held);
-  m.supports = make_moving_supports(setup.fixed, m.held);
+      setup.fixed, setup.preconditioner, setup.direct, setup.quiet.points);
+  if (setup.surfaces) {
+    m.contact = std::make_unique<contact::ContactTerm>(
+        contact::make_contact_term(*setup.surfaces, setup.surface_points, setup.contact));
+    m.system.has_contacts = true;
+    m.system.contacts = contact::make_contact_rows(m.unknowns);
+    m.system.bicgstab = solve::make_bicgstab_work(m.unknowns);
+    m.most_iterations = setup.contact_iterations;
+  }
+  m.rock = setup.large ? make_finite_strain(setup, m.system) : make_small_strain(setup, m.system);
+  m.supports = make_moving_supports(setup.fixed, m.system);
   m.dashpots = make_dashpots(setup.quiet, m.unknowns);
-  if (!m.dashpots.any()) return;
-  // Data stays where it is for as long as its motion lives.
-  m.held.other = {[&m](const Field& x, const Field& y) {
-                    m.rock->apply(m.held.combination, x, y);
-                    add_dashpots(m.dashpots, m.dashpot_factor, x, y);
-                  },
-                  [&m](const solve::Blocks& d) {
-                    m.rock->diagonal(m.held.combination, d);
-                    add_dashpot_diagonal(m.dashpots, m.dashpot_factor, d);
-                  }};
 }
 
 void make_loads(Motion::Data& m, const MotionSetup& setup) {
@@ -86,17 +78,17 @@ void make_data(Motion::Data& m, const MotionSetup& setup) {
   m.damping = setup.damping;
   m.beta = setup.beta;
   m.gamma = setup.gamma;
-  m.dynamic_ratio = setup.dynamic_ratio;
   m.solver = setup.solver;
   make_system(m, setup);
-  const Index fixed = m.held.springs.points.count;
+  const Index fixed = m.system.springs.points.count;
   m.now = make_moving_state(m.unknowns, fixed);
-  m.held.springs.multiplier = m.now.multiplier;  // one and the same array: saved with the state
+  m.now.dynamic_ratio = setup.dynamic_ratio;
+  m.system.springs.multiplier = m.now.multiplier;  // one and the same array: saved with the state
   m.increment = device::make_field("motion::increment", m.unknowns);
   m.correction = device::make_field("motion::correction", m.unknowns);
   m.right = device::make_field("motion::right", m.unknowns);
   m.work = device::make_field("motion::work", m.unknowns);
-  m.goal = device::make_field("motion::goal", fixed);
+  m.prescribed = device::make_field("motion::prescribed", fixed);
   m.support_way = device::make_field("motion::support_way", fixed);
   m.partial = device::allocate<Real>("motion::partial",
                                      3 * device::chunk_count(std::max(m.unknowns, fixed)));
@@ -107,11 +99,11 @@ void make_data(Motion::Data& m, const MotionSetup& setup) {
     m.following = make_following_pressures(setup);
     if (m.following.any())
       m.following_before = device::make_field("motion::following_before", m.unknowns);
-    m.goal_before = device::make_field("motion::goal_before", fixed);
+    m.stretch_before = device::make_field("motion::stretch_before", fixed);
   }
   make_loads(m, setup);
   m.rock->force(m.now.displacement, m.work);
-  m.initial_force = std::sqrt(solve::dot(m.held.work, m.work, m.work));
+  m.initial_force = std::sqrt(solve::dot(m.system.work, m.work, m.work));
 }
 
 Real largest_motion(const solve::DevicePoints& points, const Field& x) {
@@ -129,8 +121,8 @@ Real largest_motion(const solve::DevicePoints& points, const Field& x) {
 /// Numbers so large that energies overflow are no motion any more: not converged, residual NaN.
 void require_finite(const Motion::Data& m, SolveReport& report) {
   constexpr Real most = 1e200;  // of squares
-  if (solve::dot(m.held.work, m.now.displacement, m.now.displacement) < most &&
-      solve::dot(m.held.work, m.now.acceleration, m.now.acceleration) < most)
+  if (solve::dot(m.system.work, m.now.displacement, m.now.displacement) < most &&
+      solve::dot(m.system.work, m.now.acceleration, m.now.acceleration) < most)
     return;
   report.converged = false;
   report.residual = std::numeric_limits<Real>::quiet_NaN();
@@ -160,45 +152,73 @@ SolveReport Motion::solve_static() {
   motion::require_finite(*data_, report);
   return report;
 }
+void Motion::begin_stage(Real dynamic_ratio) {
+  motion::begin_stage(*data_, dynamic_ratio);
+}
 SolveReport Motion::start(Real dt) {
-  if (data_->dynamic_ratio == 0) return {};  // no acceleration is handed on
+  if (data_->contact) motion::begin_contact(*data_);
+  if (data_->now.dynamic_ratio == 0) return {};  // no acceleration is handed on
   return motion::solve_initial_acceleration(*data_, dt);
 }
 
-SolveReport Motion::step(Real dt, int substeps, const TrackedPoints* watched, Real limit) {
+SolveReport Motion::step(Real dt, bool first, const TrackedPoints* watched) {
   Data& m = *data_;
-  SolveReport total;
-  m.largest_increment = 0;
-  for (int i = 0; i < substeps; ++i) {
-    // A quasi-static substep is a step of its own: nothing is handed on. The share of a velocity is taken once a step.
-    m.handed = 1;
-    if (i == 0 || m.dynamic_ratio == 0) motion::hand_on(m);
-    SolveReport report = motion::take_step(m, dt / substeps);
-    motion::require_finite(m, report);
-    total.add(report);
-    if (!total.converged) return total;
-    if (!watched) continue;
-    m.largest_increment =
-        std::max(m.largest_increment, motion::largest_motion(watched->data().points, m.increment));
-    if (m.largest_increment > limit) return total;
-  }
-  return total;
+  m.handed = 1;
+  if (first || m.now.dynamic_ratio == 0) motion::hand_on(m);
+  SolveReport report = motion::take_step(m, dt);
+  motion::require_finite(m, report);
+  if (watched && report.converged)
+    m.largest_increment = motion::largest_motion(watched->data().points, m.increment);
+  return report;
 }
 
 Real Motion::largest_increment() const {
   return data_->largest_increment;
 }
+Real Motion::energy_made() const {
+  return data_->energy_made;
+}
 
 void Motion::save() {
   Data& m = *data_;
   if (m.saved.displacement.extent(0) == 0)
-    m.saved = motion::make_moving_state(m.unknowns, m.held.springs.points.count);
+    m.saved = motion::make_moving_state(m.unknowns, m.system.springs.points.count);
   motion::copy_state(m.now, m.saved);
+  if (m.contact) contact::keep(m.contact->contacts, m.saved_contacts);
 }
 
 void Motion::restore() {
   motion::copy_state(data_->saved, data_->now);
+  if (data_->contact) contact::restore(data_->contact->contacts, data_->saved_contacts);
   motion::set_time(*data_, data_->now.time);  // loads and supports too stand where they stood
+}
+
+std::vector<ContactPoint> Motion::contact_points() const {
+  return data_->contact ? contact::points(data_->contact->contacts) : std::vector<ContactPoint>{};
+}
+
+ContactCount Motion::contact_count() const {
+  return data_->contact ? contact::count_states(data_->contact->contacts) : ContactCount{};
+}
+
+double Motion::contact_seconds() const {
+  return data_->contact_seconds;
+}
+
+Index Motion::most_unbalanced_cover() const {
+  Real reference = 0;
+  motion::find_imbalance(*data_, reference);
+  const auto right = device::copy_to_host(data_->right),
+             supports = device::copy_to_host(data_->work);
+  Index worst = none;
+  Real most = 0;
+  for (Index p = 0; p < data_->covers; ++p) {
+    const Real left = norm(right[p] + supports[p]);
+    if (!(left > most)) continue;
+    most = left;
+    worst = p;
+  }
+  return worst;
 }
 
 Real Motion::time() const {
@@ -212,7 +232,7 @@ StateArrays Motion::state() const {
 }
 
 std::vector<Vec3> Motion::reactions() const {
-  return data_->held.shares.share_out(device::copy_to_host(data_->now.reaction));
+  return data_->system.shares.share_out(device::copy_to_host(data_->now.reaction));
 }
 
 }  // namespace rockfold

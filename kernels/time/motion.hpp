@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "kernels/constraints/cover_system.hpp"
+#include "kernels/contact/contact.hpp"
 #include "kernels/time/tracked_points.hpp"
 #include "src/arrays/load_arrays.hpp"
 
@@ -54,6 +55,11 @@ struct MotionSetup {
   SolveOptions solver{};
   Preconditioner preconditioner = Preconditioner::automatic;
   MakeDirectSolver direct{};  ///< empty: conjugate gradients do without factors
+  /// Where blocks touch each other: large kinematics, no statics, and in dynamics average acceleration. Null: they do not.
+  const SurfaceArrays* surfaces = nullptr;
+  MaterialPoints surface_points{};  ///< [V] the vertices of the surfaces
+  ContactOptions contact{};
+  int contact_iterations = 40;  ///< of Newton's method in a step
 };
 
 class Motion {
@@ -66,16 +72,22 @@ class Motion {
   /// Replaces displacement and velocity (at rest in place to start with); before start().
   void set_motion(const StateArrays& state);
 
-  /// The displacement in equilibrium with the loads; the time becomes 1, and tables are read there.
+  /// The displacement in equilibrium with the loads, one second on, where tables are read.
   SolveReport solve_static();
+
+  /// Another analysis goes on from here, with that `dynamic_ratio`. What moves only in the measure of a step that hands no velocity on comes to
+  /// rest: before such steps, and after them. A moving one goes on by start().
+  void begin_stage(Real dynamic_ratio);
 
   /// The acceleration at t = 0. Fixed points are held against accelerating as steps of length dt will hold them.
   SolveReport start(Real dt);
-  /// Hands the velocity on, then takes `substeps` steps of length dt / substeps. Stops at the first that does not converge, and,
-  /// where `watched` is given, at the first that moves one of its points by more than `limit` m: largest_increment().
-  SolveReport step(Real dt, int substeps = 1, const TrackedPoints* watched = nullptr,
-                   Real limit = 0);
+  /// A step of length dt, or a part of one; the first hands the velocity on (without a velocity to hand on all parts are steps of their own).
+  SolveReport step(Real dt, bool first = true, const TrackedPoints* watched = nullptr);
+  /// m: how far the last step has moved one of the points watched.
   Real largest_increment() const;
+  /// Of kinetic energy and that stored in joints: what the last step has made out of nothing, by the rule that blocks which overlap far
+  /// and turn change the planes and areas on which they touch. In proportion to its length.
+  Real energy_made() const;
 
   /// rad/s: the largest natural frequency of the rock on its supports as it is now, within about a percent, from below. `dt`: s, as
   /// given to start(). Schemes with β < γ/2 are stable up to dt = 1 / (frequency √(γ/2 − β)) (Hughes 1987, §9.1.2), for γ ≥ 1/2.
@@ -100,6 +112,13 @@ class Motion {
   /// [fixed points] N, on the rock.
   std::vector<Vec3> reactions() const;
   Energy energy() const;
+  /// As they are after the last step; none where blocks do not touch each other.
+  std::vector<ContactPoint> contact_points() const;
+  ContactCount contact_count() const;
+  /// s, spent in finding contact points so far.
+  double contact_seconds() const;
+  /// Where the forces of the last iteration are least in balance.
+  Index most_unbalanced_cover() const;
 
   struct Data;
 

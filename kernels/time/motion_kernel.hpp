@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 
-#include "kernels/constraints/held_kernel.hpp"
+#include "kernels/constraints/constrained_system_kernel.hpp"
+#include "kernels/contact/term_kernel.hpp"
 #include "kernels/time/deformation_kernel.hpp"
 #include "kernels/time/following_kernel.hpp"
 #include "kernels/time/loads_kernel.hpp"
@@ -15,19 +17,31 @@ namespace motion {
 
 /// J since the motion was given; see Energy.
 struct Work {
-  Real supports = 0, loads = 0, damping = 0, quiet = 0, ratio = 0;
+  Real supports = 0, loads = 0, damping = 0, quiet = 0, ratio = 0, friction = 0, impact = 0;
 };
 
-/// Everything that a step changes.
-struct MovingState {
+/// The numbers of a state.
+struct StateNumbers {
+  Real time = 0;  ///< s
+  Real initial_energy =
+      0;  ///< J, kinetic + strain + potential of the motion given, and what the initial stress stores in joints
+  Real contact_energy = 0;  ///< J, stored in joints
+  Real history_step = 0;    ///< s, of the steps that multiplier_history comes from; 0: of no length
+  Real dynamic_ratio = 1;   ///< share of the velocity that steps hand on
+  Work work;
+  std::int64_t steps = 0;  ///< done since the stage began
+};
+
+/// Everything that a step changes. What is added here is copied, saved and restored by StateNumbers and fields(), and belongs into
+/// RandomMotion of tests/time/state_test.cpp.
+struct MovingState : StateNumbers {
   Field displacement, velocity, acceleration;  ///< of the covers
   Field multiplier, reaction;                  ///< of the fixed points
-  Real time = 0;
-  Work work;
-  solve::Anderson learned{solve::most_pairs};  ///< of the multipliers, learned in steps of …
-  Real learned_in = 0;                         ///< … s; 0: of no length
-  Index steps = 0;                             ///< done since the motion was given
-  Real initial_energy = 0;  ///< J, kinetic + strain + potential of the motion given
+  solve::Anderson multiplier_history{solve::most_pairs};
+
+  std::array<Field, 5> fields() const {
+    return {displacement, velocity, acceleration, multiplier, reaction};
+  }
 };
 MovingState make_moving_state(Index unknowns, Index fixed);
 void copy_state(const MovingState& from, MovingState& to);
@@ -35,37 +49,42 @@ void copy_state(const MovingState& from, MovingState& to);
 }  // namespace motion
 
 struct Motion::Data {
-  solve::HeldSystem held;
+  solve::ConstrainedSystem system;
   std::unique_ptr<motion::Deformation> rock;
   motion::VaryingLoads varying_loads;
   motion::FollowingPressures following;  ///< large kinematics
   motion::Dashpots dashpots;
   motion::MovingSupports supports;
   motion::MovingState now, saved;
+  std::unique_ptr<contact::ContactTerm> contact;  ///< null: blocks do not touch each other
+  contact::Accepted saved_contacts;
+  int most_iterations = 60;  ///< of Newton's method
 
   device::Field load;            ///< gravity and constant loads, N
   device::Field varying;         ///< loads that change, at the time of `now` …
   device::Field varying_before;  ///< … and at the start of the step; empty where no load changes
-  device::Field velocity_before, acceleration_before, goal_before,
+  device::Field velocity_before, acceleration_before, stretch_before,
       following_before;      ///< at the start of the step; large kinematics
   device::Field increment;   ///< Δd of the step
   device::Field correction;  ///< of the prediction: what is solved for
   device::Field right;       ///< right-hand side
   device::Field work;
-  device::Field goal;         ///< of the fixed points, for the unknown being solved for
+  device::Field prescribed;   ///< of the fixed points, for the unknown being solved for
   device::Field support_way;  ///< of the fixed points in the step
   device::Array<Real> partial, sums;
 
   Real handed = 1;  ///< share of the velocity that the step now taken was handed
   Vec3 gravity{};
   Rayleigh damping;
-  Real beta = 0.25, gamma = 0.5, dynamic_ratio = 1;
+  Real beta = 0.25, gamma = 0.5;
   SolveOptions solver;
   Index unknowns = 0, covers = 0, elements = 0;
   Real dashpot_factor = 0;  ///< of the dashpots in the matrix
   Real step_length = 0;     ///< that the system is prepared for; 0 = for none
   Real largest_increment = 0;
+  Real energy_made = 0;    ///< see Motion::energy_made
   Real initial_force = 0;  ///< N, norm of the forces of the initial stress in place
+  double contact_seconds = 0;
 
   bool damped() const { return damping.mass > 0 || damping.stiffness > 0 || dashpots.any(); }
 };
@@ -77,29 +96,31 @@ std::vector<Vec3> uniform_field(Index unknowns, Index covers, const Vec3& v);
 
 /// Chooses α, β of αK + βM, the factor of the dashpots, and that of the springs.
 void set_matrix(Motion::Data& m, const solve::Combination& c, Real dashpots, Real springs,
-                bool stiffen);
+                bool choose_stiffness);
 /// The loads that change and the targets of the supports, at t.
 void set_time(Motion::Data& m, Real t);
 /// k of supports.cpp.
-std::array<Real, 3> steering(Real beta, Real gamma);
+std::array<Real, 3> stabilisation_gains(Real beta, Real gamma);
 /// Finds how far augmented points go in the step that begins: support_way.
-void steer(const Motion::Data& m, Real dt);
-/// goal of the first acceleration: none at augmented points; others pull with what their springs are stretched by.
-void aim_acceleration(const Motion::Data& m);
-/// goal of the first velocity: at augmented points that of their tables, none without one; at others what they have.
-void aim_velocity(const Motion::Data& m);
-solve::HeldOptions solve_options(Motion::Data& m, Real reference);
+void stabilise_supports(const Motion::Data& m, Real dt);
+/// What is prescribed for the first acceleration: nothing at augmented points; others pull with what their springs are stretched by.
+void prescribe_acceleration(const Motion::Data& m);
+/// What is prescribed for the first velocity: at augmented points that of their tables, nothing without one; at others what they have.
+void prescribe_velocity(const Motion::Data& m);
+solve::ConstraintOptions solve_options(Motion::Data& m, Real reference);
 /// Where there is no next step in which the multipliers could go on.
-void close_gaps(solve::HeldOptions& how);
+void close_gaps(solve::ConstraintOptions& how);
 
+/// See Motion::begin_stage.
+void begin_stage(Motion::Data& m, Real dynamic_ratio);
 SolveReport solve_initial_acceleration(Motion::Data& m, Real dt);
 SolveReport solve_equilibrium(Motion::Data& m);
 Real largest_frequency(Motion::Data& m, Real dt);
 /// One step of Newmark's method.
 SolveReport take_step(Motion::Data& m, Real dt);
 /// Takes out of velocity and acceleration what moves no rock, in the measure of the matrix, which is that of the step that begins.
-bool idle_motion_is_due(const Motion::Data& m);
-void leave_out_idle_motion(Motion::Data& m);
+bool null_space_motion_is_due(const Motion::Data& m);
+void remove_null_space_motion(Motion::Data& m);
 /// Scales the velocity by the dynamic ratio, `handed`; at 0 drops the acceleration as well.
 void hand_on(Motion::Data& m);
 

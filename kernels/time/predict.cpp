@@ -1,6 +1,7 @@
 // The prediction of a step (Hughes 1987, ch. 9):
 //   d' = d + Δt v + Δt²/2 a,  v' = v + Δt a,  a' = a                      exact in free flight
 //   d' = d,  v' and a' as Newmark's formulas then ask                     where that would strain rock more than inertia resists
+//   d' = d + Δt v, likewise                                               where blocks touch: what they rest on takes their weight
 #include <cmath>
 
 #include "kernels/time/step_kernel.hpp"
@@ -19,7 +20,7 @@ void add(const Field& from, const Field& to, Real factor) {
 /// its strains would drown all others. Its velocity is not what takes it there (a block that turns needs both), and its strain forces are
 /// larger than its inertia over the step, `of_mass` · M.
 bool flies_astray(Motion::Data& m, Real dt, Real of_mass) {
-  auto norm = [&](const Field& f) { return std::sqrt(solve::dot(m.held.work, f, f)); };
+  auto norm = [&](const Field& f) { return std::sqrt(solve::dot(m.system.work, f, f)); };
   if (0.5 * dt * norm(m.now.acceleration) <= norm(m.now.velocity)) return false;
   const Field way = m.increment, forces = m.work;
   if (m.rock->linear()) {
@@ -45,19 +46,17 @@ void predict(Motion::Data& m, Real dt) {
       "rockfold::motion::free_flight", m.unknowns, KOKKOS_LAMBDA(const Index p) {
         for (int i = 0; i < 3; ++i) way(p, i) = dt * v(p, i) + 0.5 * dt * dt * a(p, i);
       });
-  const Real of_mass = 1 / (m.beta * dt * dt);
-  const bool stays = flies_astray(m, dt, of_mass);
-  const Real left_v = stays ? m.gamma / (m.beta * dt) : 0, left_a = stays ? of_mass : 0;
+  const Real of_mass = 1 / (m.beta * dt * dt), of_damping = m.gamma / (m.beta * dt);
+  const bool touching = m.contact != nullptr, stays = !touching && flies_astray(m, dt, of_mass);
   device::for_each(
       "rockfold::motion::predict", m.unknowns, KOKKOS_LAMBDA(const Index p) {
         for (int i = 0; i < 3; ++i) {
           const Real flight = way(p, i);
-          v(p, i) += dt * a(p, i) - left_v * flight;
-          a(p, i) -= left_a * flight;
-          if (stays)
-            way(p, i) = 0;
-          else
-            d(p, i) += flight;
+          const Real left = stays ? flight : touching ? 0.5 * dt * dt * a(p, i) : 0;
+          v(p, i) += dt * a(p, i) - of_damping * left;
+          a(p, i) -= of_mass * left;
+          way(p, i) = flight - left;
+          d(p, i) += flight - left;
         }
       });
 }

@@ -63,18 +63,18 @@ void follow(Motion::Data& m, const Step& step) {
       });
 }
 
-/// goal_before = what springs are stretched by at the step's start; at that of the first they pull as the first acceleration has it, not
+/// stretch_before = what springs are stretched by at the step's start; at that of the first they pull as the first acceleration has it, not
 /// as rock does that has not given way to them yet.
 void keep_stretch(Motion::Data& m) {
-  find_goals(m, {});
-  const solve::Springs s = m.held.springs;
-  const auto goal = m.goal, before = m.goal_before, reaction = m.now.reaction;
+  find_prescribed(m, {});
+  const solve::Springs s = m.system.springs;
+  const auto prescribed = m.prescribed, before = m.stretch_before, reaction = m.now.reaction;
   const bool first = m.now.steps == 0;
   device::for_each(
       "rockfold::motion::keep_stretch", s.points.count, KOKKOS_LAMBDA(const Index n) {
         for (int i = 0; i < 3; ++i) {
           const Real k = s.given_stiffness(n, i);
-          before(n, i) = first && k > 0 ? reaction(n, i) / k : goal(n, i);
+          before(n, i) = first && k > 0 ? reaction(n, i) / k : prescribed(n, i);
         }
       });
 }
@@ -89,7 +89,7 @@ Forces find_residual(Motion::Data& m, const Step& step) {
   m.rock->force(m.now.displacement, m.work);
   Forces forces;
   if (m.following.any()) {
-    forces.reference = std::sqrt(solve::dot(m.held.work, m.work, m.work));
+    forces.reference = std::sqrt(solve::dot(m.system.work, m.work, m.work));
     follow(m, step);
   }
   const auto load = m.load, varying = m.varying, before = m.varying_before, right = m.right,
@@ -114,6 +114,7 @@ Forces find_residual(Motion::Data& m, const Step& step) {
         for (int k = 0; k < 3; ++k) out(k) = sum.value[k];
       });
   const std::vector<Real> squares = device::to_host(m.sums);
+  if (m.contact) forces.reference = std::max(forces.reference, add_contact_forces(m, step));
   forces.loads = std::sqrt(squares[0]);
   forces.inertia = std::sqrt(squares[1]);
   forces.internal = std::sqrt(squares[2]);
@@ -122,20 +123,20 @@ Forces find_residual(Motion::Data& m, const Step& step) {
   return forces;
 }
 
-void find_goals(const Motion::Data& m, const Step& step) {
-  const solve::Springs s = m.held.springs;
-  const auto d = m.now.displacement, goal = m.goal, before = m.goal_before;
+void find_prescribed(const Motion::Data& m, const Step& step) {
+  const solve::Springs s = m.system.springs;
+  const auto d = m.now.displacement, prescribed = m.prescribed, before = m.stretch_before;
   const auto increment = m.increment, way = m.support_way;
   const bool middle = step.middle, stabilised = step.stabilised;
   const Real share = step.load;
   device::for_each(
-      "rockfold::motion::find_goals", s.points.count, KOKKOS_LAMBDA(const Index n) {
+      "rockfold::motion::find_prescribed", s.points.count, KOKKOS_LAMBDA(const Index n) {
         for (int i = 0; i < 3; ++i) {
           if (stabilised && s.augmented(n, i) > 0)
-            goal(n, i) = way(n, i) - solve::interpolate_one(s.points, n, i, increment);
+            prescribed(n, i) = way(n, i) - solve::interpolate_one(s.points, n, i, increment);
           else
-            goal(n, i) = share * s.target(n, i) - solve::interpolate_one(s.points, n, i, d);
-          if (middle && !(s.augmented(n, i) > 0)) goal(n, i) += before(n, i);
+            prescribed(n, i) = share * s.target(n, i) - solve::interpolate_one(s.points, n, i, d);
+          if (middle && !(s.augmented(n, i) > 0)) prescribed(n, i) += before(n, i);
         }
       });
 }
@@ -152,7 +153,7 @@ void keep_start(Motion::Data& m) {
 Real find_imbalance(Motion::Data& m, Real& reference) {
   const Field work = m.work, right = m.right;
   Kokkos::deep_copy(work, 0.0);
-  solve::add_spring_load(m.held.springs, m.held.spring_factor, m.goal, work);
+  solve::add_spring_load(m.system.springs, m.system.spring_factor, m.prescribed, work);
   const auto out = m.sums;
   device::sum_then<2>(
       "rockfold::motion::unbalanced", m.unknowns, m.partial,
@@ -172,21 +173,22 @@ Real find_imbalance(Motion::Data& m, Real& reference) {
 }
 
 Real gap_of_supports(Motion::Data& m, Real reference) {
-  const solve::Springs s = m.held.springs;
+  const solve::Springs s = m.system.springs;
   if (!s.any()) return 0;
-  const auto goal = m.goal;
+  const auto prescribed = m.prescribed;
   const Real gap = device::largest(
       "rockfold::motion::large_gap", s.points.count, KOKKOS_LAMBDA(const Index n) {
         Real worst = 0;
         for (int d = 0; d < 3; ++d)
           if (s.augmented(n, d) > 0)
-            worst = device::math::fmax(worst, s.reach(n) * device::math::fabs(goal(n, d)));
+            worst =
+                device::math::fmax(worst, s.motion_ratio(n) * device::math::fabs(prescribed(n, d)));
         return worst;
       });
   if (!(gap > 0)) return 0;
-  const Real diagonal = m.held.largest_diagonal;
+  const Real diagonal = m.system.largest_diagonal;
   const Real least = diagonal > 0 ? reference / diagonal : 0;
-  return gap / std::max({solve::largest_motion(m.held, m.now.displacement, Field()), gap, least});
+  return gap / std::max({solve::largest_motion(m.system, m.now.displacement, Field()), gap, least});
 }
 
 }  // namespace rockfold::motion

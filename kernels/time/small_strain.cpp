@@ -24,13 +24,13 @@ Real largest_stiffness(const solve::Operator& op) {
 
 class SmallStrain : public Deformation {
  public:
-  SmallStrain(const MotionSetup& setup, const solve::HeldSystem& held)
-      : op_(held.op),
-        sums_(held.work),
+  SmallStrain(const MotionSetup& setup, const solve::ConstrainedSystem& system)
+      : op_(system.op),
+        sums_(system.work),
         elements_(solve::make_element_table(setup.covers, setup.moments, setup.materials)),
         before_(make_stress_before(setup)),
         work_(device::make_field("motion::small_strain", setup.covers.unknown_count())),
-        stiffest_(largest_stiffness(held.op)) {
+        stiffest_(largest_stiffness(system.op)) {
     if (setup.covers.sampled()) {
       sampled_ = std::make_unique<CoverArrays>(setup.covers);
       elements_.mean_slope = solve::sampled_mean_slopes(setup.covers);
@@ -118,8 +118,8 @@ class SmallStrain : public Deformation {
 }  // namespace
 
 std::unique_ptr<Deformation> make_small_strain(const MotionSetup& setup,
-                                               const solve::HeldSystem& held) {
-  return std::make_unique<SmallStrain>(setup, held);
+                                               const solve::ConstrainedSystem& system) {
+  return std::make_unique<SmallStrain>(setup, system);
 }
 
 }  // namespace rockfold::motion

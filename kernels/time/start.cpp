@@ -7,18 +7,18 @@
 namespace rockfold::motion {
 namespace {
 
-/// Stiffness of augmented points over what the mass that they hold asks for, at most: more would drown that mass in it.
+/// Penalty stiffness of augmented points, over that which suits the mass they hold, at most. A larger one swamps the digits of the mass.
 constexpr Real most_stiffer = 100;
-/// Springs by that much stiffer than multipliers need yield to multipliers.
+/// Penalty springs stiffer than this, over the same measure, get a multiplier.
 constexpr Real far_stiffer = 4;
-/// Iterations of a solve with the mass alone, of covers with several functions, before the stiffness is taken in.
-constexpr Index patience_with_mass = 1000;
-/// Of what steps weigh the stiffness with beside the mass: motion with more energy of it than of the mass is gone within a step, by far …
-constexpr Real passing_share = 1e-3;
-/// … and is left out by that share of it; less would leave slivers strained, more would touch what lasts.
+/// Iteration limit of a solve with the mass matrix alone, for covers of several functions.
+constexpr Index limit_with_mass = 1000;
+/// A mode of frequency ω with βΔt² ω² above the inverse of this share decays within one step.
+constexpr Real fast_mode_share = 1e-3;
+/// α of the regularised mass M + αK, over the weight βΔt² that a step gives to K. Slow modes change by a tenth of β(ωΔt)².
 constexpr Real smoothing_share = 0.1;
 
-/// A tolerance that can be met where a closer one cannot: better than to take the stiffness in.
+/// Second tolerance of the solve with the mass matrix alone.
 constexpr Real attainable = 1e-8;
 
 /// What springs were before stiff ones became multipliers.
@@ -26,11 +26,10 @@ struct SpringsBefore {
   Field by_multiplier, stiffness, compliance;
 };
 
-/// Springs far stiffer than the masses that they hold, by multipliers to which they yield: the same forces, found otherwise. A penalty
-/// is made for the rock's stiffness, and is enormous beside its mass: what the covers' functions can do without straining the springs
-/// would take thousands of iterations.
+/// Replaces penalty springs that are far stiffer than the mass they hold by a compliance with a multiplier (perturbed Lagrangian): the
+/// forces are the same. A penalty suits the stiffness of the rock and makes the mass matrix alone ill conditioned.
 SpringsBefore hold_by_multipliers(Motion::Data& m, Real spring_factor) {
-  solve::Springs& s = m.held.springs;
+  solve::Springs& s = m.system.springs;
   SpringsBefore before{s.by_multiplier, s.stiffness, s.compliance};
   if (!s.any()) return before;
   const Index count = s.points.count;
@@ -47,7 +46,7 @@ SpringsBefore hold_by_multipliers(Motion::Data& m, Real spring_factor) {
       "rockfold::motion::all_by_multiplier", count, KOKKOS_LAMBDA(const Index n) {
         for (int d = 0; d < 3; ++d) all(n, d) = given(n, d) > 0 ? 1 : 0;
       });
-  solve::stiffen_springs(chosen, spring_factor, m.covers, mass, false);
+  solve::choose_spring_stiffness(chosen, spring_factor, m.covers, mass, false);
   const auto by_multiplier = s.by_multiplier, stiffness = s.stiffness, compliance = s.compliance,
              augmented = s.augmented;
   device::for_each(
@@ -69,7 +68,7 @@ SpringsBefore hold_by_multipliers(Motion::Data& m, Real spring_factor) {
 }
 
 void make_springs_again(Motion::Data& m, const SpringsBefore& before) {
-  solve::Springs& s = m.held.springs;
+  solve::Springs& s = m.system.springs;
   s.by_multiplier = before.by_multiplier;
   s.stiffness = before.stiffness;
   s.compliance = before.compliance;
@@ -87,36 +86,35 @@ struct Beginning {
   Real stiffness = 0;  ///< βΔt² + γΔt · β of Rayleigh: weight of the stiffness beside the mass
 };
 
-/// Whether motion x is mostly such that it is gone within a step: slivers, which have next to no mass, make up for jumps between rock and
-/// supports and for whatever acts on them.
-bool passes(Motion::Data& m, const Beginning& begin, const Field& x) {
+/// Whether modes that decay within one step dominate the motion x. Slivers have such modes: they have stiffness and next to no mass.
+bool is_fast(Motion::Data& m, const Beginning& begin, const Field& x) {
   auto energy = [&](const solve::Combination& c) {
     m.rock->apply(c, x, m.work);
-    return solve::dot(m.held.work, x, m.work);
+    return solve::dot(m.system.work, x, m.work);
   };
-  return energy({passing_share * begin.stiffness, 0}) > energy({0, 1});
+  return energy({fast_mode_share * begin.stiffness, 0}) > energy({0, 1});
 }
 
 /// The velocity nearest to the present one, measured by M + αK, that goes with the augmented points. `stiffness`: α.
 SolveReport project_velocity(Motion::Data& m, const Beginning& begin, Real stiffness) {
   const solve::Combination c{stiffness, 1};
   set_matrix(m, c, 0, begin.hold, false);
-  m.now.learned.forget();
+  m.now.multiplier_history.forget();
   m.rock->apply(c, m.now.velocity, m.right);
-  aim_velocity(m);
-  const SolveReport report =
-      solve::solve_held(m.held, m.right, m.goal, m.now.velocity, Field(), solve_options(m, 0));
+  prescribe_velocity(m);
+  const SolveReport report = solve::solve_constrained(m.system, m.right, m.prescribed,
+                                                      m.now.velocity, Field(), solve_options(m, 0));
   Kokkos::deep_copy(m.now.multiplier, 0.0);  // of a blow, not of a force
   return report;
 }
 
-/// A support that starts with a velocity takes the rock along, and one at rest holds it: the velocity nearest to that given, measured by
-/// mass, that goes with the augmented points. Else theirs would swing about their tables' slope for ever.
+/// Projects the initial velocity on what augmented points prescribe, in the norm of the mass matrix. A velocity that contradicts its
+/// supports would oscillate about their tables' slope in every later step.
 SolveReport catch_up_with_supports(Motion::Data& m, const Beginning& begin) {
   const Real before = kinetic_energy(m);
   const bool moving = m.supports.tables.any() && m.supports.tables.moving_after(m.now.time);
-  if (!moving &&
-      !(before > 0 && m.held.springs.any() && solve::largest_entry(m.held.springs.augmented) > 0))
+  if (!moving && !(before > 0 && m.system.springs.any() &&
+                   solve::largest_entry(m.system.springs.augmented) > 0))
     return {};
   const Field v = m.now.velocity, given = m.increment, change = m.correction;
   Kokkos::deep_copy(given, v);
@@ -125,7 +123,7 @@ SolveReport catch_up_with_supports(Motion::Data& m, const Beginning& begin) {
       "rockfold::motion::change_of_velocity", m.unknowns, KOKKOS_LAMBDA(const Index p) {
         for (int i = 0; i < 3; ++i) change(p, i) = v(p, i) - given(p, i);
       });
-  if (report.converged && passes(m, begin, change)) {
+  if (report.converged && is_fast(m, begin, change)) {
     Kokkos::deep_copy(v, given);
     report.add(project_velocity(m, begin, smoothing_share * begin.stiffness));
   }
@@ -137,63 +135,68 @@ SolveReport catch_up_with_supports(Motion::Data& m, const Beginning& begin) {
 SolveReport find_acceleration(Motion::Data& m, const Beginning& begin, Real stiffness,
                               Real tolerance, Index most_iterations, const SolveReport& total) {
   set_matrix(m, {stiffness, 1}, 0, begin.hold, false);
-  m.now.learned.forget();
+  m.now.multiplier_history.forget();
   Kokkos::deep_copy(m.now.multiplier, 0.0);
   Kokkos::deep_copy(m.now.acceleration, 0.0);
   Step step;
   step.inertia = step.rate = m.damped();
   const Real reference = find_residual(m, step).reference;
-  aim_acceleration(m);
+  prescribe_acceleration(m);
   const std::vector<Vec3> guess = uniform_field(m.unknowns, m.covers, m.gravity);
   device::copy_to_device(guess, m.now.acceleration);
-  solve::HeldOptions how = solve_options(m, reference);
+  solve::ConstraintOptions how = solve_options(m, reference);
   how.pcg.tolerance = tolerance;
   how.pcg.max_iterations = std::min(how.pcg.max_iterations, most_iterations);
   // The mass resists whatever rounding leaves of the forces of strain, where these are not all there is.
   if (how.pcg.rounding < how.pcg.tolerance * reference) how.pcg.rounding = 0;
   SolveReport report = total;
-  report.add(solve::solve_held(m.held, m.right, m.goal, m.now.acceleration, Field(), how));
+  report.add(
+      solve::solve_constrained(m.system, m.right, m.prescribed, m.now.acceleration, Field(), how));
   return report;
 }
 
-/// The velocity and the acceleration at the start. Where M a = f cannot be solved, or leads to what is gone within a step, from
-/// M a + αK a = f: among functions of which slivers hold next to no mass the stiffness tells apart what the mass does not. Motion slow
-/// beside the step is the same to a tenth of β(ωΔt)².
+/// The velocity and the acceleration at the start, from M a = f. Where that does not converge, or gives fast modes to a scheme that turns
+/// them into displacement, from (M + αK) a = f: functions of slivers have stiffness and next to no mass.
 SolveReport set_in_motion(Motion::Data& m, const Beginning& begin) {
   const SolveReport caught = catch_up_with_supports(m, begin);
   if (!caught.converged) return caught;
-  const bool several = m.held.op.functions > 1;
-  const Index most = m.solver.max_iterations, few = several ? patience_with_mass : most;
+  const bool several = m.system.op.functions > 1;
+  const Index most = m.solver.max_iterations, few = several ? limit_with_mass : most;
   const Real tolerance = m.solver.tolerance;
   SolveReport report = find_acceleration(m, begin, 0, tolerance, few, caught);
   if (!report.converged && tolerance < attainable && !interrupt_signal)
     report = find_acceleration(m, begin, 0, attainable, few, report);
-  // Average acceleration makes no displacement of what is gone within a step, and keeps the energy where forces are balanced at the start.
+  // Average acceleration turns fast modes into no displacement, and keeps the energy where forces are balanced at the start.
   const bool average = m.beta == 0.25 && m.gamma == 0.5;
   const bool stuck = several || report.iterations < most;
-  if (report.converged ? !average && passes(m, begin, m.now.acceleration)
+  if (report.converged ? !average && is_fast(m, begin, m.now.acceleration)
                        : stuck && !interrupt_signal)
     report =
         find_acceleration(m, begin, smoothing_share * begin.stiffness, tolerance, most, report);
-  if (m.held.springs.any())
-    solve::spring_reactions(m.held.springs, m.held.spring_factor, m.now.acceleration, m.goal,
-                            m.now.reaction);
+  if (m.system.springs.any())
+    solve::spring_reactions(m.system.springs, m.system.spring_factor, m.now.acceleration,
+                            m.prescribed, m.now.reaction);
   return report;
 }
 
 }  // namespace
 
 SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
+  if (m.contact) {
+    begin_contact(m);
+    find_contacts(m, {});
+    m.system.symmetric = contact::clear_tangents(m.system.contacts);
+  }
   set_time(m, m.now.time);
   const Real hold = m.beta * dt * dt;
   m.rock->begin_step(m.now.displacement, {});
-  m.rock->soften();                          // the stiffness, without the part of the stress
+  m.rock->drop_geometric_stiffness();        // the stiffness, without the part of the stress
   set_matrix(m, {1, 1 / hold}, 0, 1, true);  // chooses the springs' stiffness
   const SpringsBefore springs = hold_by_multipliers(m, hold);
   const SolveReport report = set_in_motion(m, {hold, hold + m.gamma * dt * m.damping.stiffness});
   make_springs_again(m, springs);
-  m.now.learned.forget();
-  m.now.learned_in = 0;
+  m.now.multiplier_history.forget();
+  m.now.history_step = 0;
   return report;
 }
 

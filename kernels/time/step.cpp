@@ -8,14 +8,21 @@
 namespace rockfold::motion {
 namespace {
 
-constexpr int most_iterations = 60;
 /// Share of the unbalanced forces that the solve of an iteration leaves (inexact Newton: Dembo, Eisenstat & Steihaug 1982) …
 constexpr Real forcing = 1e-3;
 /// … or, where conjugate gradients get no further, may leave.
 constexpr Real good_progress = 0.1;
 
+/// Detections after which the contact points of a step are all there.
+constexpr int most_detections = 6;
+
+/// Share of the reference that may be unbalanced while bonds still break: what the last one leaves is balanced to the solver's tolerance.
+constexpr Real rough_balance = 1e-3;
+
 /// What Newton's iterations have come to.
 struct Newton {
+  Real enough = 0;         ///< of the reference that may be left; 0: the solver's tolerance
+  bool corrected = false;  ///< in earlier iterations
   int iterations = 0;
   Real reference = 0;                                 ///< N
   Real left = std::numeric_limits<Real>::infinity();  ///< N, unbalanced
@@ -27,18 +34,22 @@ Step make_step(const Motion::Data& m, Real dt) {
   const bool linear = m.rock->linear();
   Step step;
   step.dt = dt;
-  step.stabilised = m.dynamic_ratio > 0;
+  step.stabilised = m.now.dynamic_ratio > 0;
   step.middle = !linear && m.beta == 0.25 && m.gamma == 0.5 && step.stabilised;
   step.inertia =
       !linear || step.stabilised || m.now.steps == 0;  // else nothing moves before the solve
   step.rate = linear;
+  if (m.contact && step.stabilised) step.speed_by_gap = m.gamma / (m.beta * dt);
   return step;
 }
 
-void set_tangent(Motion::Data& m, const Step& step, bool first) {
+void set_tangent(Motion::Data& m, const Step& step, bool first, bool with_contact = true) {
   const bool linear = m.rock->linear();
   if (linear && step.dt > 0 && m.step_length == step.dt) return;
   m.rock->linearise(m.now.displacement);
+  if (m.contact && with_contact)
+    m.system.symmetric =
+        contact::write_tangents(*m.contact, step.middle ? 2 : 1, m.system.contacts);
   const Real of_mass = step.dt > 0 ? 1 / (m.beta * step.dt * step.dt) : 0,
              of_damping = step.dt > 0 ? m.gamma / (m.beta * step.dt) : 0;
   set_matrix(m,
@@ -48,11 +59,11 @@ void set_tangent(Motion::Data& m, const Step& step, bool first) {
   m.step_length = step.dt;
 }
 
-/// What the multipliers' iteration has learned stays true as long as the matrix is the same.
+/// The history of the multipliers' acceleration holds as long as the matrix is the same.
 void forget_other_matrices(Motion::Data& m, const Step& step) {
-  if (m.rock->linear() && step.dt > 0 && m.now.learned_in == step.dt) return;
-  m.now.learned.forget();
-  m.now.learned_in = step.dt;
+  if (m.rock->linear() && step.dt > 0 && m.now.history_step == step.dt) return;
+  m.now.multiplier_history.forget();
+  m.now.history_step = step.dt;
 }
 
 finite::ForceRule force_rule(const Motion::Data& m, const Step& step) {
@@ -62,7 +73,8 @@ finite::ForceRule force_rule(const Motion::Data& m, const Step& step) {
   return rule;
 }
 
-/// Half of the strain rate that was not handed on is missing in the mean over the step; at its end Newmark's formulas take in the start's.
+/// Viscous stress of the step's start: with the middle rule the part of the strain rate that the dynamic ratio took away, else Newmark's
+/// share of velocity and acceleration.
 void carry_rate(Motion::Data& m, const Step& step) {
   const Real at_end = m.gamma / m.beta, damping = m.damping.stiffness;
   const Real of_rate = step.middle ? 0.5 * (1 / m.handed - 1) : 1 - at_end;
@@ -74,23 +86,32 @@ void carry_rate(Motion::Data& m, const Step& step) {
 void begin(Motion::Data& m, const Step& step) {
   const bool linear = m.rock->linear();
   m.rock->begin_step(m.now.displacement, force_rule(m, step));
-  if (idle_motion_is_due(m)) {
-    set_tangent(m, step, true);
-    leave_out_idle_motion(m);
+  if (m.contact) {
+    begin_contact(m);
+    m.system.symmetric = contact::clear_tangents(m.system.contacts);
+    m.system.factors.of_this_step = false;  // what a step does follows from the state at its start
+  }
+  if (null_space_motion_is_due(m)) {
+    if (m.contact) {  // the matrix follows from the state alone, without contacts
+      find_contacts(m, step);
+      m.system.symmetric = contact::clear_tangents(m.system.contacts);
+    }
+    set_tangent(m, step, true, false);
+    remove_null_space_motion(m);
   }
   if (!linear) {
     carry_rate(m, step);
     keep_start(m);
   }
   if (m.varying_loads.any()) varying_load(m.varying_loads, m.now.time, m.varying_before);
-  if (step.stabilised) steer(m, step.dt);
+  if (step.stabilised) stabilise_supports(m, step.dt);
   m.now.time += step.dt;
   set_time(m, m.now.time);
 }
 
 /// Whether rock on which nothing acts goes on as predicted: its own forces alone are left, by rounding.
 bool flies_freely(const Motion::Data& m, const Forces& forces) {
-  return !m.held.springs.any() && forces.loads == 0 && forces.inertia == 0 &&
+  return !m.system.springs.any() && forces.loads == 0 && forces.inertia == 0 &&
          forces.internal <= m.rock->rounding(m.now.displacement);
 }
 
@@ -104,8 +125,10 @@ bool is_settled(Motion::Data& m, const Step& step, const Forces& forces, Newton&
   newton.left = find_imbalance(m, newton.reference);
   newton.reference = std::max(newton.reference, 1e-30);
   newton.gap = gap_of_supports(m, newton.reference);
-  const Real rounding = m.rock->rounding(m.now.displacement);
-  newton.wanted = std::max(m.solver.tolerance * newton.reference, 16 * rounding);
+  const Real rounding =
+      m.rock->rounding(m.now.displacement) + (m.contact ? contact::rounding(*m.contact) : 0);
+  newton.wanted =
+      std::max(std::max(newton.enough, m.solver.tolerance) * newton.reference, 16 * rounding);
   total.residual = newton.left / newton.reference;
   total.gap = newton.gap;
   // Rounding alone: what is left is small, and another iteration would not take it away.
@@ -113,7 +136,8 @@ bool is_settled(Motion::Data& m, const Step& step, const Forces& forces, Newton&
   const bool stalled = newton.left <= 256 * cancelled * rounding && newton.left > 0.5 * before;
   // A gap that whole solves do not halve stays: the report says how large it is, as under small strain.
   const bool closed = newton.gap <= m.solver.gap_tolerance || newton.gap > 0.5 * gap_before;
-  if (newton.iterations > 0 && (newton.left <= newton.wanted || stalled) && closed) {
+  if ((newton.corrected || newton.iterations > 0) && (newton.left <= newton.wanted || stalled) &&
+      closed) {
     total.inverted = m.rock->inverted(m.now.displacement, newton.wanted);
     total.converged = total.inverted == none;
     return true;
@@ -122,10 +146,14 @@ bool is_settled(Motion::Data& m, const Step& step, const Forces& forces, Newton&
 }
 
 /// How closely the correction is solved for: wholly where it is the only one; of smooth motions in statics little shows in the forces.
-solve::HeldOptions correction_options(Motion::Data& m, const Step& step, const Newton& newton) {
-  solve::HeldOptions how = solve_options(m, newton.reference);
+solve::ConstraintOptions correction_options(Motion::Data& m, const Step& step,
+                                            const Newton& newton) {
+  solve::ConstraintOptions how = solve_options(m, newton.reference);
   const bool closely = step.dt == 0 || !step.stabilised;
-  if (closely) close_gaps(how);
+  if (m.contact)
+    how.max_outer = 1;  // the search for multipliers is Newton's own
+  else if (closely)
+    close_gaps(how);
   if (m.rock->linear()) {
     how.rounding = [&m](const Field& x) { return m.rock->rounding(x); };
     how.stop_at_rounding = closely;
@@ -135,31 +163,33 @@ solve::HeldOptions correction_options(Motion::Data& m, const Step& step, const N
   how.pcg.tolerance =
       std::max({0.1 * newton.wanted, inexact, 4 * m.rock->rounding(m.now.displacement)}) /
       newton.reference;
-  how.plain_at_last = false;  // the next iteration goes on
-  how.gap_tolerance *= 0.5;   // measured against another reference there
+  how.finish_unaccelerated = false;  // the next iteration goes on
+  how.gap_tolerance *= 0.5;          // measured against another reference there
   return how;
 }
 
 /// The correction of the displacement, by the tangent, or by the part of it that is positive where the whole is not.
 bool solve_correction(Motion::Data& m, const Step& step, const Newton& newton, SolveReport& total) {
-  const solve::HeldOptions how = correction_options(m, step, newton);
+  const solve::ConstraintOptions how = correction_options(m, step, newton);
   const Real good = m.rock->linear() || step.dt == 0 ? 0 : good_progress * newton.left;
-  for (const bool softened : {false, true}) {
-    if (softened) {
-      m.rock->soften();
-      m.now.learned.forget();
-      set_matrix(m, m.held.combination, m.dashpot_factor, 1, false);
+  for (const bool material_only : {false, true}) {
+    if (material_only) {
+      m.rock->drop_geometric_stiffness();
+      m.now.multiplier_history.forget();
+      set_matrix(m, m.system.combination, m.dashpot_factor, 1, false);
     }
     Kokkos::deep_copy(m.correction, 0.0);
-    total.add(solve::solve_held(m.held, m.right, m.goal, m.correction, m.now.displacement, how));
+    total.add(solve::solve_constrained(m.system, m.right, m.prescribed, m.correction,
+                                       m.now.displacement, how));
     if (total.converged || total.residual * newton.reference < good) return true;
     if (m.rock->linear() || interrupt_signal) return false;
   }
   return false;
 }
 
-/// d' += x, and what follows from it.
-void correct(const Motion::Data& m, const Step& step) {
+}  // namespace
+
+void correct(const Motion::Data& m, const Step& step, Real share) {
   const auto d = m.now.displacement, v = m.now.velocity, a = m.now.acceleration, way = m.increment;
   const auto x = m.correction;
   const Real of_velocity = step.dt > 0 ? m.gamma / (m.beta * step.dt) : 0,
@@ -167,38 +197,65 @@ void correct(const Motion::Data& m, const Step& step) {
   device::for_each(
       "rockfold::motion::correct", m.unknowns, KOKKOS_LAMBDA(const Index p) {
         for (int i = 0; i < 3; ++i) {
-          way(p, i) += x(p, i);
-          d(p, i) += x(p, i);
-          v(p, i) += of_velocity * x(p, i);
-          a(p, i) += of_acceleration * x(p, i);
+          const Real by = share * x(p, i);
+          way(p, i) += by;
+          d(p, i) += by;
+          v(p, i) += of_velocity * by;
+          a(p, i) += of_acceleration * by;
         }
       });
 }
 
+namespace {
+
 /// Newton's iteration from the state as it is.
-SolveReport balance_forces(Motion::Data& m, const Step& step) {
+SolveReport balance_forces(Motion::Data& m, const Step& step, Newton newton = {}) {
   SolveReport total;
-  Newton newton;
   Kokkos::deep_copy(m.correction, 0.0);
+  Forces forces = find_residual(m, step);
   set_tangent(m, step, true);
-  for (; newton.iterations < most_iterations; ++newton.iterations) {
-    const Forces forces = find_residual(m, step);
-    find_goals(m, step);
+  find_prescribed(m, step);
+  for (;; ++newton.iterations) {
     total.converged = false;
     if (is_settled(m, step, forces, newton, total)) return total;
+    if (newton.iterations == m.most_iterations) return total;
     if (newton.iterations > 0) set_tangent(m, step, false);
     forget_other_matrices(m, step);
     const bool solved = solve_correction(m, step, newton, total);
     if (!solved && !m.rock->linear()) return total;
+    ++total.newton;
     m.rock->turn(m.correction);
-    correct(m, step);
+    if (m.contact) {
+      forces = correct_along_line(m, step);
+      continue;
+    }
+    correct(m, step, 1);
     if (m.rock->linear()) return total;
+    forces = find_residual(m, step);
+    find_prescribed(m, step);
   }
-  total.converged = false;
-  return total;
 }
 
-/// What is left of the goals is where the correction ended, or, after iterations, what they are now.
+/// Balanced forces break bonds, and bring blocks to where contact had not been looked for: then balance is sought again.
+SolveReport balance_with_contact(Motion::Data& m, const Step& step) {
+  Newton newton;
+  newton.enough = rough_balance;
+  SolveReport report = balance_forces(m, step, newton);
+  newton.corrected = true;
+  for (int detections = 0; report.converged;) {
+    const bool broke = contact::break_bonds(m.contact->contacts, m.contact->motion) > 0;
+    if (!broke && newton.enough == 0) {
+      if (!misses_contacts(m, step, report)) break;
+      report.converged = ++detections < most_detections;
+      if (!report.converged) break;
+    }
+    newton.enough = broke ? rough_balance : 0;
+    report.add(balance_forces(m, step, newton));
+  }
+  return report;
+}
+
+/// What is left to go is where the correction ended, or, after iterations, what they are now.
 void count_supports(Motion::Data& m, bool middle) {
   if (!m.rock->linear()) Kokkos::deep_copy(m.correction, 0.0);
   update_reactions(m, middle);
@@ -210,17 +267,19 @@ SolveReport take_step(Motion::Data& m, Real dt) {
   const Step step = make_step(m, dt);
   begin(m, step);
   predict(m, dt);
-  const SolveReport report = balance_forces(m, step);
+  if (m.contact) find_contacts(m, step);
+  SolveReport report = m.contact ? balance_with_contact(m, step) : balance_forces(m, step);
   count_supports(m, step.middle);
   count_following_work(m);
   count_work(m, dt);
+  if (m.contact && report.converged) end_contact(m, step);
   ++m.now.steps;
   return report;
 }
 
 SolveReport solve_equilibrium(Motion::Data& m) {
   constexpr Real smallest = 1.0 / 4096;  // of the load
-  m.now.time = 1;
+  m.now.time += 1;
   set_time(m, m.now.time);
   m.rock->begin_step(m.now.displacement, {});
   Kokkos::deep_copy(m.increment, 0.0);
@@ -229,7 +288,7 @@ SolveReport solve_equilibrium(Motion::Data& m) {
   // All of the load at once; where that does not converge, in ever smaller parts.
   MovingState good;
   if (!m.rock->linear()) {
-    good = make_moving_state(m.unknowns, m.held.springs.points.count);
+    good = make_moving_state(m.unknowns, m.system.springs.points.count);
     copy_state(m.now, good);
   }
   SolveReport total;
@@ -262,9 +321,10 @@ SolveReport solve_equilibrium(Motion::Data& m) {
 }
 
 void hand_on(Motion::Data& m) {
-  if (m.dynamic_ratio == 1 || m.now.steps == 0) return;
-  const Real share = m.handed = m.dynamic_ratio;
+  if (m.now.dynamic_ratio == 1 || m.now.steps == 0) return;
+  const Real share = m.handed = m.now.dynamic_ratio;
   m.now.work.ratio += (1 - share * share) * kinetic_energy(m);
+  if (m.contact) contact::scale_speeds(m.contact->contacts, share);
   const bool keep_acceleration = share > 0;
   const auto v = m.now.velocity, a = m.now.acceleration;
   device::for_each(
@@ -276,33 +336,45 @@ void hand_on(Motion::Data& m) {
       });
 }
 
+void begin_stage(Motion::Data& m, Real dynamic_ratio) {
+  if (dynamic_ratio == 0 || m.now.dynamic_ratio == 0) {
+    m.now.work.ratio += kinetic_energy(m);
+    Kokkos::deep_copy(m.now.velocity, 0.0);
+    Kokkos::deep_copy(m.now.acceleration, 0.0);
+  }
+  m.now.dynamic_ratio = dynamic_ratio;
+  m.now.steps = 0;
+  m.step_length = 0;
+}
+
 void set_matrix(Motion::Data& m, const solve::Combination& c, Real dashpots, Real springs,
-                bool stiffen) {
+                bool choose_stiffness) {
   m.dashpot_factor = dashpots;
-  solve::set_combination(m.held, c, springs, stiffen);
+  set_tangents(m.dashpots, dashpots, m.system.terms, m.system.springs.points.count);
+  solve::set_combination(m.system, c, springs, choose_stiffness);
   m.step_length = 0;
 }
 
 void set_time(Motion::Data& m, Real t) {
   if (m.varying_loads.any()) varying_load(m.varying_loads, t, m.varying);
-  move_supports(m.supports, t, m.held.springs);
+  move_supports(m.supports, t, m.system.springs);
 }
 
-solve::HeldOptions solve_options(Motion::Data& m, Real reference) {
-  solve::HeldOptions how;
+solve::ConstraintOptions solve_options(Motion::Data& m, Real reference) {
+  solve::ConstraintOptions how;
   how.pcg.tolerance = m.solver.tolerance;
   how.pcg.max_iterations = m.solver.max_iterations;
   how.pcg.reference = reference;
   how.pcg.rounding = m.rock->rounding(m.now.displacement);
   how.gap_tolerance = m.solver.gap_tolerance;
   how.max_outer = m.solver.max_outer;
-  how.acceleration = &m.now.learned;
+  how.acceleration = &m.now.multiplier_history;
   return how;
 }
 
-void close_gaps(solve::HeldOptions& how) {
-  how.patience = 40;
-  how.plain_at_last = true;
+void close_gaps(solve::ConstraintOptions& how) {
+  how.max_stalled = 40;
+  how.finish_unaccelerated = true;
   how.max_outer = std::max<Index>(how.max_outer, 400);
 }
 

@@ -19,8 +19,9 @@ struct Step {
       false;  ///< damping by stiffness stands beside the internal force, of the velocity at the end
   bool middle = false;  ///< twice the mean of both ends
   bool stabilised =
-      false;      ///< augmented points go as supports.cpp says, not straight to their places
-  Real load = 1;  ///< share of the loads and of the supports' way, in equilibrium
+      false;  ///< augmented points go as supports.cpp says, not straight to their places
+  Real speed_by_gap = 0;  ///< 1/s, dv'/dd': of contacts that feel speeds; 0: they do not
+  Real load = 1;          ///< share of the loads and of the supports' way, in equilibrium
 };
 
 /// Norms of what acts, each by itself, N.
@@ -29,6 +30,24 @@ struct Forces {
   Real reference =
       0;  ///< the largest of them: what residuals are measured against where they cancel
 };
+
+/// d' += share · x, and what follows from it.
+void correct(const Motion::Data& m, const Step& step, Real share);
+
+// contact_step.cpp
+
+/// Before the first step: the points of step 0.
+void begin_contact(Motion::Data& m);
+/// The points at the predicted places.
+void find_contacts(Motion::Data& m, const Step& step);
+/// right += the forces of the points as blocks are now. Returns their norm, N.
+Real add_contact_forces(Motion::Data& m, const Step& step);
+/// As far along the correction as forces let blocks go. Returns those there: find_residual and find_prescribed are done.
+Forces correct_along_line(Motion::Data& m, const Step& step);
+/// Finds the points at the places that balance forces; whether some are new and closed. Normals that turn too far: not converged.
+bool misses_contacts(Motion::Data& m, const Step& step, SolveReport& report);
+/// Accepts them, and counts what they have taken.
+void end_contact(Motion::Data& m, const Step& step);
 
 // predict.cpp
 
@@ -39,8 +58,8 @@ void predict(Motion::Data& m, Real dt);
 
 /// right = F − M a − C v − f(d) of `now`, the supports left out; twice the mean where `middle`.
 Forces find_residual(Motion::Data& m, const Step& step);
-/// goal = what supports still have to go; in the middle, springs pull with the mean of both ends.
-void find_goals(const Motion::Data& m, const Step& step);
+/// prescribed = what supports still have to go; in the middle, springs pull with the mean of both ends.
+void find_prescribed(const Motion::Data& m, const Step& step);
 /// What the start of a step gives to the mean: velocity, acceleration, stretched springs, pressures that follow.
 void keep_start(Motion::Data& m);
 /// ‖right + forces of the supports‖, N. `reference` becomes the norm of the latter, if that is larger.

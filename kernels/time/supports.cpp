@@ -4,7 +4,7 @@
 // average acceleration those have the double root −1: an error of velocity, from a multiplier that is not quite right yet, swings
 // on for ever and makes the acceleration, and with it the next multiplier's error, grow without bound (the weak instability of
 // differential-algebraic systems of index 3: Cardona & Géradin 1989; Hairer & Wanner, Solving ODEs II, ch. VII). So the points
-// are steered: with p, w, a what their place, velocity and acceleration are off by, they move by
+// are stabilised: with p, w, a what their place, velocity and acceleration are off by, they move by
 //   Δū − (k₀ p + k₁ Δt w + k₂ Δt² a),
 // k such that all three roots are zero (Ackermann's formula): any error is gone after three steps, and points without error
 // go exactly where they should. For average acceleration k = 1/4, −1/2, −1/16.
@@ -37,9 +37,12 @@ struct Tables {
   bool any;
 };
 
+/// Where `a` is the mean over the step before (contact_step.cpp), w follows from p alone: k₀, k₁ such that both roots are zero.
+constexpr std::array<Real, 3> gains_by_mean{0.5, -0.25, 0};
+
 }  // namespace
 
-std::array<Real, 3> steering(Real beta, Real gamma) {
+std::array<Real, 3> stabilisation_gains(Real beta, Real gamma) {
   // x = (p, Δt w, Δt² a) becomes F x + b u where the point moves by u more than its table.
   const Matrix f{{{1, 0, 0},
                   {0, 1 - gamma / beta, 1 - gamma / (2 * beta)},
@@ -50,7 +53,7 @@ std::array<Real, 3> steering(Real beta, Real gamma) {
   const Row normal = cross_product(b, fb);
   Real size = 0;
   for (int i = 0; i < 3; ++i) size += normal[i] * ffb[i];
-  if (std::abs(size) < 1e-6) return {1, 0, 0};  // no steering: straight to the place
+  if (std::abs(size) < 1e-6) return {1, 0, 0};  // no stabilisation: straight to the place
   Row k{};
   for (int j = 0; j < 3; ++j) {
     Row unit{};
@@ -61,13 +64,13 @@ std::array<Real, 3> steering(Real beta, Real gamma) {
   return k;
 }
 
-void steer(const Motion::Data& m, Real dt) {
-  if (!m.held.springs.any()) return;
-  const solve::Springs s = m.held.springs;
+void stabilise_supports(const Motion::Data& m, Real dt) {
+  if (!m.system.springs.any()) return;
+  const solve::Springs s = m.system.springs;
   const auto d = m.now.displacement, v = m.now.velocity, a = m.now.acceleration;
   const auto way = m.support_way;
-  const auto k = steering(m.beta, m.gamma);
-  const Real k0 = k[0], k1 = k[1], k2 = k[2], share = m.dynamic_ratio;
+  const auto k = m.contact ? gains_by_mean : stabilisation_gains(m.beta, m.gamma);
+  const Real k0 = k[0], k1 = k[1], k2 = k[2], share = m.now.dynamic_ratio;
   const Real t = m.now.time;
   const bool any = m.supports.tables.any();
   Tables tables{{}, {}, {}, m.supports.table, any};
@@ -94,31 +97,32 @@ void steer(const Motion::Data& m, Real dt) {
       });
 }
 
-void aim_acceleration(const Motion::Data& m) {
-  const solve::Springs s = m.held.springs;
-  const Real factor = m.held.spring_factor;
-  const auto d = m.now.displacement, goal = m.goal;
+void prescribe_acceleration(const Motion::Data& m) {
+  const solve::Springs s = m.system.springs;
+  const Real factor = m.system.spring_factor;
+  const auto d = m.now.displacement, prescribed = m.prescribed;
   device::for_each(
-      "rockfold::motion::aim_acceleration", s.points.count, KOKKOS_LAMBDA(const Index n) {
+      "rockfold::motion::prescribe_acceleration", s.points.count, KOKKOS_LAMBDA(const Index n) {
         for (int i = 0; i < 3; ++i)
-          goal(n, i) = s.augmented(n, i) > 0
-                           ? 0
-                           : (s.target(n, i) - solve::interpolate_one(s.points, n, i, d)) / factor;
+          prescribed(n, i) =
+              s.augmented(n, i) > 0
+                  ? 0
+                  : (s.target(n, i) - solve::interpolate_one(s.points, n, i, d)) / factor;
       });
 }
 
-void aim_velocity(const Motion::Data& m) {
-  const solve::Springs s = m.held.springs;
+void prescribe_velocity(const Motion::Data& m) {
+  const solve::Springs s = m.system.springs;
   const auto slope = m.supports.tables.slope_after(m.now.time);
   const auto table = m.supports.table;
   const bool any_table = m.supports.tables.any();
-  const auto v = m.now.velocity, goal = m.goal;
+  const auto v = m.now.velocity, prescribed = m.prescribed;
   device::for_each(
-      "rockfold::motion::aim_velocity", s.points.count, KOKKOS_LAMBDA(const Index n) {
+      "rockfold::motion::prescribe_velocity", s.points.count, KOKKOS_LAMBDA(const Index n) {
         for (int i = 0; i < 3; ++i)
-          goal(n, i) = !(s.augmented(n, i) > 0)        ? solve::interpolate_one(s.points, n, i, v)
-                       : any_table && table(n) != none ? slope(3 * table(n) + i)
-                                                       : 0;
+          prescribed(n, i) = !(s.augmented(n, i) > 0) ? solve::interpolate_one(s.points, n, i, v)
+                             : any_table && table(n) != none ? slope(3 * table(n) + i)
+                                                             : 0;
       });
 }
 

@@ -2,6 +2,7 @@
 // files read. Written by host/flatten only.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,17 +16,42 @@ struct FaceOrigin {
   enum class Kind : std::uint8_t { joint, solid_face, excavation };
   Kind kind = Kind::joint;
   /// "J1" for a joint or joint set, "rock.zmin" for a face of a solid, "tunnel.3" for one of an excavation,
-  /// "lining.interface" for the joint around a solid with an interface
+  /// "lining.interface" for the joint around a solid with an interface; "layer.xmin, rock.xmin" where a free face
+  /// lies on the surfaces of both
   std::string name;
   Index joint_material = none;  ///< into Model::joint_materials; joints only
   Index solid = none;       ///< into Model::solids (solid_face) or Model::excavations (excavation)
   Index solid_face = none;  ///< into face_names(shape)
   bool continues = false;   ///< the rock goes on beyond: neither free nor removable
+  struct ShapeFace {
+    Index owner = none, face = none;  ///< as solid and solid_face
+  };
+  std::vector<ShapeFace> also = {};  ///< faces of other solids on whose surfaces it lies as well
+
+  /// Whether both name the same face of the same shape first: areas of such origins are one face of a block.
+  bool is_one_face_with(const FaceOrigin& other) const {
+    return kind != Kind::joint && kind == other.kind && solid == other.solid &&
+           solid_face == other.solid_face;
+  }
+  /// Which face of a shape it lies on, none where it does not lie on that shape's surface.
+  Index face_of(Kind shape, Index owner) const {
+    if (kind != shape) return none;
+    if (solid == owner) return solid_face;
+    const auto other = std::find_if(also.begin(), also.end(),
+                                    [&](const ShapeFace& f) { return f.owner == owner; });
+    return other == also.end() ? none : other->face;
+  }
+  /// Whether it lies on one of these faces of a shape.
+  bool lies_on(Kind shape, Index owner, const std::vector<Index>& faces) const {
+    const Index face = face_of(shape, owner);
+    return face != none && std::find(faces.begin(), faces.end(), face) != faces.end();
+  }
 };
 
 /// B blocks with F faces, L loops, C loop corners and V vertices; I interfaces.
 ///
-/// Faces are maximal connected coplanar polygons of one origin; loop 0 of a face is its outer boundary, the
+/// Faces are maximal connected coplanar polygons of one origin (a joint, or the solid that was added or taken away there last; where others share a
+/// part of it, the face has the names of the part with the most); loop 0 of a face is its outer boundary, the
 /// others are holes. Corners run counter-clockwise seen from outside the block (holes clockwise).
 /// Example: a unit cube cut by nothing: B = 1, F = 6, L = 6, C = 24, V = 8, I = 0,
 /// face_begin = {0, 6}, loop_begin = {0, 1, …, 6}, corner_begin = {0, 4, …, 24}.

@@ -56,7 +56,7 @@ struct CoverArrays {
   std::vector<Index> vertex_begin;     ///< [Q+1] each piece has vertices of its own
   std::vector<Real> vertex_xyz;  ///< [V][3] m, relative to the centre of the piece's lattice cell
 
-  // counts of the thesis (REFERENCES 0.1), whole parts included
+  // counts of the thesis (case 0.1), whole parts included
   std::int64_t element_vertices = 0;  ///< vertices summed over all elements
   std::int64_t element_faces = 0;     ///< faces summed over all elements
 
@@ -107,10 +107,10 @@ struct FixedPoints {
   std::vector<Index> table;  ///< [N] into `tables`, or none (or all empty): the value is constant
   std::vector<Index> condition;  ///< [N] into Model::fixed; may be empty
   std::vector<Real> stiffness;  ///< [N] N/m penalty of the point (its share of the area times Pa/m)
-  std::vector<std::uint8_t> augmented;  ///< [N] an Enforce
+  std::vector<Enforce> enforce;  ///< [N]
   /// [N] how far the rock that a row holds moves with one metre of it, at most; empty: 1. Much less than 1 where all the rock that a
   /// cover holds is a sliver far from its node.
-  std::vector<Real> reach;
+  std::vector<Real> motion_ratio;
   std::vector<TimeTable> tables;  ///< m over s
 };
 

@@ -49,17 +49,18 @@ struct StateArrays {
 
 /// J. What loads have done since the start is either still there or dissipated:
 ///   kinetic + strain + potential + contact + dissipated = what the motion began with + loads + supports.
-/// `contact` stays 0 until contact exists.
 struct Energy {
   Real kinetic = 0;
-  Real strain = 0;     ///< from the initial stress on: that is the zero
-  Real potential = 0;  ///< of gravity and of constant loads, 0 in place
-  Real contact = 0;
+  Real strain = 0;      ///< from the initial stress on: that is the zero
+  Real potential = 0;   ///< of gravity and of constant loads, 0 in place
+  Real contact = 0;     ///< stored in joints
   Real dissipated = 0;  ///< all that follow, to `numerical`
 
   Real damping = 0;    ///< by Rayleigh damping
   Real quiet = 0;      ///< carried away through quiet boundaries
   Real ratio = 0;      ///< taken by the dynamic ratio
+  Real friction = 0;   ///< of joints: by slip and broken bonds
+  Real impact = 0;     ///< of joints: by what closes, or lets go, within a step
   Real numerical = 0;  ///< by the scheme itself: rounding alone for average acceleration
 
   Real loads = 0;     ///< work of loads that change in time and of the accelerated base

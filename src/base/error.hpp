@@ -1,5 +1,5 @@
 // What can go wrong, as one exception type that the command line turns into a message, a JSON document
-// and an exit status. Libraries throw; only src/main.cpp prints.
+// and an exit status. Libraries throw; only src/app/main.cpp prints.
 #pragma once
 
 #include <stdexcept>
@@ -9,7 +9,7 @@
 
 namespace rockfold {
 
-/// The `kind` of an error in the JSON of INTERFACE.md §3, and its exit status.
+/// The `kind` of an error in JSON documents, and its exit status.
 enum class ErrorKind {
   usage,     ///< the command line is wrong: exit 2
   model,     ///< the model is wrong: exit 2

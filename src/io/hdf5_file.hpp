@@ -125,6 +125,12 @@ class File {
   double number_attribute(const std::string& object, const std::string& name) const;
   std::string read_text(const std::string& path) const;
   std::vector<double> read_numbers(const std::string& path) const;
+  std::vector<std::int64_t> read_integers(const std::string& path) const;
+  std::vector<std::byte> read_bytes(const std::string& path) const;
+  /// Rows `first` to `first + rows` of a data set, whatever is in a row, one after the other.
+  std::vector<float> read_rows(const std::string& path, std::int64_t first,
+                               std::int64_t rows) const;
+  std::vector<std::string> read_names(const std::string& path) const;
   Shape shape(const std::string& path) const;
   /// Every data set in these groups once, ordered by path.
   std::vector<DatasetInfo> datasets(const std::vector<std::string>& groups) const;
@@ -142,6 +148,8 @@ class File {
   void write_attribute(const std::string& object, const std::string& name,
                        std::int64_t type_in_file, std::int64_t type_in_memory, std::int64_t space,
                        const void* value);
+  template <typename T>
+  std::vector<T> read_all(const std::string& path, std::int64_t memory_type) const;
   std::int64_t check(std::int64_t result, const char* action) const;
   Error failure(std::string message) const {
     return {ErrorKind::io, std::move(message), Place{shown_as_, 0, 0, {}}};

@@ -115,16 +115,71 @@ std::string File::read_text(const std::string& path) const {
   return unpadded(text);
 }
 
-std::vector<double> File::read_numbers(const std::string& path) const {
+template <typename T>
+std::vector<T> File::read_all(const std::string& path, std::int64_t memory_type) const {
   const Id dataset(H5Dopen2(id_, path.c_str(), H5P_DEFAULT), H5Dclose);
   check(dataset, "read");
   std::int64_t count = 1;
   for (const std::int64_t extent : shape(path)) count *= extent;
   if (count < 0 || count > std::numeric_limits<Index>::max())
     throw failure("cannot read: '" + path + "' is too large");
-  std::vector<double> numbers(static_cast<std::size_t>(count));
-  check(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()), "read");
+  std::vector<T> numbers(static_cast<std::size_t>(count));
+  check(H5Dread(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()), "read");
   return numbers;
+}
+
+std::vector<double> File::read_numbers(const std::string& path) const {
+  return read_all<double>(path, H5T_NATIVE_DOUBLE);
+}
+
+std::vector<std::int64_t> File::read_integers(const std::string& path) const {
+  return read_all<std::int64_t>(path, H5T_NATIVE_INT64);
+}
+
+std::vector<std::byte> File::read_bytes(const std::string& path) const {
+  return read_all<std::byte>(path, H5T_NATIVE_UINT8);
+}
+
+std::vector<float> File::read_rows(const std::string& path, std::int64_t first,
+                                   std::int64_t rows) const {
+  const Id dataset(H5Dopen2(id_, path.c_str(), H5P_DEFAULT), H5Dclose);
+  check(dataset, "read");
+  const Shape extent = shape(path);
+  if (extent.empty() || first < 0 || rows < 0 || first > extent[0] - rows)
+    throw failure("cannot read: '" + path + "' has too few rows");
+  std::vector<hsize_t> start(extent.size(), 0), count(extent.begin(), extent.end());
+  start[0] = static_cast<hsize_t>(first);
+  count[0] = static_cast<hsize_t>(rows);
+  hsize_t values = 1;
+  for (const hsize_t n : count) values *= n;
+  if (values > static_cast<hsize_t>(std::numeric_limits<Index>::max()))
+    throw failure("cannot read: '" + path + "' is too large");
+  std::vector<float> numbers(values);
+  if (values == 0) return numbers;
+  const Id in_file(H5Dget_space(dataset), H5Sclose);
+  check(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+        "read");
+  const Id in_memory(H5Screate_simple(1, &values, nullptr), H5Sclose);
+  check(H5Dread(dataset, H5T_NATIVE_FLOAT, in_memory, in_file, H5P_DEFAULT, numbers.data()),
+        "read");
+  return numbers;
+}
+
+std::vector<std::string> File::read_names(const std::string& path) const {
+  const Id dataset(H5Dopen2(id_, path.c_str(), H5P_DEFAULT), H5Dclose);
+  check(dataset, "read");
+  const Id type(H5Dget_type(dataset), H5Tclose);
+  const Shape extent = shape(path);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || extent.size() != 1)
+    throw failure("cannot read: '" + path + "' is no list of names");
+  const std::size_t width = H5Tget_size(type);
+  std::string all(width * static_cast<std::size_t>(extent[0]), '\0');
+  if (!all.empty())
+    check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()), "read");
+  std::vector<std::string> names;
+  for (std::size_t n = 0; n < all.size(); n += width)
+    names.push_back(unpadded(all.substr(n, width)));
+  return names;
 }
 
 std::vector<DatasetInfo> File::datasets(const std::vector<std::string>& groups) const {

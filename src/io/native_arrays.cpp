@@ -142,6 +142,44 @@ void write_block_theory(File& file, const BlockFields& fields) {
   file.write(group + "direction", fields.direction);
 }
 
+void write_first_looks(File& file, const FirstLookArrays& looks) {
+  const std::string group = "/rockfold/first_looks/";
+  const auto write = [&](const char* name, const auto& values) {
+    file.write(group + name, values);
+  };
+  write("block", looks.block);
+  write("stage", looks.stage);
+  write("volume", looks.volume);
+  write("mass", looks.mass);
+  write("free_area", looks.free_area);
+  write("centroid", looks.centroid);
+  write("load", looks.load);
+  write("moment", looks.moment);
+  write("free_centre", looks.free_centre);
+  write("inertia", looks.inertia);
+  write("neighbour_begin", looks.neighbour_begin);
+  write("neighbour", looks.neighbour);
+  write("held_block", looks.held_block);
+  write("held_stage", looks.held_stage);
+  write("held_neighbour_begin", looks.held_neighbour_begin);
+  write("held_neighbour", looks.held_neighbour);
+  write("face_begin", looks.face_begin);
+  write("origin", looks.origin);
+  write("normal", looks.normal);
+  write("contact_area", looks.contact_area);
+  write("share", looks.share);
+  write("loop_begin", looks.loop_begin);
+  write("corner_begin", looks.corner_begin);
+  write("corner", looks.corner);
+  write("patch_begin", looks.patch_begin);
+  write("patch_face", looks.patch_face);
+  write("patch_normal", looks.patch_normal);
+  write("patch_corner_begin", looks.patch_corner_begin);
+  write("patch_corner", looks.patch_corner);
+  write("looked_at_stage", looks.looked_at_stage);
+  write("groups_may_move", looks.groups_may_move);
+}
+
 void write_cover_arrays(File& file, const CoverArrays& covers) {
   write_lattice(file, covers.lattice);
   const std::string group = "/rockfold/covers/";
@@ -177,8 +215,49 @@ void append_state(File& file, Index step, const StateArrays& state) {
   file.append(group + "step", std::span<const Index>(&step, 1));
   file.append_entry<Vec3>(group + "displacement", state.displacement);
   file.append_entry<Vec3>(group + "velocity", state.velocity);
-  file.append_entry<Vec3>(group + "acceleration", state.acceleration);
   file.append(group + "time", std::span<const Real>(&state.time, 1));
+}
+
+void append_contacts(File& file, std::span<const ContactSample> contacts) {
+  const auto count = static_cast<Index>(contacts.size());
+  file.append("/rockfold/states/contact_count", std::span<const Index>(&count, 1));
+  const auto append = [&](const char* name, const auto& value_of) {
+    std::vector<std::decay_t<decltype(value_of(contacts[0]))>> values;
+    values.reserve(contacts.size());
+    for (const ContactSample& c : contacts) values.push_back(value_of(c));
+    file.append(std::string("/rockfold/contacts/") + name,
+                std::span<const typename decltype(values)::value_type>(values));
+  };
+  using C = const ContactSample&;
+  append("place", [](C c) { return c.place; });
+  append("normal", [](C c) { return c.normal; });
+  append("shear_stress", [](C c) { return c.shear; });
+  append("normal_stress", [](C c) { return c.normal_stress; });
+  append("gap", [](C c) { return c.gap; });
+  append("slip", [](C c) { return c.slip; });
+  append("area", [](C c) { return c.area; });
+  append("first_block", [](C c) { return c.block[0] + 1; });
+  append("second_block", [](C c) { return c.block[1] + 1; });
+  append("joint", [](C c) { return c.joint; });
+  append("state", [](C c) { return static_cast<std::uint8_t>(c.state); });
+}
+
+void write_history(File& file, const std::string& group, const History& history) {
+  file.write(group + "/time", history.time);
+  for (const auto& column : history.columns) {
+    const std::string path = group + "/" + column.name;
+    if (column.width == 1)
+      file.write(path, column.values);
+    else
+      file.write_wide(path, column.values, column.width);
+    if (!column.unit.empty()) file.set_text(path, "unit", column.unit);
+  }
+  if (!history.name.empty()) file.set_text(group, "name", history.name);
+  if (!history.joint.empty()) file.set_text(group, "joint", history.joint);
+}
+
+std::int64_t contact_bytes() {
+  return 3 * sizeof(Vec3) + 4 * sizeof(Real) + 3 * sizeof(Index) + 1;
 }
 
 }  // namespace rockfold

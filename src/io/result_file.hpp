@@ -13,8 +13,13 @@
 //     model                    the model's text
 //     blocks, covers           BlockArrays and CoverArrays, a data set for each array, under its name
 //     block_theory             class, batch, mode, … of each block, if block theory was done
+//     first_looks              FirstLookArrays: what the page does block theory again from, if it can be
 //     energy                   time, kinetic, strain, … of every step
-//     states                   step, time, and displacement, velocity, acceleration of the physical covers [S][P][3]
+//     monitors/1, …            time, displacement, … of every step; attributes name, joint
+//     contacts_history         time, open, stick, slide, … of every step
+//     answer                   the JSON document of the command, without its blocks
+//     run                      document: the whole one; origin: what the run was started with; of finished runs
+//     states                   step, time, and displacement, velocity of the physical covers [S][P][3]
 //
 // All lengths in m, times in s, stresses in Pa, forces in N. The same input gives the same bytes:
 // no dates, no host names. A file is written aside, as NAME.vtkhdf.partial-PID, closed after each
@@ -22,17 +27,23 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "src/arrays/block_arrays.hpp"
+#include "src/arrays/contact_arrays.hpp"
 #include "src/arrays/cover_arrays.hpp"
 #include "src/arrays/element_arrays.hpp"
+#include "src/arrays/first_look_arrays.hpp"
 #include "src/arrays/polygon_mesh.hpp"
 #include "src/base/error.hpp"
 #include "src/io/element_mesh.hpp"
+#include "src/io/history.hpp"
+#include "src/io/run_journal.hpp"
 #include "src/model/model.hpp"
 
 namespace rockfold {
@@ -70,6 +81,8 @@ struct ResultState {
   std::span<const std::array<Real, 6>> block_stress = {};  ///< [B] Pa; empty where `stress` is
   std::span<const std::array<Real, 6>> nodal_stress =
       {};  ///< [K] Pa at the mesh's points; may be empty
+  const std::vector<ContactSample>* contacts = nullptr;  ///< null: blocks do not touch each other
+  std::uint64_t hash = 0;                                ///< of step, time and motion
 };
 
 /// Writes one result file: the constructor, write_blocks, then for a `run` write_elements and
@@ -95,6 +108,9 @@ class ResultWriter {
   void write_blocks(const BlockArrays& blocks, const PolygonMesh& faces,
                     const BlockFields& fields = {}, const std::vector<std::uint8_t>& flags = {});
 
+  /// What pages do block theory again from, once.
+  void write_first_looks(const FirstLookArrays& looks);
+
   /// Lattice, covers and elements. `mesh` is that of the covers and must live as long as states are added.
   void write_elements(const CoverArrays& covers, const ElementMesh& mesh);
 
@@ -102,8 +118,14 @@ class ResultWriter {
   /// has.
   void add_state(const ResultState& state);
 
-  /// The energies over time, once.
-  void write_energies(const std::vector<Real>& time, const std::vector<Energy>& energies);
+  /// What was recorded at every step, once: a group of /rockfold, "energy" or "monitors/1", for each history.
+  void write_histories(const std::map<std::string, History>& groups);
+
+  /// What the command answered, as its JSON document, once: what pages and reports tell of.
+  void write_answer(const std::string& document);
+
+  /// Of a run that came to its end, once: the whole document, and what the run was started with.
+  void write_run(const std::string& document, const RunOrigin& origin);
 
   /// Gives the file its final name and writes NAME.xdmf beside it. Call it for interrupted runs
   /// too. Nothing can be written afterwards.
@@ -138,8 +160,17 @@ struct ResultInfo {
   Real volume = 0;                                    ///< m³ of all blocks
   std::int64_t elements = 0, pieces = 0, covers = 0;  ///< 0 for `cut` and `support`
   bool block_theory = false;
-  std::vector<Index> step;  ///< [S] stored states
-  std::vector<Real> time;   ///< [S] s
+  std::vector<Index> step;          ///< [S] stored states
+  std::vector<Real> time;           ///< [S] s
+  std::vector<std::uint64_t> hash;  ///< [S] of step, time and motion; empty in older files
+
+  /// Of a run that is under way, or was interrupted or killed.
+  struct Unfinished {
+    std::string journal;       ///< its path
+    Index checkpoint = 0;      ///< step that `resume` goes on from
+    Real checkpoint_time = 0;  ///< s
+  };
+  std::optional<Unfinished> unfinished;
 
   std::int64_t file_bytes = 0;
   std::vector<Dataset> datasets;  ///< ordered by path; one with several names once; no virtual ones
@@ -148,5 +179,10 @@ struct ResultInfo {
 /// Throws Error(io) where the file is missing, no HDF5, not one of ours, of a later format, or cut
 /// short.
 ResultInfo read_result_info(const std::string& path);
+
+/// The document of a run that came to its end; nothing of other results. Throws as read_result_info does.
+std::optional<std::string> read_run_document(const std::string& path);
+/// What it was started with.
+std::optional<RunOrigin> read_stored_origin(const std::string& path);
 
 }  // namespace rockfold

@@ -1,15 +1,11 @@
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <string_view>
 
 #include <fmt/format.h>
 
 #include "src/io/hdf5_file.hpp"
-#include "src/io/native_arrays.hpp"
 #include "src/io/result_file.hpp"
+#include "src/io/result_reader.hpp"
 
 namespace rockfold {
 namespace {
@@ -18,35 +14,6 @@ using hdf5::File;
 
 [[noreturn]] void fail(const std::string& path, const std::string& what) {
   throw Error(ErrorKind::io, what, Place{path, 0, 0, {}});
-}
-
-/// HDF5 files start with these bytes (ours without a user block before them).
-bool has_signature(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  char start[8] = {};
-  in.read(start, sizeof start);
-  return std::string_view(start, sizeof start) == std::string_view("\x89HDF\r\n\x1a\n", 8);
-}
-
-void check_file(const std::string& path) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) fail(path, "no such file");
-  if (error) fail(path, "cannot be read: " + error.message());
-  if (status.type() != fs::file_type::regular) fail(path, "is no file");
-  if (!std::ifstream(path, std::ios::binary))
-    fail(path, std::string("cannot be read: ") + std::strerror(errno));
-  if (!has_signature(path)) fail(path, "is no HDF5 file");
-}
-
-void check_format(const File& file, const std::string& path) {
-  if (!file.exists("/rockfold") || !file.has_attribute("/rockfold", "format_version"))
-    fail(path, "is an HDF5 file, but no result of Rockfold");
-  const double version = file.number_attribute("/rockfold", "format_version");
-  if (version > result_format_version)
-    fail(path, fmt::format("has result format {}; this program reads formats up to {}", version,
-                           result_format_version));
 }
 
 std::int64_t total(const File& file, const char* name) {
@@ -65,6 +32,10 @@ void read_states(const File& file, ResultInfo& info) {
   info.time = file.read_numbers("/rockfold/states/time");
   for (const double step : file.read_numbers("/rockfold/states/step"))
     info.step.push_back(static_cast<Index>(step));
+  if (file.exists("/rockfold/states/hash"))
+    for (const std::int64_t hash : file.read_integers("/rockfold/states/hash"))
+      info.hash.push_back(static_cast<std::uint64_t>(hash));
+  info.hash.resize(std::min(info.hash.size(), info.time.size()));
   // The time is written last: what comes after it is of a state that was never whole.
   info.step.resize(std::min(info.step.size(), info.time.size()));
 }
@@ -99,19 +70,29 @@ ResultInfo read(const File& file) {
 }  // namespace
 
 ResultInfo read_result_info(const std::string& path) {
-  check_file(path);
-  std::unique_ptr<File> file;
-  try {
-    file = std::make_unique<File>(path, File::Mode::read, path);
-  } catch (const Error& error) {
-    fail(path, fmt::format("is damaged or cut short ({})", error.what()));
-  }
-  check_format(*file, path);
+  const std::unique_ptr<File> file = open_result(path);
   try {
     ResultInfo info = read(*file);
     info.file_bytes = static_cast<std::int64_t>(std::filesystem::file_size(path));
     return info;
   } catch (const Error& error) {
+    fail(path, fmt::format("is damaged ({})", error.what()));
+  }
+}
+
+std::optional<std::string> read_run_document(const std::string& path) {
+  const std::unique_ptr<File> file = open_result(path);
+  if (!file->exists("/rockfold/run/document")) return {};
+  const std::vector<std::byte> bytes = file->read_bytes("/rockfold/run/document");
+  return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+}
+
+std::optional<RunOrigin> read_stored_origin(const std::string& path) {
+  const std::unique_ptr<File> file = open_result(path);
+  if (!file->exists("/rockfold/run/origin")) return {};
+  try {
+    return unpacked_origin(file->read_bytes("/rockfold/run/origin"));
+  } catch (const std::runtime_error& error) {
     fail(path, fmt::format("is damaged ({})", error.what()));
   }
 }

@@ -96,6 +96,17 @@ struct ResultWriter::Implementation {
   Implementation(std::string path, const Model& model)
       : target(std::move(path)), stresses(model.materials) {}
   File extend() const { return {target.aside(), File::Mode::extend, target.path()}; }
+  /// Adds what belongs to no state: a signal in between finds the states that were whole before.
+  template <typename Write>
+  void extend_at_once(Write write) {
+    const SignalsWait until_it_is_written;
+    const bool states = !times.empty() && !damaged;
+    target.set_worth_keeping(false);
+    File file = extend();
+    write(file);
+    file.close();
+    target.set_worth_keeping(states);
+  }
   std::int64_t bytes_of(const ResultState& state) const;
   void append_grids(File& file, const ResultState& state, std::int64_t number);
   void append_element_stress(File& file, Grid& grid, const ResultState& state, std::int64_t number);
@@ -230,6 +241,13 @@ void ResultWriter::write_blocks(const BlockArrays& blocks, const PolygonMesh& fa
   my.block_count = blocks.volume.size();
 }
 
+void ResultWriter::write_first_looks(const FirstLookArrays& looks) {
+  expect(!implementation_->finished, "first looks come before finish");
+  File file = implementation_->extend();
+  rockfold::write_first_looks(file, looks);
+  file.close();
+}
+
 void ResultWriter::write_elements(const CoverArrays& covers, const ElementMesh& mesh) {
   auto& my = *implementation_;
   expect(!my.finished && my.unknowns == 0 && my.times.empty(),
@@ -255,8 +273,9 @@ void ResultWriter::write_elements(const CoverArrays& covers, const ElementMesh& 
 /// All that a state adds to the file, with room for the entries in HDF5's own tables.
 std::int64_t ResultWriter::Implementation::bytes_of(const ResultState& state) const {
   const auto points = 2 * (block_vertices + joint_vertex.size() + mesh->point_count());
-  const auto native = static_cast<std::int64_t>(3 * unknowns * sizeof(Vec3) +
-                                                state.block_stress.size() * 6 * sizeof(Real));
+  const auto native = static_cast<std::int64_t>(2 * unknowns * sizeof(Vec3) +
+                                                state.block_stress.size() * 6 * sizeof(Real)) +
+                      (state.contacts ? contact_bytes() * std::ssize(*state.contacts) : 0);
   const auto stress = [&](const auto& of, std::size_t rows) {
     return of.empty() ? 0 : stresses.state_bytes(rows);
   };
@@ -333,6 +352,9 @@ void ResultWriter::add_state(const ResultState& state) {
   my.target.set_worth_keeping(false);
   const auto number = static_cast<std::int64_t>(my.times.size());
   append_state(file, state.step, state.covers);
+  const auto hash = static_cast<std::int64_t>(state.hash);
+  file.append("/rockfold/states/hash", std::span<const std::int64_t>(&hash, 1));
+  if (state.contacts) append_contacts(file, *state.contacts);
   if (!state.block_stress.empty())
     file.append_entry<std::array<Real, 6>>("/rockfold/states/block_stress", state.block_stress);
   my.append_grids(file, state, number);
@@ -345,29 +367,34 @@ void ResultWriter::add_state(const ResultState& state) {
   my.times.push_back(state.covers.time);
 }
 
-void ResultWriter::write_energies(const std::vector<Real>& time,
-                                  const std::vector<Energy>& energies) {
+void ResultWriter::write_histories(const std::map<std::string, History>& groups) {
   auto& my = *implementation_;
-  expect(!my.finished && time.size() == energies.size(), "energies are not as long as their times");
-  constexpr std::pair<const char*, Real Energy::*> parts[] = {
-      {"kinetic", &Energy::kinetic},       {"strain", &Energy::strain},
-      {"potential", &Energy::potential},   {"contact", &Energy::contact},
-      {"dissipated", &Energy::dissipated}, {"damping", &Energy::damping},
-      {"quiet", &Energy::quiet},           {"ratio", &Energy::ratio},
-      {"numerical", &Energy::numerical},   {"loads", &Energy::loads},
-      {"supports", &Energy::supports}};
-  const SignalsWait until_they_are_written;
-  const bool states = !my.times.empty() && !my.damaged;
-  my.target.set_worth_keeping(false);
-  File file = my.extend();
-  file.write("/rockfold/energy/time", time);
-  for (const auto& [name, part] : parts) {
-    std::vector<Real> values;
-    for (const Energy& energy : energies) values.push_back(energy.*part);
-    file.write(std::string("/rockfold/energy/") + name, values);
-  }
-  file.close();
-  my.target.set_worth_keeping(states);
+  expect(!my.finished, "histories come before finish");
+  for (const auto& [group, history] : groups)
+    for (const auto& column : history.columns)
+      expect(column.values.size() == history.time.size() * static_cast<std::size_t>(column.width),
+             "a column is not as long as its times");
+  my.extend_at_once([&](File& file) {
+    for (const auto& [group, history] : groups) write_history(file, "/rockfold/" + group, history);
+  });
+}
+
+void ResultWriter::write_answer(const std::string& document) {
+  expect(!implementation_->finished, "the answer comes before finish");
+  implementation_->extend_at_once([&](File& file) {
+    file.write("/rockfold/answer", std::vector<std::uint8_t>(document.begin(), document.end()));
+  });
+}
+
+void ResultWriter::write_run(const std::string& document, const RunOrigin& origin) {
+  expect(!implementation_->finished, "the run comes before finish");
+  implementation_->extend_at_once([&](File& file) {
+    file.write("/rockfold/run/document",
+               std::vector<std::uint8_t>(document.begin(), document.end()));
+    std::vector<std::uint8_t> bytes;
+    for (const std::byte b : packed(origin)) bytes.push_back(static_cast<std::uint8_t>(b));
+    file.write("/rockfold/run/origin", bytes);
+  });
 }
 
 void ResultWriter::finish() {

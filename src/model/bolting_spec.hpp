@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "src/arrays/block_arrays.hpp"
 #include "src/base/error.hpp"
 #include "src/base/types.hpp"
 
@@ -53,6 +54,11 @@ struct WallFaces {
   bool excavation = false;  ///< of Model::excavations, else of Model::solids
   Index owner = none;
   std::vector<Index> faces;  ///< into face_names(shape)
+
+  bool hold(const FaceOrigin& origin) const {
+    return origin.lies_on(excavation ? FaceOrigin::Kind::excavation : FaceOrigin::Kind::solid_face,
+                          owner, faces);
+  }
 };
 
 /// One bolt at a place of its own.

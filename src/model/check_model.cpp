@@ -1,6 +1,9 @@
 #include "src/model/check_model.hpp"
 
+#include <algorithm>
 #include <set>
+
+#include "src/model/openings.hpp"
 
 namespace rockfold {
 
@@ -47,10 +50,11 @@ class Needs {
   void driving_force() {
     const bool water =
         (model_.support && model_.support->water_pressure > 0) || !model_.waters.empty();
-    if (model_.gravity == Vec3{} && !water && model_.point_loads.empty())
+    if (model_.gravity == Vec3{} && !water && model_.point_loads.empty() &&
+        model_.tractions.empty())
       missing("gravity",
-              "is zero and there is neither water_pressure nor a [[water]] or [[point_load]]: "
-              "nothing drives the blocks");
+              "is zero and there is neither water_pressure nor a [[water]], [[traction]] or "
+              "[[point_load]]: nothing drives the blocks");
   }
 
   /// In-situ stress clamps joints by how stiff they are.
@@ -63,6 +67,24 @@ class Needs {
                  "\" has no normal_stiffness and shear_stiffness (Pa/m), which block theory under "
                  "[initial_stress] needs")
                     .c_str());
+  }
+
+  /// What the redistribution of in-situ stress asks for.
+  void joint_stress() {
+    if (!has_elastic_joint_stress(model_)) return;
+    const std::string instead =
+        ", which support.stress = \"elastic\" needs; \"far_field\" does without";
+    for (const Index m : used_materials())
+      if (model_.materials[m].young_modulus <= 0)
+        of_material(m, "young_modulus", "must be > 0 (Pa)" + instead);
+    const auto continues = [](const Solid& solid) {
+      return solid.add && std::find(solid.continues.begin(), solid.continues.end(), true) !=
+                              solid.continues.end();
+    };
+    if (std::none_of(model_.solids.begin(), model_.solids.end(), continues))
+      missing(
+          "solid.continues",
+          ("no solid has any: there is no face beyond which the rock goes on" + instead).c_str());
   }
 
   void cover() {
@@ -91,7 +113,7 @@ class Needs {
   }
 
   void something_fixed() {
-    if (model_.analysis && model_.analysis->type == AnalysisType::static_ && model_.fixed.empty())
+    if (model_.analysis && model_.analysis->has(AnalysisType::static_) && model_.fixed.empty())
       missing("fixed",
               "a static analysis needs a [[fixed]]: nothing holds the rock, it is free to move "
               "along x, y and z "
@@ -101,13 +123,33 @@ class Needs {
   /// What only a dynamic analysis, or one that goes on in time, can make use of.
   void loads_in_time() {
     if (!model_.analysis) return;
-    const AnalysisType type = model_.analysis->type;
-    if (type == AnalysisType::static_ && model_.base_acceleration)
+    const bool in_time = model_.analysis->has(AnalysisType::dynamic);
+    if (!in_time && !model_.analysis->has(AnalysisType::quasi_static) && model_.base_acceleration)
       found_.push_back({model_.base_acceleration->place,
                         "has no use in a static analysis; must be type = \"dynamic\""});
-    if (type == AnalysisType::dynamic) return;
+    if (in_time) return;
     for (const InitialVelocity& start : model_.initial_velocities)
       found_.push_back({start.place, "has no use without type = \"dynamic\""});
+  }
+
+  /// What [contact] and monitors of joints ask for.
+  void contact() {
+    if (!model_.analysis || !model_.cover) return;
+    if (!has_contact(model_)) {
+      for (const Monitor& monitor : model_.monitors)
+        if (!monitor.joint.empty())
+          found_.push_back({key_of(monitor.place, "joint"),
+                            "records contact, which this analysis does not have: it needs "
+                            "cover.joints = \"separate\", cover.order = 0 or 1, no cover.mixed, "
+                            "analysis.kinematics = \"large\" and no static "
+                            "analysis (in \"" +
+                                monitor.name + "\")"});
+      return;
+    }
+    if (model_.contact.max_penetration > 0)
+      found_.push_back({key_of(model_.contact.place, "max_penetration"),
+                        "is not supported yet: penetration is what normal_stiffness makes of the "
+                        "pressure; a stiffer joint_material has less"});
   }
 
   std::vector<Diagnostic> found() && { return std::move(found_); }
@@ -115,6 +157,11 @@ class Needs {
  private:
   void missing(const char* key, const char* message) {
     found_.push_back({{model_.path, 1, 1, key}, message});
+  }
+
+  static Place key_of(Place place, const std::string& key) {
+    place.key += "." + key;
+    return place;
   }
 
   void of_material(Index m, const std::string& key, const std::string& expected) {
@@ -157,6 +204,7 @@ void add_run_needs(Needs& needs) {
   needs.analysis();
   needs.something_fixed();
   needs.loads_in_time();
+  needs.contact();
 }
 
 }  // namespace
@@ -179,6 +227,7 @@ std::vector<Diagnostic> missing_for(const Model& model, Purpose purpose) {
   if (support || run) add_rock_needs(needs);
   if (support) add_support_needs(needs);
   if (purpose == Purpose::support) needs.joint_stiffness();
+  if (support) needs.joint_stress();
   if (run) add_run_needs(needs);
   return std::move(needs).found();
 }

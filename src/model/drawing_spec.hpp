@@ -24,8 +24,19 @@ struct Drawing {
 
 /// A table of comma-separated values.
 struct TableFile {
-  enum class Kind { blocks, keyblocks, bolts, bolt_crossings, pattern_search, classification };
+  enum class Kind {
+    blocks,
+    keyblocks,
+    bolts,
+    bolt_crossings,
+    pattern_search,
+    classification,
+    monitors,
+    energy
+  };
   Kind kind = Kind::keyblocks;
+  /// Of the analysis over time; the others are of block theory and support design.
+  bool is_history() const { return kind == Kind::monitors || kind == Kind::energy; }
   std::string file;  ///< .csv; likewise
   Place place = {}, place_of_file = {};
 };

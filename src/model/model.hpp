@@ -1,8 +1,9 @@
-// A model as the user means it: INTERFACE.md §2 in SI units, with names resolved to ids and
+// A model as the user means it: docs/user_guide.md, The model file, in SI units, with names resolved to ids and
 // defaults filled in. Nothing here is geometry yet; host/cut turns solids and joints into exact
 // planes.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -12,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "src/arrays/block_arrays.hpp"
 #include "src/arrays/element_arrays.hpp"
 #include "src/arrays/lattice.hpp"
 #include "src/arrays/load_arrays.hpp"
@@ -48,14 +50,21 @@ struct Material {
   Place place = {};  ///< where the model defines it, for messages of later stages
 };
 
-/// Mohr–Coulomb joint.
+/// Mohr–Coulomb joint. Residual strength counts after the first slip or opening; there is no tensile strength then.
 struct JointMaterial {
   std::string name;
   Real friction_angle = 0;               ///< deg, [0, 90)
   Real cohesion = 0;                     ///< Pa, ≥ 0
   Real tensile_strength = 0;             ///< Pa, ≥ 0
-  std::optional<Real> normal_stiffness;  ///< Pa/m, > 0; default from the rock and the cover spacing
-  std::optional<Real> shear_stiffness;   ///< Pa/m, > 0
+  std::optional<Real> normal_stiffness;  ///< Pa/m, > 0; none: for the run to choose
+  std::optional<Real> shear_stiffness;   ///< Pa/m, > 0; none: the normal one
+  Real dilation_angle = 0;               ///< deg, [0, friction_angle]
+  /// m of slip, > 0, up to which the joint dilates.
+  Real dilation_limit = std::numeric_limits<Real>::infinity();
+  /// deg, [0, friction_angle]; none: friction_angle
+  std::optional<Real> residual_friction_angle = std::nullopt;
+  Real residual_cohesion = 0;  ///< Pa, [0, cohesion]
+  Place place = {};
 };
 
 /// Orientation by dip and dip direction in degrees.
@@ -304,7 +313,7 @@ struct CoverSpec {
   /// m, > 0: distance between the planes of each family along their common normal, in the order of `directions`.
   /// Lattice `block`: the unit of length of the cover functions along z, y, x; 0 = from the size of the blocks
   Vec3 spacing{};
-  /// Normals of the three plane families, of which no two are nearly parallel; listed z, y, x as in INTERFACE.md:
+  /// Normals of the three plane families, of which no two are nearly parallel; listed z, y, x as in a model file:
   /// the last one is the lattice's first axis.
   std::array<DipOrientation, 3> directions{{{0, 0}, {90, 0}, {90, 90}}};
   std::optional<Vec3> origin;  ///< m, a lattice node; default the centre of the solids' box
@@ -319,10 +328,15 @@ struct CoverSpec {
 
 /// A region of the model to which a condition applies.
 struct FaceRegion {
-  Index solid = 0;  ///< into Model::solids, or excavations
-  std::vector<Index> faces;
+  Index solid = 0;           ///< into Model::solids, or excavations
+  std::vector<Index> faces;  ///< into face_names
   bool of_excavation = false;
-};  ///< faces into face_names
+
+  bool holds(const FaceOrigin& origin) const {
+    return origin.lies_on(
+        of_excavation ? FaceOrigin::Kind::excavation : FaceOrigin::Kind::solid_face, solid, faces);
+  }
+};
 struct PointRegion {
   Vec3 point{};
 };
@@ -361,6 +375,9 @@ struct Traction {
   bool follows = false;   ///< a pressure whose direction and area go with the deformed face
   Vec3 value{};           ///< Pa; a pressure is its x component
   TimeTable table;        ///< likewise; if not empty, instead of `value`
+  /// Water up to this elevation: m from (0, 0, 0) against gravity. A pressure; instead of `value`.
+  std::optional<Real> head;
+  Real density = 1000;  ///< kg/m³, > 0, of that water
   Place place = {};
 };
 
@@ -401,25 +418,55 @@ enum class Kinematics {
   large
 };
 
-struct Analysis {
+/// One of the analyses that follow each other: [[step]], or all of [analysis] where there is none.
+struct AnalysisStage {
+  std::string name;
   AnalysisType type = AnalysisType::dynamic;
   Real time_step = 0.01;  ///< s, > 0
   /// s, of the last step: shorter where end_time is no multiple of time_step.
   std::optional<Real> last_time_step;
-  Index steps = 100;         ///< resolved from `steps` or `end_time`; 1 for static
-  Real dynamic_ratio = 1.0;  ///< [0, 1]: share of the velocity handed to the next step
+  Index steps = 100;                ///< resolved from `steps` or `end_time`; 1 for static
+  Real dynamic_ratio = 1.0;         ///< [0, 1]: share of the velocity handed to the next step
+  bool reset_displacement = false;  ///< displacements and monitors count from its start
+  Place place = {};
+  /// Of the velocity, to the next step.
+  Real share_handed_on() const { return type == AnalysisType::quasi_static ? 0 : dynamic_ratio; }
+};
+
+struct Analysis {
+  std::vector<AnalysisStage> stages{1};        ///< in their order, at least one
   std::optional<Real> max_displacement_ratio;  ///< largest vertex displacement a step / model half
                                                ///< height, if limited
   /// As given; none: large for dynamic and quasi_static, small for static.
   std::optional<Kinematics> kinematics;
   bool large() const {
-    return kinematics ? *kinematics == Kinematics::large : type != AnalysisType::static_;
+    return kinematics ? *kinematics == Kinematics::large
+                      : has(AnalysisType::dynamic) || has(AnalysisType::quasi_static);
+  }
+  bool has(AnalysisType type) const {
+    return std::any_of(stages.begin(), stages.end(), [&](const auto& s) { return s.type == type; });
+  }
+  /// Of all stages.
+  Index steps() const {
+    Index sum = 0;
+    for (const AnalysisStage& stage : stages) sum += stage.steps;
+    return sum;
   }
   Real newmark_beta = 0.25;  ///< ≥ 1e-4
   Real newmark_gamma = 0.5;  ///< ≥ 0
   Real rayleigh_alpha = 0;   ///< 1/s, ≥ 0: damping α M …
   Real rayleigh_beta = 0;    ///< s, ≥ 0: … + β K
   Place place = {};
+};
+
+/// [contact]: of blocks that come apart at joints.
+struct ContactSpec {
+  /// Into Model::joint_materials, where faces meet that no joint joined; none if the model has none.
+  Index material = 0;
+  Index max_iterations = 40;  ///< open–close (Newton) iterations before the step is halved, ≥ 1
+  Real restitution = 0;       ///< normal velocity after an impact over that before, [0, 1]
+  Real max_penetration = 0;   ///< m; > 0: augmented Lagrangian until no point is deeper; 0: springs
+  Place place = {};           ///< no file: not given
 };
 
 struct SolverSpec {
@@ -429,13 +476,18 @@ struct SolverSpec {
 };
 
 struct Output {
-  Index every = 10;  ///< steps between stored states; 0 = first and last
+  Index every = 10;             ///< steps between stored states; 0 = first and last
+  float checkpoint_every = 60;  ///< s of wall time, ≥ 0; 0 = after each step
 };
 
 struct Monitor {
   std::string name;
   Vec3 point{};  ///< m
+  /// Name of a joint of any kind, or "solid.interface", whose place nearest to the point is watched;
+  /// empty: the rock at the point.
+  std::string joint = {};
   Place place = {};
+  bool is_of_rock() const { return joint.empty(); }
 };
 
 /// How high water stands in joints.
@@ -460,6 +512,9 @@ struct Water {
   Place place = {};
 };
 
+/// Of [initial_stress] on joints: as it is far from openings, or as the rock around them passes it on.
+enum class JointStress { elastic, far_field };
+
 struct SupportSpec {
   /// Only joints hold a block; if false, solid faces under a [[fixed]] face region hold it too.
   bool joint_faces_only = true;
@@ -471,6 +526,12 @@ struct SupportSpec {
   bool rotation = true;  ///< look for rotations about edges and corners too
   /// Blocks that may fail together where none of them can alone, ≥ 1.
   Index largest_group = 8;
+  /// Batches that are looked for, after each stage; 0: until none is left. None given: 1 where the model has
+  /// excavations, else 0.
+  std::optional<Index> batches;
+  JointStress stress = JointStress::far_field;
+  /// Whether in-situ stress may make a block safer than without it.
+  bool clamping = false;
 };
 
 /// [[block_theory.tunnel]]: a long, straight tunnel.
@@ -521,6 +582,13 @@ struct TheorySpec {
   Place place = {};
 };
 
+/// A key that stands in the model file.
+struct GivenKey {
+  std::string path;  ///< "traction.value": without numbers, so once for all entries of a list
+  Place place = {};  ///< of the first
+  Index count = 1;
+};
+
 struct Model {
   std::string title;
   Vec3 gravity{0, 0, -9.81};  ///< m/s²
@@ -544,6 +612,7 @@ struct Model {
   InitialStress initial_stress;
   std::optional<BaseAcceleration> base_acceleration;
   std::optional<Analysis> analysis;
+  ContactSpec contact;
   SolverSpec solver;
   Output output;
   std::vector<Monitor> monitors;
@@ -563,6 +632,15 @@ struct Model {
       text;  ///< the model file as read, with overrides appended as comments; stored in results
   std::string path;                  ///< as given on the command line; for messages
   std::vector<Diagnostic> warnings;  ///< of reading: what is allowed and hardly meant
+  std::vector<GivenKey> given;       ///< all keys, in the order of the file
 };
+
+/// Whether blocks that joints cut apart touch each other in the analysis: large kinematics, in stages that take time. Between the
+/// vertices of a face, which the lattice divides, surfaces are taken as plane: functions are of first order at most.
+inline bool has_contact(const Model& model) {
+  return model.cover && model.analysis && model.cover->joints == JointTreatment::separate &&
+         model.cover->order <= 1 && model.cover->lattice != LatticeKind::tet5_mixed &&
+         model.analysis->large() && !model.analysis->has(AnalysisType::static_);
+}
 
 }  // namespace rockfold

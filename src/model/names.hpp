@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "src/base/types.hpp"
-#include "src/model/value.hpp"
+#include "src/model/text/value.hpp"
 
 namespace rockfold {
 

@@ -1,13 +1,16 @@
 #include "src/model/plausibility.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <optional>
 #include <string>
 
-#include "src/model/read_value.hpp"
+#include "src/base/vector.hpp"
+#include "src/model/read/draft.hpp"
+#include "src/model/read/read_value.hpp"
 
 namespace rockfold {
 
@@ -55,6 +58,7 @@ constexpr Angle angles[] = {
     {"joint", "dip_direction", 6.3},
     {"material", "friction_angle", 1.6},
     {"joint_material", "friction_angle", 1.6},
+    {"joint_material", "residual_friction_angle", 1.6},
 };
 
 std::optional<Real> number(const Value& value) {
@@ -88,6 +92,12 @@ class Plausibility {
       if (slip.of_weightless || model_.gravity != Vec3{}) look_for(slip);
     look_for_radians();
     look_at_gravity();
+    look_at_loads();
+    look_at_motion();
+    look_at_statics();
+    look_at_heads();
+    look_at_stress();
+    look_at_earthquake();
     return std::move(found_);
   }
 
@@ -149,6 +159,121 @@ class Plausibility {
       add(gravity->value, "gravity", "points up: z is up, weight is [0, 0, -9.81]");
     if (model_.gravity == Vec3{} && model_.analysis && !anything_acts())
       add(gravity->value, "gravity", "is zero and nothing else acts: the rock stays as it is");
+  }
+
+  /// Loads of newtons on rock that weighs giganewtons.
+  void look_at_loads() {
+    constexpr Real small = 1e3, heavy = 1e9;  // N
+    Real density = 0;
+    for (const Material& material : model_.materials) density = std::max(density, material.density);
+    const Real size = given_size(model_);
+    if (!(norm(model_.gravity) * density * size * size * size / 8 > heavy)) return;
+    for (const PointLoad& load : model_.point_loads) {
+      Real force = norm(load.force);
+      for (const Vec3& f : load.table.value) force = std::max(force, norm(f));
+      if (force > 0 && force < small)
+        found_.push_back({load.place, "is at most " + rounded_text(force) +
+                                          " N on rock that weighs giganewtons: did you mean kN?"});
+    }
+  }
+
+  /// m/s of the fastest wave in the rock, 0 where it is not known.
+  Real fastest_wave() const {
+    Real fastest = 0;
+    for (const Material& m : model_.materials) {
+      if (!(m.density > 0 && m.young_modulus > 0)) continue;
+      const Real p_wave = m.young_modulus * (1 - m.poisson_ratio) /
+                          ((1 + m.poisson_ratio) * (1 - 2 * m.poisson_ratio));
+      fastest = std::max(fastest, std::sqrt(p_wave / m.density));
+    }
+    return fastest;
+  }
+
+  bool jointed() const {
+    return !model_.joints.empty() || !model_.joint_sets.empty() || !model_.joint_meshes.empty() ||
+           !model_.joint_tables.empty();
+  }
+
+  /// A rock mass, which something must hold; a lone body may well fly.
+  bool is_rock_mass() const {
+    return jointed() || std::any_of(model_.solids.begin(), model_.solids.end(), [](const Solid& s) {
+             return std::find(s.continues.begin(), s.continues.end(), true) != s.continues.end();
+           });
+  }
+
+  /// A motion that nothing holds, or whose waves the time step passes over.
+  void look_at_motion() {
+    if (!model_.analysis || !model_.analysis->has(AnalysisType::dynamic)) return;
+    const Entry* analysis = root_.find("analysis");
+    if (!analysis) return;
+    if (is_rock_mass() && model_.fixed.empty() && model_.quiet_boundaries.empty() &&
+        model_.initial_velocities.empty() && model_.gravity != Vec3{})
+      add(analysis->value, "analysis",
+          "is dynamic, and no [[fixed]] holds anything: all rock falls freely");
+    constexpr Real long_steps = 1000;  // travel times through a cell of the lattice
+    const Real spacing =
+        model_.cover ? *std::max_element(model_.cover->spacing.begin(), model_.cover->spacing.end())
+                     : 0;
+    const Real speed = fastest_wave();
+    if (!(spacing > 0 && speed > 0)) return;
+    const Real travel = spacing / speed;
+    Real longest = 0;
+    for (const AnalysisStage& stage : model_.analysis->stages)
+      if (stage.type == AnalysisType::dynamic) longest = std::max(longest, stage.time_step);
+    if (longest <= long_steps * travel) return;
+    add(analysis->value, "analysis.time_step",
+        "is " + rounded_text(longest) + " s, " + rounded_text(longest / travel) +
+            " times the travel time of a wave through a cell (" + rounded_text(travel) +
+            " s): the motion is not resolved");
+  }
+
+  /// Statics of blocks that come apart at joints: only contact could hold those that no support does.
+  void look_at_statics() {
+    const Entry* analysis = root_.find("analysis");
+    if (!analysis || !model_.analysis || !model_.analysis->has(AnalysisType::static_) ||
+        !model_.cover || model_.cover->joints == JointTreatment::welded || !jointed())
+      return;
+    add(analysis->value, "analysis.type",
+        "is \"static\", and the blocks come apart at the joints: those that no [[fixed]] holds are "
+        "free to move. Take cover.joints = \"welded\" for rock that deforms as one mass, or type "
+        "= \"quasi_static\"");
+  }
+
+  /// Water in slopes of [block_theory], whose toe is z = 0, that stands over the crest.
+  void look_at_heads() {
+    if (!model_.theory || model_.theory->slopes.empty()) return;
+    Real crest = 0;
+    for (const TheorySlope& slope : model_.theory->slopes) crest = std::max(crest, slope.height);
+    for (const Water& water : model_.waters)
+      if (const auto* head = std::get_if<WaterHead>(&water.level); head && head->elevation > crest)
+        found_.push_back({water.place, "has a head of " + rounded_text(head->elevation) +
+                                           " m, above the crest: the toe of a slope is z = 0, its "
+                                           "crest " +
+                                           rounded_text(crest) + " m"});
+  }
+
+  /// Rock is pressed in every direction.
+  void look_at_stress() {
+    const Entry* entry = root_.find("initial_stress");
+    const InitialStress& stress = model_.initial_stress;
+    if (!entry || !stress.any) return;
+    const auto pulls = [](const std::array<Real, 6>& s) {
+      return s[0] >= 0 && s[1] >= 0 && s[2] >= 0 && s[0] + s[1] + s[2] > 0;
+    };
+    const bool none_given = stress.at == std::array<Real, 6>{};
+    if (pulls(none_given ? stress.gradient : stress.at))
+      add(entry->value, none_given ? "initial_stress.gradient" : "initial_stress.value",
+          "is tension in every direction: compression is negative");
+  }
+
+  /// The strongest earthquakes shake with 1 to 2 g.
+  void look_at_earthquake() {
+    constexpr Real strongest = 2;
+    const Entry* entry = root_.find("support");
+    if (!entry || !model_.support || norm(model_.support->seismic_coefficient) <= strongest) return;
+    add(entry->value, "support.seismic_coefficient",
+        "is " + rounded_text(norm(model_.support->seismic_coefficient)) +
+            " times g: it is a fraction of g, 0.1 for 10 %");
   }
 
   const Table& root_;

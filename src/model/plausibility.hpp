@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "src/model/diagnostics.hpp"
 #include "src/model/model.hpp"
+#include "src/model/text/diagnostics.hpp"
 
 namespace rockfold {
 

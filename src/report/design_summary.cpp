@@ -78,8 +78,8 @@ std::string bolting_text(const BoltingReport& bolting, const KeyblockReport& key
                              {"missing", "kN", false}},
                             rows);
   if (bolting.keyblocks.size() > most_rows)
-    text += fmt::format("  and {} more (--json lists them all)\n",
-                        bolting.keyblocks.size() - most_rows);
+    text += fmt::format("  … {} more: [[table]] kind = \"keyblocks\" lists all\n",
+                        grouped(static_cast<std::int64_t>(bolting.keyblocks.size() - most_rows)));
   return text;
 }
 
@@ -133,6 +133,12 @@ std::string classification_text(const ClassificationReport& report) {
 std::string design_summary(const Model& model, const KeyblockReport& keyblocks,
                            const SupportDesign& design) {
   std::string text;
+  if (design.joint_stress && !design.joint_stress->stages.empty()) {
+    const ContinuumFacts& facts = design.joint_stress->stages.back();
+    text += "\n" + fact("in-situ stress",
+                        fmt::format("elastic round openings: cells of {:.3g} m, {} unknowns",
+                                    facts.spacing, grouped(facts.unknowns)));
+  }
   if (design.bolting) text += "\n" + bolting_text(*design.bolting, keyblocks);
   if (design.search) text += "\n" + search_text(*design.search, model);
   if (design.classification) text += "\n" + classification_text(*design.classification);

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "src/app/support_design.hpp"
 #include "src/model/model.hpp"
-#include "src/support_design.hpp"
 
 namespace rockfold {
 

@@ -1,5 +1,7 @@
 #include "src/report/documents.hpp"
 
+#include <fmt/format.h>
+
 #include "generated/version.hpp"
 #include "src/base/sum.hpp"
 #include "src/model/check_model.hpp"
@@ -68,6 +70,12 @@ Json check_document(const DocumentHead& head, const Model& model,
   return document;
 }
 
+std::vector<std::string> hash_texts(const ResultInfo& info) {
+  std::vector<std::string> texts;
+  for (const std::uint64_t hash : info.hash) texts.push_back(fmt::format("{:016x}", hash));
+  return texts;
+}
+
 Json info_document(const ResultInfo& info, const std::string& path) {
   Json document = head_json({"info", info.title, {}});
   document["file"] = path;
@@ -81,6 +89,12 @@ Json info_document(const ResultInfo& info, const std::string& path) {
                         {"states", info.step.size()}, {"bytes", info.file_bytes}};
   document["block_theory"] = info.block_theory;
   document["states"] = {{"step", info.step}, {"time", info.time}};
+  if (!info.hash.empty()) document["states"]["hash"] = hash_texts(info);
+  if (info.unfinished)
+    document["unfinished"] = {
+        {"journal", info.unfinished->journal},
+        {"checkpoint",
+         {{"step", info.unfinished->checkpoint}, {"time", info.unfinished->checkpoint_time}}}};
   auto& list = document["datasets"] = Json::array();
   for (const auto& set : info.datasets)
     list.push_back(

@@ -16,6 +16,7 @@
 #include "host/keyblock/theory.hpp"
 #include "host/measure/measure.hpp"
 #include "host/shapes/extents.hpp"
+#include "src/app/support_design.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/arrays/cover_arrays.hpp"
 #include "src/base/error.hpp"
@@ -23,7 +24,6 @@
 #include "src/model/model.hpp"
 #include "src/report/phase_seconds.hpp"
 #include "src/run/run_result.hpp"
-#include "src/support_design.hpp"
 
 namespace rockfold {
 
@@ -38,6 +38,9 @@ struct RunReport {
   const KeyblockReport* keyblocks = nullptr;  ///< null: the model asks for no support
   const SupportDesign* design = nullptr;      ///< with the key blocks
 };
+
+/// Whether a document lists every block: the result file has them as arrays.
+enum class BlockList { whole, left_out };
 
 /// Lattice nodes that carry a physical cover.
 Index mathematical_covers(const CoverArrays& covers);
@@ -59,12 +62,18 @@ Json cut_document_without_blocks(const DocumentHead& head, const CutTotals& tota
 Json block_json(const Model& model, const BlockArrays& blocks, const BlockStatistics& statistics,
                 Index b);
 Json support_document(const DocumentHead& head, const Model& model, const BlockArrays& blocks,
-                      const KeyblockReport& report, const SupportDesign& design);
+                      const KeyblockReport& report, const SupportDesign& design,
+                      BlockList list = BlockList::whole);
 Json theory_document(const DocumentHead& head, const TheoryReport& report);
 /// With "support", as support_document has it, where there are key blocks to tell of.
-Json run_document(const DocumentHead& head, const RunReport& report);
+Json run_document(const DocumentHead& head, const RunReport& report,
+                  BlockList list = BlockList::whole);
+/// What was computed, for reports: materials, joints, analyses; of `support` and of a run only where they were done.
+Json setup_json(const Model& model, bool with_support, bool with_run);
 Json check_document(const DocumentHead& head, const Model& model,
                     const std::vector<NamedExtent>& extents);
+/// Of the states, 16 hexadecimal digits each.
+std::vector<std::string> hash_texts(const ResultInfo& info);
 Json info_document(const ResultInfo& info, const std::string& path);
 Json error_document(const Error& error);
 

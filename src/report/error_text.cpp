@@ -27,4 +27,8 @@ void print_error_document(std::FILE* stream, const Error& error) {
   write_document(stream, error_document(error));
 }
 
+std::string error_document_text(const Error& error) {
+  return error_document(error).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace rockfold

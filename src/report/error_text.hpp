@@ -17,5 +17,7 @@ std::string diagnostic_line(const Diagnostic& diagnostic);
 std::vector<std::string> error_lines(const Error& error);
 
 void print_error_document(std::FILE* stream, const Error& error);
+/// The same on one line.
+std::string error_document_text(const Error& error);
 
 }  // namespace rockfold

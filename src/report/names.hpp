@@ -3,6 +3,8 @@
 
 #include "host/keyblock/keyblock.hpp"
 #include "host/measure/block_shapes.hpp"
+#include "src/arrays/block_arrays.hpp"
+#include "src/arrays/contact_arrays.hpp"
 #include "src/arrays/element_arrays.hpp"
 #include "src/base/error.hpp"
 
@@ -24,6 +26,23 @@ constexpr const char* mode_name(SlidingMode mode) {
   return "";
 }
 
+constexpr const char* contact_name(Contact state) {
+  switch (state) {
+    case Contact::open:
+      return "open";
+    case Contact::stick:
+      return "stick";
+    case Contact::slide:
+      return "slide";
+  }
+  return "";
+}
+
+/// "" of faces that no joint joined.
+inline std::string joint_name(const BlockArrays& blocks, Index origin) {
+  return origin == none ? "" : blocks.origins[origin].name;
+}
+
 constexpr const char* class_name(BlockClass block_class) {
   switch (block_class) {
     case BlockClass::infinite:
@@ -36,6 +55,8 @@ constexpr const char* class_name(BlockClass block_class) {
       return "key";
     case BlockClass::excavated:
       return "excavated";
+    case BlockClass::not_examined:
+      return "not_examined";
   }
   return "";
 }

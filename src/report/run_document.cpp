@@ -59,6 +59,46 @@ Json monitor_json(const MonitorHistory& m, const RunReport& report) {
   return json;
 }
 
+Json joint_monitor_json(const JointHistory& m) {
+  Json json{{"name", m.name},
+            {"joint", m.joint},
+            {"time", m.time},
+            {"normal_stress", m.normal_stress},
+            {"shear_stress", m.shear_stress},
+            {"opening", m.opening},
+            {"slip", m.slip},
+            {"state", Json::array()}};
+  for (const Contact state : m.state) json["state"].push_back(contact_name(state));
+  return json;
+}
+
+/// In the order of the model.
+Json monitors_json(const RunReport& report) {
+  Json list = Json::array();
+  auto rock = report.run.monitors.begin();
+  auto joint = report.run.joint_monitors.begin();
+  for (const Monitor& monitor : report.model.monitors)
+    list.push_back(monitor.is_of_rock() ? monitor_json(*rock++, report)
+                                        : joint_monitor_json(*joint++));
+  return list;
+}
+
+Json largest_json(const LargestAtJoint& largest, const RunReport& report) {
+  if (largest.block[0] == none) return nullptr;
+  return {{"value", largest.value},
+          {"joint", joint_name(report.blocks, largest.joint)},
+          {"blocks", {largest.block[0] + 1, largest.block[1] + 1}}};
+}
+
+Json rest_json(const RunReport& report) {
+  const Rest& rest = *report.run.rest;
+  return {{"moved_blocks", rest.moved},
+          {"largest_slip", largest_json(rest.slip, report)},
+          {"largest_opening", largest_json(rest.opening, report)},
+          {"speed", rest.speed},
+          {"at_rest", rest.at_rest}};
+}
+
 Json blocks_json(const RunReport& report) {
   Json list = Json::array();
   for (std::size_t b = 0; b < report.run.blocks.size(); ++b) {
@@ -85,10 +125,32 @@ Json strength_json(const RockStrength& strength) {
 }
 
 Json energy_json(const Energy& e) {
-  return {{"kinetic", e.kinetic}, {"strain", e.strain},         {"potential", e.potential},
-          {"contact", e.contact}, {"dissipated", e.dissipated}, {"damping", e.damping},
-          {"quiet", e.quiet},     {"ratio", e.ratio},           {"numerical", e.numerical},
-          {"loads", e.loads},     {"supports", e.supports}};
+  return {{"kinetic", e.kinetic},  {"strain", e.strain},         {"potential", e.potential},
+          {"contact", e.contact},  {"dissipated", e.dissipated}, {"damping", e.damping},
+          {"quiet", e.quiet},      {"ratio", e.ratio},           {"friction", e.friction},
+          {"impact", e.impact},    {"numerical", e.numerical},   {"loads", e.loads},
+          {"supports", e.supports}};
+}
+
+Json contacts_json(const RunResult& run) {
+  const ContactCount& c = run.contacts;
+  const Rest rest = run.rest.value_or(Rest{});
+  return {{"open", c.open},
+          {"stick", c.stick},
+          {"slide", c.slide},
+          {"max_penetration", c.largest_penetration},
+          {"max_opening", rest.opening.value},
+          {"max_slip", rest.slip.value}};
+}
+
+Json contacts_history_json(const RunResult& run) {
+  const ContactHistory& h = run.contact_history;
+  return {{"time", h.open.empty() ? std::vector<Real>{} : run.energy_time},
+          {"open", h.open},
+          {"stick", h.stick},
+          {"slide", h.slide},
+          {"iterations", h.iterations},
+          {"substeps", h.substeps}};
 }
 
 /// A list over time for each part of the energy.
@@ -124,21 +186,24 @@ Index mathematical_covers(const CoverArrays& covers) {
   return nodes;
 }
 
-Json run_document(const DocumentHead& head, const RunReport& report) {
+Json run_document(const DocumentHead& head, const RunReport& report, BlockList list) {
   Json document = head_json(head);
   document["totals"] = run_totals_json(report);
-  auto& monitors = document["monitors"] = Json::array();
-  for (const auto& monitor : report.run.monitors) monitors.push_back(monitor_json(monitor, report));
+  document["monitors"] = monitors_json(report);
   document["energy"] = energy_json(report.run.energy);
   document["energy_history"] = energy_history_json(report.run);
-  document["contacts"] = {{"open", 0}, {"stick", 0}, {"slide", 0}, {"max_penetration", 0.0}};
+  document["contacts"] = contacts_json(report.run);
+  document["contacts_history"] = contacts_history_json(report.run);
+  if (report.run.rest) document["rest"] = rest_json(report);
   document["reaction"] = sum_of_forces(report.run.conditions);
   document["reactions"] = reactions_json(report.run.conditions);
   document["strength"] = strength_json(report.run.strength);
-  document["blocks"] = blocks_json(report);
+  if (list == BlockList::whole) document["blocks"] = blocks_json(report);
   if (report.keyblocks)
     add_support(document["support"] = Json::object(), report.model, report.blocks,
-                *report.keyblocks, *report.design);
+                *report.keyblocks, *report.design, list);
+  if (report.keyblocks && report.run.rest)
+    document["keyblock_motion"] = keyblock_motion_json(report);
   document["iterations"] = {{"pcg", report.run.iterations.pcg},
                             {"open_close", report.run.iterations.open_close},
                             {"fallbacks", report.run.iterations.fallbacks},

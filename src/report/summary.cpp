@@ -62,54 +62,6 @@ std::string extent_text(const NamedExtent& extent) {
                      high[0], low[1], high[1], low[2], high[2]);
 }
 
-const char* mode_words(SlidingMode mode) {
-  switch (mode) {
-    case SlidingMode::lifting:
-      return "falls";
-    case SlidingMode::single_plane:
-      return "slides";
-    case SlidingMode::two_planes:
-      return "slides on two";
-    case SlidingMode::rotation:
-      return "turns";
-    case SlidingMode::at_rest:
-      return "rests";
-  }
-  return "";
-}
-
-std::string joined_names(const std::vector<std::string>& names) {
-  std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text.empty() ? "-" : text;
-}
-
-std::vector<std::string> keyblock_row(const Keyblock& key) {
-  return {block_ids(key.members),
-          std::to_string(key.batch),
-          fmt::format("{:.2f}", key.volume),
-          fmt::format("{:.1f}", key.weight / 1e3),
-          mode_words(key.mode),
-          joined_names(key.planes),
-          std::isfinite(key.factor_of_safety) ? fmt::format("{:.2f}", key.factor_of_safety) : "-",
-          fmt::format("{:.1f}", key.sliding_force / 1e3),
-          std::isfinite(key.support_force) ? fmt::format("{:.1f}", key.support_force / 1e3) : "-",
-          std::isfinite(key.support_pressure) ? fmt::format("{:.2f}", key.support_pressure / 1e3)
-                                              : "-"};
-}
-
-const std::vector<Column> keyblock_columns{{"block", "", false},     {"batch", "", false},
-                                           {"volume", "m3", false},  {"weight", "kN", false},
-                                           {"it", "", true},         {"on", "", true},
-                                           {"safety", "", false},    {"net", "kN", false},
-                                           {"support", "kN", false}, {"pressure", "kPa", false}};
-
-std::string batches_text(const std::vector<Index>& batches) {
-  std::string text;
-  for (const Index n : batches) text += (text.empty() ? "" : " + ") + std::to_string(n);
-  return text;
-}
-
 std::string analysis_name(AnalysisType type) {
   switch (type) {
     case AnalysisType::static_:
@@ -120,11 +72,6 @@ std::string analysis_name(AnalysisType type) {
       return "dynamic";
   }
   return "";
-}
-
-bool any_removable(const KeyblockReport& report) {
-  return std::any_of(report.block_class.begin(), report.block_class.end(),
-                     [](BlockClass c) { return c == BlockClass::stable || c == BlockClass::key; });
 }
 
 }  // namespace
@@ -150,8 +97,10 @@ std::string check_summary(const Model& model, const std::vector<NamedExtent>& ex
   if (!model.excavations.empty()) text += fact("excavations", excavations_text(model));
   if (model.cover) text += fact("covers", cover_text(*model.cover));
   if (model.analysis)
-    text += fact("analysis", fmt::format("{}, {}", analysis_name(model.analysis->type),
-                                         counted(model.analysis->steps, "step", "steps")));
+    for (const AnalysisStage& stage : model.analysis->stages)
+      text += fact(
+          stage.name.empty() ? "analysis" : stage.name,
+          fmt::format("{}, {}", analysis_name(stage.type), counted(stage.steps, "step", "steps")));
   for (const auto& [command, purpose] :
        {std::pair{"support", Purpose::support}, {"run", Purpose::run}})
     for (const auto& lack : missing_for(model, purpose))
@@ -175,53 +124,6 @@ std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks) {
   return text;
 }
 
-/// Blocks that stay, but with less than the target factor of safety.
-std::string doubtful_summary(const KeyblockReport& report) {
-  std::size_t count = 0;
-  Real force = 0;
-  for (const auto& block : report.stable)
-    if (block.support_force > 0) ++count, force += block.support_force;
-  if (count == 0) return "";
-  return fact("below the target", fmt::format("{} more blocks stay, but need {:.4g} kN for the "
-                                              "target factor of safety",
-                                              count, force / 1e3));
-}
-
-std::string support_summary(const KeyblockReport& report, const BlockArrays& blocks,
-                            std::size_t most) {
-  auto keys = report.keyblocks;
-  if (keys.empty())
-    return fact("key blocks", any_removable(report) ? "none: no block moves under these loads"
-                                                    : "none: no block can move") +
-           doubtful_summary(report);
-  std::stable_sort(keys.begin(), keys.end(),
-                   [](const auto& a, const auto& b) { return a.support_force > b.support_force; });
-  Real force = 0, volume = 0;
-  std::size_t unheld = 0;  // along a given direction no force may suffice
-  for (const auto& key : keys) {
-    volume += key.volume;
-    if (std::isfinite(key.support_force))
-      force += key.support_force;
-    else
-      ++unheld;
-  }
-
-  std::string text = fact(
-      "key blocks", fmt::format("{} of {}, {:.4g} m3", keys.size(), blocks.block_count(), volume));
-  text +=
-      fact("batches", fmt::format("{} ({})", report.batches.size(), batches_text(report.batches)));
-  const std::string beside =
-      unheld > 0 ? fmt::format("; no force along support_direction holds {} of them", unheld) : "";
-  text += fact("support force", fmt::format("{:.4g} kN in all{}", force / 1e3, beside));
-  text += doubtful_summary(report);
-  std::vector<std::vector<std::string>> rows;
-  for (std::size_t k = 0; k < std::min(most, keys.size()); ++k)
-    rows.push_back(keyblock_row(keys[k]));
-  if (rows.size() < keys.size())
-    text += fmt::format("\n  The {} that need most support:\n", rows.size());
-  return text.append("\n").append(table_text(keyblock_columns, rows));
-}
-
 namespace {
 
 /// More [[fixed]] than this are summed.
@@ -234,6 +136,40 @@ std::string monitor_facts(const MonitorHistory& monitor) {
                                                      norm(monitor.displacement.back()))) +
          fact("", fmt::format("principal stresses {} Pa",
                               point_text(principal_stresses(monitor.stress.back()))));
+}
+
+std::string monitor_facts(const JointHistory& monitor) {
+  if (monitor.time.empty()) return "";
+  return fact("monitor " + monitor.name,
+              fmt::format("{}: normal stress {:.4g} Pa, shear stress {:.4g} Pa", monitor.joint,
+                          monitor.normal_stress.back(), monitor.shear_stress.back())) +
+         fact("", fmt::format("opening {:.4g} m, slip {:.4g} m, {}", monitor.opening.back(),
+                              monitor.slip.back(), contact_name(monitor.state.back())));
+}
+
+std::string largest_text(const char* what, const LargestAtJoint& largest,
+                         const BlockArrays& blocks) {
+  const std::string joint = joint_name(blocks, largest.joint);
+  return fmt::format("{} {:.4g} m, {} between blocks {} and {}", what, largest.value,
+                     joint.empty() ? "faces that met" : joint, largest.block[0] + 1,
+                     largest.block[1] + 1);
+}
+
+std::string rest_facts(const RunReport& report) {
+  const Rest& rest = *report.run.rest;
+  const Index blocks = report.blocks.block_count();
+  std::string text =
+      fact("moved",
+           fmt::format("{} of {} blocks by more than a hundredth of their size; {}",
+                       grouped(rest.moved), grouped(blocks),
+                       rest.at_rest ? "all have come to rest"
+                                    : fmt::format("the fastest moves at {:.3g} m/s", rest.speed)));
+  for (const auto& [what, largest] :
+       {std::pair{"largest slip", rest.slip}, {"largest opening", rest.opening}})
+    if (largest.block[0] != none) text += fact("", largest_text(what, largest, report.blocks));
+  const ContactCount& c = report.run.contacts;
+  return text + fact("contact points", fmt::format("{} stick, {} slide, {} open", grouped(c.stick),
+                                                   grouped(c.slide), grouped(c.open)));
 }
 
 std::string strength_fact(const RockStrength& strength) {
@@ -255,9 +191,11 @@ Vec3 sum_of_forces(const std::vector<Reaction>& conditions) {
 /// Without what is nothing but rounding and the solver's tolerance.
 std::string energy_text(const Energy& energy) {
   const std::pair<const char*, Real> parts[] = {
-      {"kinetic", energy.kinetic},     {"strain", energy.strain},
-      {"potential", energy.potential}, {"dissipated", energy.dissipated},
-      {"work of loads", energy.loads}, {"work of supports", energy.supports}};
+      {"kinetic", energy.kinetic},          {"strain", energy.strain},
+      {"potential", energy.potential},      {"contact", energy.contact},
+      {"friction", energy.friction},        {"impact", energy.impact},
+      {"dissipated", energy.dissipated},    {"work of loads", energy.loads},
+      {"work of supports", energy.supports}};
   Real largest = 0;
   for (const auto& [name, value] : parts) largest = std::max(largest, std::abs(value));
   std::string text;
@@ -282,7 +220,7 @@ std::string run_summary(const RunReport& report) {
                             grouped(3 * std::int64_t{report.covers.unknown_count()})));
   const std::string steps = run.interrupted
                                 ? fmt::format("{} of {} (interrupted)", grouped(run.steps),
-                                              grouped(report.model.analysis->steps))
+                                              grouped(report.model.analysis->steps()))
                                 : grouped(run.steps);
   text += fact("steps",
                fmt::format("{} to t = {:.6g} s, {} solver iterations ({}{})", steps, run.time,
@@ -292,7 +230,9 @@ std::string run_summary(const RunReport& report) {
   if (largest.block != none)
     text += fact("largest displacement", fmt::format("{:.4g} m, in block {} at {}", largest.length,
                                                      largest.block + 1, point_text(largest.point)));
+  if (run.rest) text += rest_facts(report);
   for (const auto& monitor : run.monitors) text += monitor_facts(monitor);
+  for (const auto& monitor : run.joint_monitors) text += monitor_facts(monitor);
   text += strength_fact(run.strength);
   if (run.conditions.size() <= most_conditions)
     for (std::size_t n = 0; n < run.conditions.size(); ++n)
@@ -321,6 +261,11 @@ std::string info_summary(const ResultInfo& info, const std::string& path) {
     text += fact("states", fmt::format("{}, t = {:g} … {:g} s", info.step.size(), info.time.front(),
                                        info.time.back()));
   }
+  if (info.unfinished)
+    text += fact("unfinished",
+                 fmt::format("`rockfold resume {}` goes on from step {}, t = {:g} s", path,
+                             info.unfinished->checkpoint, info.unfinished->checkpoint_time));
+  if (info.file_bytes == 0) return text;
   text += fact("size", fmt::format("{:.3g} MB in {}", info.file_bytes / 1e6,
                                    counted(info.datasets.size(), "data set", "data sets")));
   return text;

@@ -15,7 +15,7 @@
 
 namespace rockfold {
 
-constexpr std::size_t all_keyblocks = static_cast<std::size_t>(-1);
+constexpr std::size_t most_keyblocks = 20;
 
 std::string check_summary(const Model& model, const std::vector<NamedExtent>& extents);
 std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks);
@@ -23,10 +23,12 @@ std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks);
 std::string measure_summary(const RockMeasures& measures);
 /// The key blocks that need the greatest support force, `most` of them, and the batches.
 std::string support_summary(const KeyblockReport& report, const BlockArrays& blocks,
-                            std::size_t most = all_keyblocks);
+                            std::size_t most = most_keyblocks);
 /// Joint pyramids, the largest blocks of tunnels and slopes, scans, probabilities.
 std::string theory_summary(const TheoryReport& report);
 std::string run_summary(const RunReport& report);
+/// What block theory says of each key block, `most` of them, and what it did; with contact and key blocks.
+std::string keyblock_motion_summary(const RunReport& report, std::size_t most = most_keyblocks);
 std::string info_summary(const ResultInfo& info, const std::string& path);
 
 /// "  blocks        512  …": a fact and its value, aligned with the others.

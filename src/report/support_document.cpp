@@ -53,11 +53,32 @@ Json keyblock_json(const Keyblock& key, const BlockArrays& blocks) {
 }
 
 Json support_totals_json(const BlockArrays& blocks, const KeyblockReport& report) {
-  Real volume = 0, force = 0;
-  for (const auto& key : report.keyblocks) volume += key.volume, force += key.support_force;
-  return {{"blocks", blocks.block_count()}, {"keyblocks", report.keyblocks.size()},
-          {"batches", report.batches},      {"batch_stages", report.batch_stage},
-          {"keyblock_volume", volume},      {"support_force", force}};
+  struct Sums {
+    std::size_t blocks = 0;
+    Real volume = 0, force = 0;
+    void add(const Keyblock& key) { ++blocks, volume += key.volume, force += key.support_force; }
+  } all, first;
+  for (const auto& key : report.keyblocks) {
+    all.add(key);
+    if (key.batch == 1) first.add(key);
+  }
+  return {
+      {"blocks", blocks.block_count()},
+      {"keyblocks", all.blocks},
+      {"batches", report.batches},
+      {"batch_stages", report.batch_stage},
+      {"keyblock_volume", all.volume},
+      {"support_force", all.force},
+      {"first_batch",
+       {{"keyblocks", first.blocks}, {"volume", first.volume}, {"support_force", first.force}}}};
+}
+
+Json blocks_json(const KeyblockReport& report) {
+  Json list = Json::array();
+  for (std::size_t b = 0; b < report.block_class.size(); ++b)
+    list.push_back(
+        {{"id", b + 1}, {"class", class_name(report.block_class[b])}, {"batch", report.batch[b]}});
+  return list;
 }
 
 }  // namespace
@@ -69,7 +90,7 @@ Json ids_json(const std::vector<Index>& blocks) {
 }
 
 void add_support(Json& document, const Model& model, const BlockArrays& blocks,
-                 const KeyblockReport& report, const SupportDesign& design) {
+                 const KeyblockReport& report, const SupportDesign& design, BlockList block_list) {
   document["totals"] = support_totals_json(blocks, report);
   auto& keys = document["keyblocks"] = Json::array();
   const BoltingReport* bolting = design.bolting ? &*design.bolting : nullptr;
@@ -86,17 +107,17 @@ void add_support(Json& document, const Model& model, const BlockArrays& blocks,
     stable.push_back(keyblock_json(key, blocks));
     add_to_last(stable, key, support);
   }
-  auto& list = document["blocks"] = Json::array();
-  for (Index b = 0; b < blocks.block_count(); ++b)
-    list.push_back(
-        {{"id", b + 1}, {"class", class_name(report.block_class[b])}, {"batch", report.batch[b]}});
+  if (block_list == BlockList::whole) document["blocks"] = blocks_json(report);
   add_design(document, model, design);
+  if (design.joint_stress)
+    document["joint_stress"] = joint_stress_json(blocks, *design.joint_stress, block_list);
 }
 
 Json support_document(const DocumentHead& head, const Model& model, const BlockArrays& blocks,
-                      const KeyblockReport& report, const SupportDesign& design) {
+                      const KeyblockReport& report, const SupportDesign& design,
+                      BlockList block_list) {
   Json document = head_json(head);
-  add_support(document, model, blocks, report, design);
+  add_support(document, model, blocks, report, design, block_list);
   return document;
 }
 

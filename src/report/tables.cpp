@@ -1,46 +1,17 @@
 #include "src/report/tables.hpp"
 
-#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "src/base/vector.hpp"
+#include "src/report/csv_row.hpp"
 #include "src/report/design_names.hpp"
 #include "src/report/names.hpp"
 
 namespace rockfold {
 
 namespace {
-
-/// Cells of a row, joined by commas.
-class Row {
- public:
-  Row& operator<<(Real x) { return add(std::isfinite(x) ? fmt::format("{}", x + 0.0) : ""); }
-  Row& operator<<(Index n) { return add(std::to_string(n)); }
-  Row& operator<<(bool yes) { return add(yes ? "yes" : "no"); }
-  Row& operator<<(const char* words) { return *this << std::string(words); }
-  Row& operator<<(const std::string& words) {
-    std::string cell = "\"";
-    for (const char c : words) cell += c == '"' ? "\"\"" : std::string(1, c);
-    return add(cell + "\"");
-  }
-  Row& operator<<(const Vec3& v) { return *this << v[0] << v[1] << v[2]; }
-  Row& empty(int cells) {
-    for (int i = 0; i < cells; ++i) add("");
-    return *this;
-  }
-  std::string line() const { return text_ + "\n"; }
-
- private:
-  Row& add(const std::string& cell) {
-    text_ += (first_ ? "" : ",") + cell;
-    first_ = false;
-    return *this;
-  }
-  std::string text_;
-  bool first_ = true;
-};
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
@@ -51,7 +22,7 @@ std::string joined(const std::vector<std::string>& names) {
 std::string blocks_table(const BlockArrays& blocks, const KeyblockReport& keyblocks) {
   std::string text = "block,class,batch,volume m3,mass kg,x m,y m,z m\n";
   for (Index b = 0; b < blocks.block_count(); ++b) {
-    Row row;
+    CsvRow row;
     row << b + 1 << class_name(keyblocks.block_class[b]) << keyblocks.batch[b] << blocks.volume[b]
         << blocks.mass[b] << blocks.centroid[b];
     text += row.line();
@@ -66,7 +37,7 @@ std::string keyblocks_table(const KeyblockReport& keyblocks, const SupportDesign
       "support x,support y,support z,bolts,bolt capacity N,supported factor of safety,adequate,"
       "missing force N,utilisation %,displacement utilisation %,supported mode,blocks\n";
   const auto add = [&](const Keyblock& key, const BlockSupport* support) {
-    Row row;
+    CsvRow row;
     row << key.block + 1 << key.batch << key.volume << key.weight << mode_name(key.mode)
         << joined(key.planes) << key.direction << key.sliding_force << key.factor_of_safety
         << key.free_area << key.support_force << key.support_pressure << key.support_direction;
@@ -105,7 +76,7 @@ std::string bolts_table(const SupportDesign& design) {
     std::string crossed;
     for (const RockSegment& segment : bolt.rock)
       crossed += (crossed.empty() ? "" : "; ") + std::to_string(segment.block + 1);
-    Row row;
+    CsvRow row;
     row << bolt_name(bolting, static_cast<Index>(i)) << coupling_name(type.coupling)
         << category_name(bolt_category(type, bolt.length)) << bolt.length << bolt.collar
         << bolt.direction << crossed;
@@ -122,7 +93,7 @@ std::string crossings_table(const KeyblockReport& keyblocks, const SupportDesign
   const BoltingReport& bolting = *design.bolting;
   const auto add = [&](const Keyblock& key, const BlockSupport& support) {
     for (const BoltCrossing& c : support.crossings) {
-      Row row;
+      CsvRow row;
       row << key.block + 1 << key.batch << bolt_name(bolting, c.bolt) << c.embedment.within
           << c.embedment.anchored << c.embedment.plate << c.axial_capacity
           << c.force.angle * 57.29577951308232 << c.capacity << c.load << 100 * c.force_mobilisation
@@ -144,7 +115,7 @@ std::string search_table(const SupportDesign& design, const Model& model) {
       by_mass ? "mass kg" : "length x capacity N m");
   if (!design.search) return text;
   for (const PatternTrial& trial : design.search->trials) {
-    Row row;
+    CsvRow row;
     row << model.bolt_types[trial.type].name << trial.spacing << trial.length << trial.bolts
         << trial.weight << trial.held << design.search->wanted << trial.least_factor_of_safety
         << trial.disturbed;
@@ -156,7 +127,7 @@ std::string search_table(const SupportDesign& design, const Model& model) {
 std::string classification_table(const SupportDesign& design) {
   std::string text = "system,quantity,value\n";
   const auto add = [&](const char* system, const char* quantity, const auto& value) {
-    text += (Row() << system << quantity << value).line();
+    text += (CsvRow() << system << quantity << value).line();
   };
   if (!design.classification) return text;
   const ClassificationReport& report = *design.classification;
@@ -208,6 +179,9 @@ std::string csv_table(TableFile::Kind kind, const BlockArrays& blocks,
       return search_table(design, model);
     case TableFile::Kind::classification:
       return classification_table(design);
+    case TableFile::Kind::monitors:
+    case TableFile::Kind::energy:
+      break;  // histories: history_tables.hpp
   }
   return {};
 }

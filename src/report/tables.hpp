@@ -3,13 +3,14 @@
 
 #include <string>
 
+#include "src/app/support_design.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/model/model.hpp"
-#include "src/support_design.hpp"
 
 namespace rockfold {
 
-/// Numbers are written with as many digits as read back the same; what is not defined is left empty.
+/// A table of block theory or support design (those of histories: history_tables.hpp). Numbers are written with as many digits as
+/// read back the same; what is not defined is left empty.
 std::string csv_table(TableFile::Kind kind, const BlockArrays& blocks,
                       const KeyblockReport& keyblocks, const SupportDesign& design,
                       const Model& model);

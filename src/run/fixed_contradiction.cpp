@@ -67,7 +67,7 @@ OffPlace find_farthest_off_place(const FixedPoints& fixed, const std::vector<Fix
       Real off = -place;
       for (Index i = points.begin[n]; i < points.begin[n + 1]; ++i)
         off += points.weight[i] * displacement[points.unknown[i]][d];
-      off = std::abs(off) * (fixed.reach.empty() ? 1 : fixed.reach[n]);
+      off = std::abs(off) * (fixed.motion_ratio.empty() ? 1 : fixed.motion_ratio[n]);
       if (off > farthest.distance) farthest.distance = off, row = n;
     }
   }

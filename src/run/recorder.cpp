@@ -3,6 +3,8 @@
 #include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
 #include "src/run/block_stress.hpp"
+#include "src/run/contact_samples.hpp"
+#include "src/run/contact_setup.hpp"
 #include "src/run/nodal_stress.hpp"
 
 namespace rockfold {
@@ -24,26 +26,50 @@ Recorder::Recorder(const RunInput& input, const PieceMoments& moments, const Sto
       monitors_(input.monitors),
       base_(base_acceleration(input.model)),
       every_(input.model.output.every) {
-  for (std::size_t n = 0; n < input.model.monitors.size(); ++n) {
+  for (const Monitor& monitor : input.model.monitors) {
+    if (!monitor.is_of_rock()) continue;
+    const std::size_t n = result_.monitors.size();
     MonitorHistory& history = result_.monitors.emplace_back();
-    history.name = input.model.monitors[n].name;
+    history.name = monitor.name;
     history.material = material_of(input.covers, input.monitors.element[n]);
   }
+  if (!input.contact) return;
+  laws_ = contact_options(input.model, input.blocks).laws;
+  joints_.emplace(input, laws_, result.joint_monitors);
+}
+
+void Recorder::count_from(std::vector<Vec3> displacement) {
+  zero_ = std::move(displacement);
+  zero_of_monitors_.clear();
+  for (std::size_t n = 0; n < input_.monitors.size(); ++n)
+    zero_of_monitors_.push_back(interpolate(input_.monitors, n, zero_));
+}
+
+std::vector<Vec3> Recorder::counted(std::vector<Vec3> displacement) const {
+  for (std::size_t p = 0; p < zero_.size(); ++p) displacement[p] = displacement[p] - zero_[p];
+  return displacement;
 }
 
 void Recorder::record(const Motion& motion, Index step, bool last) {
   const Timer timer;
   record_monitors(motion);
+  if (joints_) joints_->record(motion);
   result_.energy_time.push_back(motion.time());
   result_.energies.push_back(motion.energy());
   result_.seconds.output += timer.seconds();
   if (step == 0 || last || (every_ > 0 && step % every_ == 0)) store(motion, step);
 }
 
+std::vector<ContactSample> Recorder::contacts(const Motion& motion) const {
+  return contact_samples(input_, laws_, motion.contact_points(), motion.state().displacement);
+}
+
 void Recorder::store(const Motion& motion, Index step) {
   if (stored_ == step || !store_) return;
   const Timer timer;
-  StoredState state{step, motion.state(), motion.element_stress(), {}, {}};
+  StoredState state{step, motion.state(), motion.element_stress(), {}, {}, {}};
+  state.motion.displacement = counted(std::move(state.motion.displacement));
+  if (input_.contact) state.contacts = contacts(motion);
   state.block_stress = average_block_stress(input_.covers, moments_, state.element_stress,
                                             input_.blocks.block_count());
   if (input_.mesh)
@@ -52,7 +78,14 @@ void Recorder::store(const Motion& motion, Index step) {
                              : average_nodal_stress(input_.covers, *input_.mesh, motion);
   store_(state);
   stored_ = step;
+  ++states_;
   result_.seconds.output += timer.seconds();
+}
+
+void Recorder::pass(Archive& archive) {
+  archive.all(stored_, states_, zero_);
+  if (!archive.packs() && !zero_.empty()) count_from(std::move(zero_));
+  if (joints_) joints_->pass(archive);
 }
 
 void Recorder::record_monitors(const Motion& motion) {
@@ -62,7 +95,8 @@ void Recorder::record_monitors(const Motion& motion) {
   for (std::size_t n = 0; n < result_.monitors.size(); ++n) {
     MonitorHistory& history = result_.monitors[n];
     history.time.push_back(motion.time());
-    history.displacement.push_back(at.displacement[n]);
+    history.displacement.push_back(zero_.empty() ? at.displacement[n]
+                                                 : at.displacement[n] - zero_of_monitors_[n]);
     history.velocity.push_back(at.velocity[n]);
     history.acceleration.push_back(at.acceleration[n]);
     history.stress.push_back(at.stress[n]);

@@ -1,9 +1,13 @@
 // What a run keeps as it goes: monitors and energies each step, states every so often.
 #pragma once
 
+#include <optional>
+
 #include "kernels/time/motion.hpp"
+#include "src/base/archive.hpp"
 #include "src/base/timer.hpp"
 #include "src/run/base_motion.hpp"
+#include "src/run/joint_monitors.hpp"
 #include "src/run/run_analysis.hpp"
 
 namespace rockfold {
@@ -16,10 +20,20 @@ class Recorder {
   Recorder(const RunInput& input, const PieceMoments& moments, const StoreState& store,
            RunResult& result);
 
+  /// Displacements count from `displacement` of the covers from now on.
+  void count_from(std::vector<Vec3> displacement);
   /// After `step` steps. Stores the state at the first and last, and at those that are a multiple of output.every.
   void record(const Motion& motion, Index step, bool last);
+  /// What has been displaced since.
+  std::vector<Vec3> counted(std::vector<Vec3> displacement) const;
+  /// Contact points as they are now; only with contact.
+  std::vector<ContactSample> contacts(const Motion& motion) const;
   /// Stores the state unless that has been done.
   void store(const Motion& motion, Index step);
+  /// How many states have been stored.
+  Index stored_states() const { return states_; }
+  /// What it keeps between steps.
+  void pass(Archive& archive);
 
  private:
   void record_monitors(const Motion& motion);
@@ -29,9 +43,14 @@ class Recorder {
   const StoreState& store_;
   RunResult& result_;
   TrackedPoints monitors_;
+  std::vector<JointLaw> laws_;           ///< with contact
+  std::optional<JointMonitors> joints_;  ///< likewise
   BaseRecord base_;
   Index every_;
-  Index stored_ = none;  ///< step stored last
+  Index stored_ = none;                 ///< step stored last
+  Index states_ = 0;                    ///< how many were
+  std::vector<Vec3> zero_;              ///< of the covers' displacement; empty: none
+  std::vector<Vec3> zero_of_monitors_;  ///< likewise
 };
 
 }  // namespace rockfold

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <sstream>
 
 #include "host/direct/multifrontal.hpp"
-#include "kernels/constraints/held_parts.hpp"
 #include "kernels/integrate/moments.hpp"
 #include "kernels/time/motion.hpp"
 #include "src/arrays/shape_functions.hpp"
@@ -17,12 +17,19 @@
 #include "src/base/vector.hpp"
 #include "src/run/block_motion.hpp"
 #include "src/run/block_stress.hpp"
+#include "src/run/contact_samples.hpp"
+#include "src/run/contact_setup.hpp"
+#include "src/run/loose_parts.hpp"
 #include "src/run/recorder.hpp"
+#include "src/run/rest.hpp"
 #include "src/run/rigid_motion.hpp"
 
 namespace rockfold {
 namespace {
 
+/// Of its energy, what contact may make out of nothing in a step; more, and it is taken in parts, in these at most.
+constexpr Real most_energy_made = 1e-3;
+constexpr Index most_exact_parts = 16;
 /// Each doubling of the substeps halves the way of a substep; this many and the motion is not a motion any more.
 constexpr int most_substeps = 1024;
 
@@ -46,11 +53,17 @@ MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
   setup.initial_stress = input.model.initial_stress;
   setup.base_acceleration = base_acceleration(input.model);
   setup.large = analysis.large();
-  setup.dynamic_ratio = analysis.type == AnalysisType::quasi_static ? 0 : analysis.dynamic_ratio;
+  setup.dynamic_ratio = analysis.stages[0].share_handed_on();
   setup.solver.tolerance = input.model.solver.tolerance;
   setup.solver.max_iterations = input.model.solver.max_iterations;
   setup.preconditioner = input.model.solver.preconditioner;
   setup.direct = [] { return host::make_direct_solver(); };
+  if (input.contact) {
+    setup.surfaces = &input.contact->surfaces;
+    setup.surface_points = input.contact->points;
+    setup.contact = contact_options(input.model, input.blocks);
+    setup.contact_iterations = input.model.contact.max_iterations;
+  }
   return setup;
 }
 
@@ -79,7 +92,46 @@ Index block_of(const CoverArrays& covers, Index element) {
                          : covers.piece_block[covers.piece_begin[element - whole]];
 }
 
-[[noreturn]] void refuse(const SolveReport& report, Index step, Real time, const RunInput& input) {
+/// Two blocks that press each other, and where.
+struct Trouble {
+  Index block[2] = {none, none};
+  Vec3 place{};
+};
+
+/// Of the block with the largest unbalanced force the contact that is closed most.
+Trouble find_trouble(const RunInput& input, const Motion& motion) {
+  const Index cover = motion.most_unbalanced_cover();
+  const MaterialPoints& vertices = input.contact->points;
+  Index block = none;
+  for (std::size_t v = 0; v < vertices.size() && block == none; ++v)
+    if (vertices.unknown[vertices.begin[v]] == cover)
+      block = input.contact->surfaces.vertex_block[v];
+  const auto samples = contact_samples(input, contact_options(input.model, input.blocks).laws,
+                                       motion.contact_points(), motion.state().displacement);
+  Trouble found;
+  Real deepest = std::numeric_limits<Real>::infinity();
+  for (const ContactSample& s : samples) {
+    if ((s.block[0] != block && s.block[1] != block) || !(s.gap < deepest)) continue;
+    deepest = s.gap;
+    found = {{s.block[0], s.block[1]}, s.place};
+  }
+  return found;
+}
+
+std::string contact_trouble(const SolveReport& report, const Trouble& trouble) {
+  std::string what = "contact does not settle";
+  if (trouble.block[0] != none)
+    what += " between blocks " + std::to_string(trouble.block[0] + 1) + " and " +
+            std::to_string(trouble.block[1] + 1) + " near (" + number(trouble.place[0]) + ", " +
+            number(trouble.place[1]) + ", " + number(trouble.place[2]) + ")";
+  return what + ", in " + std::to_string(most_substeps) + " parts of the step too: residual " +
+         number(report.residual) +
+         " (analysis.time_step, contact.max_iterations, solver.max_iterations, "
+         "joint_material.normal_stiffness)";
+}
+
+[[noreturn]] void refuse(const SolveReport& report, const Trouble& trouble, Index step, Real time,
+                         const RunInput& input) {
   std::string what = "step " + std::to_string(step) + ", time " + number(time) + " s: ";
   if (report.inverted != none) {
     const Vec3 at =
@@ -89,10 +141,12 @@ Index block_of(const CoverArrays& covers, Index element) {
             number(at[2]) +
             "): loads or velocities are too large for its stiffness (material.young_modulus)";
   } else if (!std::isfinite(report.residual)) {
-    what += input.model.analysis->type == AnalysisType::static_
+    what += !input.model.analysis->has(AnalysisType::dynamic)
                 ? "the solver broke down (solver.preconditioner), or nothing resists the loads"
                 : "the motion grew beyond all numbers: it is not stable (analysis.time_step, "
                   "analysis.newmark), or nothing resists it";
+  } else if (input.contact) {
+    what += contact_trouble(report, trouble);
   } else {
     const SolverSpec& solver = input.model.solver;
     if (report.residual <= solver.tolerance)
@@ -114,141 +168,345 @@ Index block_of(const CoverArrays& covers, Index element) {
 class Run {
  public:
   Run(const RunInput& input, const PieceMoments& moments, const StoreState& store,
-      RunResult& result, Motion& motion)
+      RunResult& result, Motion& motion, const Checkpoints& checkpoints, const Watch& watch)
       : input_(input),
+        moments_(moments),
         analysis_(*input.model.analysis),
         result_(result),
         motion_(motion),
-        recorder_(input, moments, store, result) {
+        recorder_(input, moments, store, result),
+        checkpoints_(checkpoints),
+        watch_(watch) {
     if (!analysis_.max_displacement_ratio) return;
     watched_.emplace(input.block_vertices);
     limit_ = *analysis_.max_displacement_ratio * half_height(input);
   }
 
-  void solve_static();
-  void require_stable_step();
-  void march(Progress& progress);
+  /// Goes back to a checkpoint.
+  void restore(std::span<const std::byte> checkpoint);
+  void go(Progress& progress);
+  /// What the result says of the end.
+  void summarise();
 
  private:
-  bool take_step(Index step);
+  void begin(const AnalysisStage& stage);
+  void record_start();
+  void go_on(const AnalysisStage& stage, Progress& progress);
+  void pass(Archive& archive);
+  void save_checkpoint();
+  void save_motion();
+  void solve_static();
+  void start(const AnalysisStage& stage);
+  void record_contacts();
+  void require_stable_step(const AnalysisStage& stage);
+  bool take_step(Index step, Real dt);
+  void count(const SolveReport& report);
   bool accept(const SolveReport& report, Index step, Real time);
 
   const RunInput& input_;
+  const PieceMoments& moments_;
   const Analysis& analysis_;
   RunResult& result_;
   Motion& motion_;
   Recorder recorder_;
+  const Checkpoints& checkpoints_;
+  const Watch& watch_;
+  bool enough_ = false;  ///< the watch has seen what it was for
+  Timer since_checkpoint_;
+  RunPosition at_;
+  /// What save_motion() keeps of the counts: a part of a step that a signal ends has not been.
+  struct Counts {
+    RunResult::Iterations iterations;
+    Preconditioner preconditioner;
+    Real support_gap;
+    Index newton;
+  } counts_{};
+  Index substeps_ = 0;  ///< of the last step
   std::optional<TrackedPoints> watched_;
   Real limit_ = 0;
+  std::vector<ContactPoint> start_;  ///< at step 0
 };
+
+void Run::count(const SolveReport& report) {
+  result_.iterations.pcg += report.iterations;
+  result_.iterations.fallbacks += report.fallbacks;
+  at_.newton += report.newton;
+}
 
 /// Counts a solve; where it failed, goes back to the last good state (step 0: the start, before anything was solved), stores it and
 /// throws. False where a signal ended it: the same, without the throw.
 bool Run::accept(const SolveReport& report, Index step, Real time) {
-  result_.iterations.pcg += report.iterations;
-  result_.iterations.fallbacks += report.fallbacks;
+  count(report);
   result_.preconditioner = report.preconditioner;
   result_.support_gap = report.gap;
   if (report.converged) return true;
+  const Trouble trouble = input_.contact ? find_trouble(input_, motion_) : Trouble{};
+  const bool interrupted = interrupt_signal != 0;
   motion_.restore();
-  recorder_.store(motion_, std::max<Index>(step - 1, 0));
-  if (interrupt_signal == 0) refuse(report, step, time, input_);
+  if (interrupted) {
+    result_.iterations = counts_.iterations;
+    result_.preconditioner = counts_.preconditioner;
+    result_.support_gap = counts_.support_gap;
+    at_.newton = counts_.newton;
+    save_checkpoint();
+  }
+  recorder_.store(motion_, result_.steps);
+  if (!interrupted) refuse(report, trouble, step, time, input_);
   result_.interrupted = true;
   return false;
 }
 
-void Run::solve_static() {
-  recorder_.record(motion_, 0, false);
+void Run::save_motion() {
   motion_.save();
+  counts_ = {result_.iterations, result_.preconditioner, result_.support_gap, at_.newton};
+}
+
+void Run::solve_static() {
+  save_motion();
   const Timer timer;
   const SolveReport report = motion_.solve_static();
   result_.seconds.solve += timer.seconds();
-  if (!accept(report, 1, motion_.time())) return;
-  result_.steps = 1;
-  recorder_.record(motion_, 1, true);
+  accept(report, result_.steps + 1, motion_.time());
 }
 
-/// One step, in as many equal parts as it takes to converge and as max_displacement_ratio asks for. False where a signal ended it.
-bool Run::take_step(Index step) {
+/// One step. Where a part of it does not converge, or moves further than max_displacement_ratio allows, what is left of it is taken in
+/// parts half as long. False where a signal ended it.
+bool Run::take_step(Index step, Real dt) {
   const Timer timer;
-  const Real start = motion_.time();
-  const Real dt = step == analysis_.steps ? analysis_.last_time_step.value_or(analysis_.time_step)
-                                          : analysis_.time_step;
-  motion_.save();
-  Index inverted = none;  // by a try with fewer substeps
-  int needed = 1;         // substeps, for want of convergence
-  for (int substeps = 1;; substeps *= 2) {
-    if (substeps > most_substeps)
+  RunPosition& at = at_;
+  if (!at.under_way) {
+    at.parts = at.needed = at.under_way = 1;
+    at.done = 0;
+    at.inverted = none;
+    at.end = motion_.time() + dt;
+  }
+  const auto halve = [&] {
+    motion_.restore();
+    at.parts *= 2;
+    at.done *= 2;
+  };
+  while (at.done < at.parts) {
+    save_motion();
+    SolveReport report = motion_.step(dt / at.parts, at.done == 0, watched_ ? &*watched_ : nullptr);
+    // Newton's method may find its way by shorter steps.
+    if (!report.converged && analysis_.large() && at.parts < most_substeps && !interrupt_signal) {
+      if (report.inverted != none) at.inverted = report.inverted;
+      count(report);
+      halve();
+      at.needed = at.parts;
+      continue;
+    }
+    if (!report.converged && report.inverted == none) report.inverted = at.inverted;
+    if (!accept(report, step, at.end)) break;
+    const bool makes_energy =
+        motion_.energy_made() > most_energy_made && at.parts < most_exact_parts;
+    const bool goes_far = watched_ && motion_.largest_increment() > limit_;
+    if (!makes_energy && !goes_far) {
+      ++at.done;
+    } else if (makes_energy || at.parts < most_substeps) {
+      halve();
+    } else {
       throw Error(ErrorKind::analysis,
-                  "step " + std::to_string(step) + ", time " + number(start) + " s: even " +
+                  "step " + std::to_string(step) + ", time " + number(at.end - dt) + " s: even " +
                       std::to_string(most_substeps) + " substeps move a block vertex by " +
                       number(motion_.largest_increment()) + " m each, more than " + number(limit_) +
                       " m (analysis.max_displacement_ratio)");
-    SolveReport report = motion_.step(dt, substeps, watched_ ? &*watched_ : nullptr, limit_);
-    if (report.inverted != none) inverted = report.inverted;
-    // Newton's method may find its way by shorter steps.
-    if (!report.converged && analysis_.large() && substeps < most_substeps && !interrupt_signal) {
-      result_.iterations.pcg += report.iterations;
-      result_.iterations.fallbacks += report.fallbacks;
-      needed = 2 * substeps;
-      motion_.restore();
-      continue;
     }
-    if (!report.converged) report.inverted = inverted;
-    if (!accept(report, step, start + dt)) break;
-    result_.largest_substeps = std::max(result_.largest_substeps, substeps);
-    if (!watched_ || motion_.largest_increment() <= limit_) break;
-    motion_.restore();
   }
-  if (needed > 1 && !result_.interrupted) {
+  if (!result_.interrupted) at.under_way = 0;
+  substeps_ = at.parts;
+  result_.largest_substeps = std::max(result_.largest_substeps, at.parts);
+  if (at.needed > 1 && !result_.interrupted) {
     ++result_.divided_steps;
-    result_.most_parts = std::max(result_.most_parts, needed);
+    result_.most_parts = std::max(result_.most_parts, at.needed);
   }
   result_.seconds.solve += timer.seconds();
   return !result_.interrupted;
 }
 
 /// Schemes that are stable for short steps only blow up beyond them.
-void Run::require_stable_step() {
+void Run::require_stable_step(const AnalysisStage& stage) {
   const Real beta = analysis_.newmark_beta, gamma = analysis_.newmark_gamma;
-  if (analysis_.type != AnalysisType::dynamic || gamma < 0.5 || beta >= gamma / 2) return;
-  const Real frequency = motion_.largest_frequency(analysis_.time_step);
+  if (stage.type != AnalysisType::dynamic || gamma < 0.5 || beta >= gamma / 2) return;
+  const Real frequency = motion_.largest_frequency(stage.time_step);
   const Real critical = 1 / (frequency * std::sqrt(gamma / 2 - beta));
-  if (analysis_.time_step <= critical) return;
+  if (stage.time_step <= critical) return;
   throw Error(ErrorKind::model,
-              "found " + number(analysis_.time_step) + " s, longer than the critical step " +
+              "found " + number(stage.time_step) + " s, longer than the critical step " +
                   number(critical) + " s of newmark = {beta = " + number(beta) +
                   ", gamma = " + number(gamma) + "} on these covers (largest natural frequency " +
                   number(frequency) +
                   " rad/s): use a shorter one, or beta >= gamma / 2, which is stable for any step",
-              Place{analysis_.place.file, analysis_.place.line, analysis_.place.column,
-                    "analysis.time_step"});
+              Place{stage.place.file, stage.place.line, stage.place.column,
+                    stage.place.key + ".time_step"});
 }
 
-void Run::march(Progress& progress) {
+/// Of a stage that goes on in time: its first acceleration.
+void Run::start(const AnalysisStage& stage) {
   const Timer timer;
-  motion_.save();
-  accept(motion_.start(analysis_.time_step), 0, 0);
+  save_motion();
+  accept(motion_.start(stage.time_step), result_.steps, motion_.time());
   result_.seconds.solve += timer.seconds();
-  if (!result_.interrupted) require_stable_step();
+  if (!result_.interrupted) require_stable_step(stage);
+}
+
+void Run::record_contacts() {
+  if (!input_.contact) return;
+  result_.contacts = motion_.contact_count();
+  ContactHistory& history = result_.contact_history;
+  history.open.push_back(result_.contacts.open);
+  history.stick.push_back(result_.contacts.stick);
+  history.slide.push_back(result_.contacts.slide);
+  history.iterations.push_back(at_.newton);
+  history.substeps.push_back(substeps_);
+  result_.iterations.open_close += at_.newton;
+  at_.newton = substeps_ = 0;
+}
+
+void Run::begin(const AnalysisStage& stage) {
+  if (!at_.begun) {
+    if (at_.stage > 0) motion_.begin_stage(stage.share_handed_on());
+    if (stage.reset_displacement) recorder_.count_from(motion_.state().displacement);
+    at_.begun = 1;
+  }
+  if (!at_.started && stage.type != AnalysisType::static_) start(stage);
+  if (!result_.interrupted) at_.started = 1;
+}
+
+/// Step 0.
+void Run::record_start() {
+  start_ = motion_.contact_points();
+  record_contacts();
   recorder_.record(motion_, 0, result_.interrupted);
-  progress.begin("analysis", analysis_.steps, "steps");
-  for (Index step = 1; step <= analysis_.steps && !result_.interrupted; ++step) {
-    if (!take_step(step)) break;
+}
+
+/// Where, how far and what has been recorded; the motion's own bytes follow.
+void Run::pass(Archive& archive) {
+  archive.pass(at_);
+  pass_stages(archive, analysis_, at_.stage, at_.step);
+  archive.pass(start_);
+  pass_histories(archive, result_);
+  recorder_.pass(archive);
+}
+
+void Run::save_checkpoint() {
+  if (!checkpoints_.save) return;
+  const Timer timer;
+  Archive archive;
+  CheckpointFacts facts =
+      make_checkpoint_facts(result_.steps, recorder_.stored_states(), motion_.time());
+  archive.pass(facts);
+  pass(archive);
+  std::vector<std::byte> motion = motion_.bytes();
+  archive.pass(motion);
+  checkpoints_.save(archive.bytes());
+  since_checkpoint_ = {};
+  result_.seconds.output += timer.seconds();
+}
+
+void Run::restore(std::span<const std::byte> checkpoint) try {
+  Archive archive(checkpoint);
+  CheckpointFacts facts;
+  archive.pass(facts);
+  pass(archive);
+  std::vector<std::byte> motion;
+  archive.pass(motion);
+  motion_.restore(motion);
+} catch (const Error&) {
+  throw;
+} catch (const std::exception& error) {
+  throw Error(ErrorKind::io,
+              std::string("the checkpoint is not one of this analysis (") + error.what() + ")");
+}
+
+/// Takes the steps of a stage that are left.
+void Run::go_on(const AnalysisStage& stage, Progress& progress) {
+  while (at_.step < stage.steps && !result_.interrupted && !enough_) {
+    const bool last = at_.step + 1 == stage.steps;
+    const Index step = result_.steps + 1;
+    if (stage.type == AnalysisType::static_)
+      solve_static();
+    else
+      take_step(step, last ? stage.last_time_step.value_or(stage.time_step) : stage.time_step);
+    if (result_.interrupted) return;
     result_.steps = step;
+    ++at_.step;
+    record_contacts();
+    recorder_.record(motion_, step, last);
+    if (watch_)
+      enough_ = watch_(
+          {at_.stage, at_.step, motion_.time(), start_, motion_.state().displacement, moments_});
     result_.interrupted = interrupt_signal != 0;
-    recorder_.record(motion_, step, step == analysis_.steps || result_.interrupted);
+    if (result_.interrupted || since_checkpoint_.seconds() >= checkpoints_.every) save_checkpoint();
+    if (result_.interrupted) recorder_.store(motion_, step);
     progress.done(step);
+  }
+}
+
+void Run::go(Progress& progress) {
+  progress.begin("analysis", analysis_.steps(), "steps");
+  if (!checkpoints_.from.empty()) restore(checkpoints_.from);
+  while (at_.stage < std::ssize(analysis_.stages) && !result_.interrupted && !enough_) {
+    const AnalysisStage& stage = analysis_.stages[at_.stage];
+    begin(stage);
+    if (result_.energies.empty()) record_start();
+    go_on(stage, progress);
+    if (result_.interrupted) break;
+    ++at_.stage;
+    at_.step = at_.begun = at_.started = 0;
   }
   progress.end();
 }
 
+void Run::summarise() {
+  const Model& model = input_.model;
+  RunResult& result = result_;
+  result.time = motion_.time();
+  result.seconds.contact = motion_.contact_seconds();
+  result.seconds.solve -= result.seconds.contact;
+  result.energy = result.energies.back();
+  result.reactions = motion_.reactions();
+  const std::vector<Vec3> whole = motion_.state().displacement, counted = recorder_.counted(whole);
+  const Index blocks = input_.blocks.block_count();
+  const bool large = analysis_.large();
+  result.conditions =
+      sum_reactions(input_.covers, input_.fixed, result.reactions,
+                    large ? whole : std::vector<Vec3>{}, static_cast<Index>(model.fixed.size()));
+  result.off_place = find_farthest_off_place(input_.fixed, model.fixed, whole, result.time);
+  result.blocks = average_block_motion(input_.covers, moments_, counted, blocks, large);
+  const auto in_all = average_block_motion(input_.covers, moments_, whole, blocks, large);
+  for (std::size_t b = 0; b < in_all.size(); ++b) result.blocks[b].volume = in_all[b].volume;
+  const std::vector<Stress> stress = motion_.element_stress();
+  result.block_stress = average_block_stress(input_.covers, moments_, stress, blocks);
+  result.strength = find_strength(input_.covers, moments_, stress, model.materials);
+  if (input_.contact)
+    result.rest =
+        find_rest(input_, result.blocks, in_all,
+                  average_block_motion(input_.covers, moments_, motion_.state().velocity, blocks),
+                  start_, whole);
+  result.largest_displacement = find_largest_displacement(input_.covers, moments_, counted);
+}
+
 }  // namespace
 
-RunResult run_analysis(const RunInput& input, const StoreState& store, Progress& progress) {
+StageKeys keys_of_analysis(const Model& model) {
+  StageKeys keys{"the analysis",
+                 {"gravity", "material", "cover", "fixed", "traction", "point_load",
+                  "quiet_boundary", "initial_velocity", "initial_stress", "base_acceleration",
+                  "monitor", "analysis", "step", "solver", "output"}};
+  if (has_contact(model))
+    for (const char* section : {"joint_material", "contact"}) keys.keys.emplace_back(section);
+  if (std::any_of(model.tables.begin(), model.tables.end(), std::mem_fn(&TableFile::is_history)))
+    keys.keys.emplace_back("table");
+  return keys;
+}
+
+RunResult run_analysis(const RunInput& input, const StoreState& store, Progress& progress,
+                       const Checkpoints& checkpoints, const Watch& watch) {
   RunResult result;
   const Timer timer;
-  if (input.model.analysis->type == AnalysisType::static_) require_held(input.covers, input.fixed);
+  if (input.model.analysis->has(AnalysisType::static_))
+    require_no_loose_parts(input.covers, input.fixed);
   const PieceMoments moments = piece_moments(input.covers);
   const std::vector<ElasticMaterial> materials = elastic_materials(input.model);
   Motion motion(make_setup(input, moments, materials));
@@ -256,29 +514,9 @@ RunResult run_analysis(const RunInput& input, const StoreState& store, Progress&
     motion.set_motion(initial_motion(input.covers, moments, materials, input.velocities));
   result.seconds.assemble = timer.seconds();
 
-  Run run(input, moments, store, result, motion);
-  if (input.model.analysis->type == AnalysisType::static_)
-    run.solve_static();
-  else
-    run.march(progress);
-
-  result.time = motion.time();
-  result.energy = result.energies.back();
-  result.reactions = motion.reactions();
-  const std::vector<Vec3> displacement = motion.state().displacement;
-  const bool large = input.model.analysis->large();
-  result.conditions = sum_reactions(input.covers, input.fixed, result.reactions,
-                                    large ? displacement : std::vector<Vec3>{},
-                                    static_cast<Index>(input.model.fixed.size()));
-  result.off_place =
-      find_farthest_off_place(input.fixed, input.model.fixed, displacement, result.time);
-  result.blocks =
-      average_block_motion(input.covers, moments, displacement, input.blocks.block_count(), large);
-  const std::vector<Stress> stress = motion.element_stress();
-  result.block_stress =
-      average_block_stress(input.covers, moments, stress, input.blocks.block_count());
-  result.strength = find_strength(input.covers, moments, stress, input.model.materials);
-  result.largest_displacement = find_largest_displacement(input.covers, moments, displacement);
+  Run run(input, moments, store, result, motion, checkpoints, watch);
+  run.go(progress);
+  run.summarise();
   return result;
 }
 

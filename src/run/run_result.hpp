@@ -1,11 +1,13 @@
-// What an analysis hands back: plain numbers for the JSON of INTERFACE.md §3 and for the result file.
+// What an analysis hands back: plain numbers for JSON documents and for the result file.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "src/arrays/contact_arrays.hpp"
 #include "src/arrays/element_arrays.hpp"
 #include "src/base/types.hpp"
 #include "src/run/fixed_contradiction.hpp"
@@ -22,6 +24,7 @@ struct StoredState {
   std::vector<Stress> element_stress;  ///< [nR + E] in the element numbering of CoverArrays
   std::vector<Stress> block_stress;    ///< [B] mean over each block's volume
   std::vector<Stress> nodal_stress;    ///< [K] at RunInput::mesh's points; empty without one
+  std::optional<std::vector<ContactSample>> contacts;  ///< where blocks touch each other
 };
 
 /// One material point over time; every vector has one entry for t = 0 and one for each step done.
@@ -33,6 +36,17 @@ struct MonitorHistory {
   std::vector<Vec3> velocity;      ///< m/s
   std::vector<Vec3> acceleration;  ///< m/s²
   std::vector<Stress> stress;      ///< Pa, of the element that holds the point
+};
+
+/// The joint nearest to a point, over time: the contact of the two blocks that it parts there.
+struct JointHistory {
+  std::string name, joint;
+  std::vector<Real> time;           ///< s
+  std::vector<Real> normal_stress;  ///< Pa, compression negative; mean over the contact's area
+  std::vector<Real> shear_stress;   ///< Pa, length of the mean
+  std::vector<Real> opening;        ///< m, at the point nearest; negative: the joint has closed
+  std::vector<Real> slip;           ///< m, how far the sides have moved along the joint there
+  std::vector<Contact> state;       ///< open where no point touches, slide where one does
 };
 
 /// A block as a whole at the end. Averages are over its volume.
@@ -72,11 +86,37 @@ struct Reaction {
   Vec3 moment{};  ///< N·m about the origin
 };
 
+/// Contact points in each state, and what steps took; one entry for t = 0 and one for each step done.
+struct ContactHistory {
+  std::vector<Index> open, stick, slide;
+  std::vector<Index> iterations;  ///< of Newton's method, with those of tries that were divided
+  std::vector<Index> substeps;    ///< into which a step was divided
+};
+
+/// Where something was largest.
+struct LargestAtJoint {
+  Real value = 0;                 ///< m
+  Index joint = none;             ///< into BlockArrays::origins; none: two faces that met
+  Index block[2] = {none, none};  ///< none: nothing slipped, or opened
+};
+
+/// Of a block's size, the cube root of its volume: a block displaced by more has moved.
+inline constexpr Real share_that_is_motion = 0.01;
+
+/// What has become of the blocks.
+struct Rest {
+  Index moved = 0;  ///< displaced by more than share_that_is_motion
+  LargestAtJoint slip, opening;
+  Real speed = 0;  ///< m/s, of the fastest block
+  bool at_rest =
+      false;  ///< all blocks slower than a thousandth of √(g h), h the mean size: what falls by h/2 takes √(h/g)
+};
+
 struct RunResult {
   Index steps = 0;           ///< steps done
   Real time = 0;             ///< s reached
   bool interrupted = false;  ///< a signal stopped the run after the last step counted above
-  std::vector<MonitorHistory> monitors;  ///< in the order of Model::monitors
+  std::vector<MonitorHistory> monitors;  ///< of those of Model::monitors without a joint
   std::vector<BaseMotion> base;  ///< at the monitors' times; empty unless the base is accelerated
   std::vector<BlockMotion> blocks;   ///< [B]
   std::vector<Stress> block_stress;  ///< [B] Pa, mean over each block's volume, at the end
@@ -86,6 +126,11 @@ struct RunResult {
   Energy energy;                     ///< J, at the end
   std::vector<Real> energy_time;     ///< s, t = 0 and each step done
   std::vector<Energy> energies;      ///< J, likewise
+  ContactCount contacts;             ///< at the end
+  ContactHistory contact_history;    ///< at the times of the energies; empty without contact
+  std::optional<Rest> rest;          ///< with contact
+  std::vector<JointHistory>
+      joint_monitors;  ///< in the order of those of Model::monitors that have a joint
   Real support_gap =
       0;  ///< distance of augmented fixed points from their places / largest displacement, last step
 
@@ -93,13 +138,14 @@ struct RunResult {
 
   struct Iterations {
     std::int64_t pcg = 0;
-    std::int64_t open_close = 0;  ///< 0 until contact exists
+    std::int64_t open_close = 0;  ///< Newton iterations of steps with contact
     std::int64_t fallbacks = 0;   ///< solves that a direct factorisation took over
   } iterations;
   Preconditioner preconditioner = Preconditioner::automatic;  ///< of the last solve
 
   struct Seconds {
     Real assemble = 0, solve = 0, output = 0;
+    Real contact = 0;  ///< finding contact points
   } seconds;
 
   LargestDisplacement largest_displacement;  ///< at the end

@@ -8,7 +8,7 @@
 #include "host/flatten/flatten.hpp"
 #include "host/keyblock/keyblock.hpp"
 #include "src/base/progress.hpp"
-#include "src/model/read_model.hpp"
+#include "src/model/read/read_model.hpp"
 
 namespace rockfold::test {
 

@@ -40,7 +40,7 @@ Real wedge_height(Real x, Real y) {
   return height;
 }
 
-// REFERENCES G-2.
+// Case G-2.
 TEST(Bolting, OfAFallingRoofWedgeByOneSpotBolt) {
   const CutRock rock = cut_rock(roof_wedge +
                                 "[[bolt]]\nname = 'spot'\ncollar = [0.2, 0.1, 0]\n"

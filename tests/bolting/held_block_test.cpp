@@ -24,7 +24,7 @@ TEST(HeldBlock, OfAFallingBlockAddsTheBoltToWhatStressHolds) {
   EXPECT_NEAR(hold({}, falling, bolt, 2).missing_force, 5e3, 1e-9);
 }
 
-// REFERENCES G-4: 120 of 180 kN are 66.7 %, 8 of 25 mm are 32 %.
+// Case G-4: 120 of 180 kN are 66.7 %, 8 of 25 mm are 32 %.
 TEST(HeldBlock, MobilisesABoltByWhatTheBlockNeeds) {
   const Movement falling = *find_movement({}, {0, 0, -120e3});
   const std::vector<SupportElement> bolt{{{0, 0, 180e3}, false, 120e3 / 8e-3}};
@@ -72,7 +72,7 @@ BoltType bolt_of(Real tensile, Real plate, Real bond) {
   return type;
 }
 
-// REFERENCES G-3.
+// Case G-3.
 TEST(BoltCapacity, IsTheLeastOfSteelPlateAndBond) {
   const BoltType type = bolt_of(200, 50, 100);
   EXPECT_EQ(axial_capacity(type, {4, 1, 3, true}), 150);
@@ -135,7 +135,7 @@ TEST(BoltForce, WithCosineEfficiencyLosesTensionWithTheAngle) {
   EXPECT_NEAR(bolt_force(type, {0, 0, 1}, 200, motion).axial, 100, 1e-12);
 }
 
-// REFERENCES G-2: a falling tetrahedron of 15.588 kN with 9 kPa, F = 2, bolts of 100 kN.
+// Case G-2: a falling tetrahedron of 15.588 kN with 9 kPa, F = 2, bolts of 100 kN.
 TEST(BoltCapacity, SaysHowManyBoltsAndHowFarApart) {
   EXPECT_EQ(bolts_needed(2 * 15.588, 100), 1);
   EXPECT_EQ(bolts_needed(400, 200), 2);

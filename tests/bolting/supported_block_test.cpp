@@ -64,7 +64,7 @@ struct SlidingBlock {
   }
 };
 
-/// REFERENCES G-1: force, in kN, along alpha that brings the block to F.
+/// Case G-1: force, in kN, along alpha that brings the block to F.
 struct Hoek {
   Real alpha, safety;
   bool active;
@@ -90,7 +90,7 @@ TEST(SupportedBlock, OfABoltAlongAnAngleReachesTheTargetWithHoeksForce) {
   }
 }
 
-// REFERENCES G-1.
+// Case G-1.
 TEST(SupportedBlock, OfTwoHundredKilonewtonBoltsNeedsTwoForBalanceAndThreeForTheTarget) {
   const SlidingBlock block;
   for (const auto& [target, count] : {std::pair{1.0, 2u}, {1.5, 3u}}) {
@@ -101,7 +101,7 @@ TEST(SupportedBlock, OfTwoHundredKilonewtonBoltsNeedsTwoForBalanceAndThreeForThe
   }
 }
 
-// REFERENCES G-1: the optimum.
+// Case G-1: the optimum.
 TEST(SupportedBlock, MissesWhatTheLeastSupportForceIs) {
   const SlidingBlock block;
   const SupportForce least = least_support(block.planes, *block.key.movement, 1.5);

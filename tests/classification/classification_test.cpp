@@ -1,4 +1,4 @@
-// Q and RMR against published cases: REFERENCES G-5 … G-8.
+// Q and RMR against published cases: case G-5 … G-8.
 #include "host/classification/classification.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace rockfold {
 namespace {
 
-// REFERENCES G-5.
+// Case G-5.
 TEST(Q, OfPublishedCases) {
   const struct {
     QParameters p;
@@ -18,7 +18,7 @@ TEST(Q, OfPublishedCases) {
   for (const auto& [p, q] : cases) EXPECT_NEAR(q_value(p), q, 1e-5 * q) << q;
 }
 
-// REFERENCES G-5.
+// Case G-5.
 TEST(Q, OfACrusherChamberGivesSpanBoltsAndPressure) {
   const QParameters p{90, 4, 3, 1, 1, 15};
   EXPECT_NEAR(unsupported_span(4.5, 1.6), 5.8403, 1e-4);
@@ -31,7 +31,7 @@ TEST(Q, OfACrusherChamberGivesSpanBoltsAndPressure) {
   EXPECT_STREQ(q_class(1066), "exceptionally_good");
 }
 
-// REFERENCES G-7.
+// Case G-7.
 TEST(Rmr, RatingsAreThoseOfTheTables) {
   const auto expect_rows = [](Real (*rating)(Real),
                               std::initializer_list<std::pair<Real, Real>> rows) {
@@ -58,7 +58,7 @@ TEST(Rmr, RatingsAreThoseOfTheTables) {
   }
 }
 
-// REFERENCES G-7.
+// Case G-7.
 TEST(Rmr, ClassesStandAsLongAsPublished) {
   const std::pair<Real, int> rows[] = {{81, 1}, {80, 2}, {61, 2}, {60, 3}, {41, 3},
                                        {40, 4}, {21, 4}, {20, 5}, {0, 5}};
@@ -72,7 +72,7 @@ TEST(Rmr, ClassesStandAsLongAsPublished) {
   EXPECT_EQ(rmr_support(5).shotcrete_face, 0.05);
 }
 
-// REFERENCES G-7: bolt length, spacing, shotcrete in the crown, on walls, at the face (m), and spacing of ribs.
+// Case G-7: bolt length, spacing, shotcrete in the crown, on walls, at the face (m), and spacing of ribs.
 TEST(Rmr, SupportIsThatOfTheTable) {
   using Pair = std::array<Real, 2>;
   const struct {
@@ -135,7 +135,7 @@ ClassificationReport classified(ClassificationSpec spec) {
   return classify(blocks, {}, measures, model);
 }
 
-// 12 + 13 + 10 + 22 + 7 − 5 = 59, class III (REFERENCES G-6).
+// 12 + 13 + 10 + 22 + 7 − 5 = 59, class III (case G-6).
 TEST(Rmr, OfHoeksExample) {
   ClassificationSpec spec;
   spec.rmr.emplace();
@@ -172,7 +172,7 @@ TEST(Classification, TakesFromTheCutModelWhatIsNotGiven) {
   EXPECT_TRUE(report.rmr->spacing_proposed);
 }
 
-// REFERENCES G-8.
+// Case G-8.
 TEST(Classification, CorrelationsAreThosePublished) {
   EXPECT_NEAR(rmr_from_q_bieniawski(4.5), 57.54, 5e-3);
   EXPECT_NEAR(rmr_from_q_barton(4.5), 59.80, 5e-3);

@@ -130,7 +130,9 @@ class Run(ProgramTest):
         for name, values in document["energy_history"].items():
             self.assertEqual(len(values), 21)
             self.assertEqual(values[-1], document["energy"].get(name, monitor["time"][-1]))
-        self.assertEqual(set(document["contacts"]), {"open", "stick", "slide", "max_penetration"})
+        self.assertEqual(set(document["contacts"]),
+                         {"open", "stick", "slide", "max_penetration", "max_opening", "max_slip"})
+        self.assertEqual(set(document["contacts_history"]), {"time", "open", "stick", "slide", "iterations", "substeps"})
         self.assertLessEqual({"cut", "cover", "contact", "assemble", "solve", "output", "total"}, set(document["seconds"]))
         self.assertEqual(set(document["iterations"]), {"pcg", "open_close", "fallbacks", "preconditioner"})
         self.assertAlmostEqual(document["blocks"][0]["displacement"][2], -5, delta=1e-8)
@@ -242,9 +244,9 @@ steps = 2
         with open(self.folder / "cube.toml", "a", encoding="utf-8") as file:
             file.write(model)
         done = self.run_program("run", "cube.toml", "--json", "--set", "joint_set.1.spacing=5",
-                                "--set", "joint_set.2.spacing=5", "--set", "joint_set.3.spacing=5")
-        self.assertIn("contact between blocks is not built yet", done.stderr)
-        self.assertEqual(len(json.loads(done.stdout)["warnings"]), 1)
+                                "--set", "joint_set.2.spacing=5", "--set", "joint_set.3.spacing=5", "--set", "cover.order=2")
+        self.assertIn("the 8 blocks move through each other: contact needs", done.stderr)
+        self.assertEqual(len(json.loads(done.stdout)["warnings"]), 2)  # and that nothing holds them
 
 
 if __name__ == "__main__":

@@ -98,6 +98,15 @@ class Slips(ProgramTest):
         said = self.run_program("check", "m.toml", "--set", "joint_set.1.spacing=2,5", status=2).stderr
         self.assertIn("2.5, not 2,5", said)
 
+    def test_words_and_units_without_quotes(self):
+        self.said(ROCK.replace('name = "rock"', "name = rock"), "m.toml:8:", 'text stands in quotes')
+        self.said(ROCK.replace("density = 2700", "density = 2700 kg/m3"), "m.toml:2:", 'a number with its unit stands in quotes: "25 MPa"')
+        self.said("density: 2700\n", "a line of a model is key = value, without a colon")
+
+    def test_single_brackets(self):
+        joint = "\ndip = 30\ndip_direction = 0\npoint = [5, 5, 5]\n"
+        self.said(ROCK + "[joint]" + joint + "[[joint]]" + joint, "entries of a list stand in double brackets")
+
     def test_a_part_of_a_key(self):
         self.said(ROCK + "[[joint_set]]\ndip = 60\ndip_direction = 90\n[joint_set.random]\nspacing = 2\nkappa = 20\n",
                   'unknown key "kappa", did you mean "fisher_kappa"?')
@@ -173,6 +182,42 @@ class Implausible(ProgramTest):
         self.warned(ROCK + "[[joint_table]]\nfile = 'discs.csv'\n", "joint_table[1]: 2 of 3 joints lie beside the rock")
         self.write("fault.obj", TETRAHEDRON.replace("v ", "v 5000"))
         self.warned(ROCK + "[[joint_mesh]]\nfile = 'fault.obj'\n", "joint_mesh[1]: all 4 triangles lie beside the rock")
+
+    def test_excavations_beside_the_rock(self):
+        pit = "[[excavation]]\nname = 'pit'\nshape = 'box'\nmin = [{}, 9, 14]\nmax = [60, 11, 31]\n"
+        self.warned(ROCK + pit.format(50), "excavation[1]: lies beside the rock and removes nothing")
+        self.assertEqual(self.warnings(ROCK + pit.format(9)), [])
+
+    def test_stress_that_pulls_and_earthquakes_in_per_cent(self):
+        stress = ROCK + "[initial_stress]\nvalue = [[{0}, 0, 0], [0, {0}, 0], [0, 0, {0}]]\n"
+        self.warned(stress.format("5e6"), "initial_stress.value: is tension in every direction: compression is negative")
+        self.assertEqual(self.warnings(stress.format("-5e6")), [])
+        self.warned(ROCK + "[support]\nseismic_coefficient = [10, 0, 0]\n", "support.seismic_coefficient: is 10 times g")
+
+    def test_files_in_millimetres(self):
+        faces = TETRAHEDRON.index("f ")
+        self.write("body.obj", TETRAHEDRON[:faces].replace("4", "30000") + TETRAHEDRON[faces:])
+        mesh = "[[solid]]\nname = 'body'\nshape = 'mesh'\nfile = 'body.obj'\n"
+        self.warned(ROCK + mesh, "solid[2].file: is 5.2e+04 m large, the solids given by numbers 37.4 m: did you mean mm?")
+        self.write("body.obj", TETRAHEDRON)
+        self.assertEqual(self.warnings(ROCK + mesh), [])
+
+    def test_loads_and_motions_that_do_nothing(self):
+        load = "[[point_load]]\n" + POINT + "force = [0, 0, -{}]\n"
+        heavy = ROCK.replace("[10, 20, 30]", "[100, 200, 300]")
+        self.warned(heavy + load.format(5), "point_load[1]: is at most 5 N on rock that weighs giganewtons")
+        self.assertEqual(self.warnings(heavy + load.format("5e3")), [])
+        held = "[[fixed]]\nwhere = {face = 'rock.zmin'}\n"
+        motion = ROCK + "[cover]\nspacing = 5\n[analysis]\ntype = 'dynamic'\n"
+        self.warned(motion, "all rock falls freely")
+        self.assertEqual(self.warnings(motion + held), [])
+        # A P-wave crosses 5 m in 1.37 ms.
+        self.warned(motion.replace("'dynamic'", "'dynamic'\ntime_step = 2\nend_time = 10") + held, "is 2 s, 1461 times the travel time")
+
+    def test_statics_that_only_contact_could_hold(self):
+        joint = "[[joint]]\ndip = 50\ndip_direction = 90\n" + POINT
+        self.warned(ROCK + STATIC + joint, "analysis.type", "welded", "quasi_static")
+        self.assertEqual(self.warnings(ROCK + STATIC.replace("spacing = 5", "spacing = 5\njoints = 'welded'") + joint), [])
 
     def test_rock_that_goes_on_nowhere(self):
         joint = "[[joint]]\ndip = 50\ndip_direction = 90\n" + POINT

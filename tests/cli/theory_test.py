@@ -1,4 +1,5 @@
 """`rockfold theory`: joint sets alone, and the loads of block theory, end to end."""
+import math
 import unittest
 
 from program import ProgramTest
@@ -202,6 +203,63 @@ class Loads(ProgramTest):
         self.assertEqual((document["tunnels"][0]["blocks"], document["slopes"][0]["blocks"]), ([], []))
         self.assertEqual(document["tunnels"][0]["monte_carlo"]["pyramids"], [])
         self.assertIn("no block can move", self.run_program("theory", "adit.toml").stdout)
+
+
+# The wedge of two joints whose line comes out at the toe of a slope, as joint sets alone and as rock that is cut.
+WEDGE = """[[material]]
+density = 2562
+[[joint_material]]
+name = "A"
+friction_angle = 30
+cohesion = 20e3
+[[joint_material]]
+name = "B"
+friction_angle = 35
+cohesion = 40e3
+"""
+A, B = 'name = "A"\ndip = 45\ndip_direction = 105\nmaterial = "A"\n', 'name = "B"\ndip = 70\ndip_direction = 235\nmaterial = "B"\n'
+FACE, UPPER, HEIGHT = (65, 185), (12, 195), 40
+
+
+class WetWedge(ProgramTest):
+    def in_theory(self, water):
+        self.write("theory.toml", WEDGE + f"[[joint_set]]\nspacing = 9\n{A}[[joint_set]]\nspacing = 9\n{B}"
+                   f"[[block_theory.slope]]\ndip = {FACE[0]}\ndip_direction = {FACE[1]}\nheight = {HEIGHT}\n"
+                   f"upper_dip = {UPPER[0]}\nupper_dip_direction = {UPPER[1]}\n" + water)
+        (block,) = [b for b in self.json_of("theory", "theory.toml")["slopes"][0]["blocks"]]
+        return block
+
+    def in_rock(self, water):
+        x, y = (-HEIGHT / math.tan(math.radians(FACE[0])) * f(math.radians(FACE[1])) for f in (math.sin, math.cos))
+        plane = "{{dip = {}, dip_direction = {}, point = [{}, {}, {}], keep = '{}'}}"
+        planes = [plane.format(*FACE, 0, 0, 0, "below"), plane.format(*UPPER, x, y, HEIGHT, "below"),
+                  plane.format(0, 0, 0, 0, -50, "above")]
+        for direction in (0, 90, 180, 270):
+            dx, dy = 300 * math.sin(math.radians(direction)), 300 * math.cos(math.radians(direction))
+            planes.append(plane.format(90, direction, dx, dy, 0, "below"))
+        self.write("rock.toml", WEDGE + "[[solid]]\nname = 'rock'\nshape = 'halfspaces'\ncontinues = ['2', '3', '4', '5', '6']\n"
+                   f"planes = [{', '.join(planes)}]\n[[joint]]\npoint = [0, 0, 0]\n{A}[[joint]]\npoint = [0, 0, 0]\n{B}"
+                   "[support]\nrotation = false\n" + water)
+        document = self.json_of("support", "rock.toml")
+        (block,) = document["keyblocks"] + document["stable"]
+        return block
+
+    def test_is_that_of_the_cut_rock_at_every_head(self):
+        factors = []
+        for water in ("", "[[water]]\nhead = 15\n", "[[water]]\nhead = 30\njoints = ['A']\n",
+                      "[[water]]\ntable = {point = [0, 0, 5], dip = 20, dip_direction = 185}\n", "[[water]]\npressure = 5e4\n"):
+            theory, rock = self.in_theory(water), self.in_rock(water)
+            self.assertAlmostEqual(theory["volume"], rock["volume"], delta=1e-9 * rock["volume"])
+            self.assertAlmostEqual(theory["factor_of_safety"], rock["factor_of_safety"], delta=1e-9)
+            factors.append(round(theory["factor_of_safety"], 6))
+        self.assertEqual(len(set(factors)), len(factors))
+        self.assertEqual(max(factors), factors[0])
+
+    def test_head_above_the_crest_is_told_and_one_of_a_tunnel_refused(self):
+        self.in_theory("[[water]]\nhead = 45\n")
+        self.assertIn("above the crest", self.run_program("theory", "theory.toml").stderr)
+        self.write("adit.toml", THEORY + "[[water]]\nhead = 45\n")
+        self.assertIn("no head or table", self.run_program("theory", "adit.toml", status=2).stderr)
 
 
 if __name__ == "__main__":

@@ -117,9 +117,8 @@ void check_connection(const Covered& c, Faults& faults) {
   }
   const Real tolerance = complex.planes.width_tolerance();
   const Index least = body_count(c, 0.1 * tolerance), most = body_count(c, 10 * tolerance);
-  // Joints that go on may part a block; of two overlaid splits the middle parts have no node in common.
-  const bool parted =
-      c.model.cover->joint_tips == JointTips::extend || a.lattice.kind == LatticeKind::tet5_mixed;
+  // Joints that go on may part a block.
+  const bool parted = c.model.cover->joint_tips == JointTips::extend;
   if (parts < least || (parts > most && !parted))
     faults.push_back(fmt::format("cover: {} bodies move apart from each other, expected {} to {}",
                                  parts, least, most));

@@ -1,4 +1,4 @@
-// The thesis' numbers of manifold elements and of their vertices and faces (Table 4-1, Table 4-2, Fig. 4-7; REFERENCES 0.1).
+// The thesis' numbers of manifold elements and of their vertices and faces (Table 4-1, Table 4-2, Fig. 4-7; case 0.1).
 #include <gtest/gtest.h>
 
 #include "tests/cover/covers.hpp"

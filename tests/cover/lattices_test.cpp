@@ -49,6 +49,32 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{LatticeKind::tet6, true}, Kind{LatticeKind::tet6_kuhn, true},
                     Kind{LatticeKind::tet24, true}, Kind{LatticeKind::hex8, true}));
 
+// The middle tetrahedra of the two forms have the cell's even and odd corners; they share an octahedron, of half the cell's edge from its
+// middle to each corner.
+TEST(OverlaidSplits, RefuseABlockThatEachWouldHaveHalfOf) {
+  CoverSpec spec = spacing(1);
+  spec.lattice = LatticeKind::tet5_mixed;
+  spec.origin = Vec3{0, 0, 0};
+  for (const Vec3& cell : {Vec3{0, 0, 0}, Vec3{3, -2, 0}}) {
+    const auto box = [&](Real low, Real high) {
+      return box_model(cell + low * Vec3{1, 1, 1}, cell + high * Vec3{1, 1, 1});
+    };
+    try {
+      cover(box(0.4, 0.6), spec);
+      ADD_FAILURE() << "not refused";
+    } catch (const Error& error) {
+      const std::string what = error.diagnostics().front().message;
+      EXPECT_NE(what.find("block 1 lies in the middle of the lattice cell"), std::string::npos)
+          << what;
+    }
+    EXPECT_EQ(cover(box(0.1, 0.6), spec).blocks.arrays.block_count(), 1);
+    EXPECT_EQ(cover(box(0.6, 1.4), spec).blocks.arrays.block_count(), 1);
+    CoverSpec one = spec;
+    one.lattice = LatticeKind::tet5;
+    EXPECT_EQ(cover(box(0.4, 0.6), one).arrays().element_count(), 1);
+  }
+}
+
 Model jointed_rock(unsigned seed, int joints, bool notch) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<Real> unit(0, 1);

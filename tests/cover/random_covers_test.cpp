@@ -72,6 +72,8 @@ SeededCase check(const Model& given, const std::string& kind, Real size, unsigne
       return faults_of_covers(cover(m, spec));
     } catch (const Error& e) {
       const std::string what = e.diagnostics().front().message;
+      // A block that two overlaid splits would halve is refused by name.
+      if (what.find("have no node in common") != std::string::npos) return {};
       return {"error: " + what};
     } catch (const std::exception& e) {
       return {std::string("exception: ") + e.what()};
@@ -109,6 +111,11 @@ TEST(RandomCovers, OfNastyModelsKeepAll) {
 }
 TEST(RandomCovers, OfTerrainsKeepAll) {
   check_seeds(0, 12, [](unsigned seed) { return check_terrain(seed, 10); });
+}
+// Slivers beside pieces that are narrower than the tolerance themselves; slivers of the first of two overlaid splits whose elements
+// are the even form's in one lattice cell and the odd form's in the next.
+TEST(RandomCovers, ThatOnceFailed) {
+  for (const unsigned seed : {1066u, 1112u, 1395u}) check_seeds(seed, 1, check_nasty);
 }
 TEST(SlowRandomCovers, OfNastyModelsKeepAll) {
   check_seeds(from_environment("ROCKFOLD_FIRST_SEED", 1000),

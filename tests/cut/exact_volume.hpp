@@ -1,4 +1,4 @@
-// Volumes of what a model says, in integers: each number is the shortest decimal that reads back as its double (DESIGN.md,
+// Volumes of what a model says, in integers: each number is the shortest decimal that reads back as its double (decision 5,
 // rule 1), which for map coordinates differs from the double by up to 1e-10 m. Shares nothing with host/.
 #pragma once
 

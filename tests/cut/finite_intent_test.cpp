@@ -1,4 +1,4 @@
-// What the user meant by finite joints: polygons that share lines and corners but for rounding or noise (DESIGN.md, rules
+// What the user meant by finite joints: polygons that share lines and corners but for rounding or noise (decision 5, rules
 // 1 to 5).
 #include <algorithm>
 #include <cmath>

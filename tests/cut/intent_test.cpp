@@ -1,4 +1,4 @@
-// What the user meant: planes and points that coincide but for rounding or measuring noise (DESIGN.md, rules 1, 2, 5).
+// What the user meant: planes and points that coincide but for rounding or measuring noise (decision 5, rules 1, 2, 5).
 #include <algorithm>
 #include <cmath>
 #include <random>

@@ -93,9 +93,8 @@ SeededCase check_shared_faces(unsigned seed) {
   if (draw.chance(0.6)) add_joint_sets(two, draw);
   one.joints = two.joints;
   one.joint_sets = two.joint_sets;
-  SeededCase result{noise > 0 ? "shared to rounding" : "shared exactly", {}, [two, seed] {
-                      return to_toml(two);
-                    }};
+  SeededCase result{
+      noise > 0 ? "shared to rounding" : "shared exactly", {}, [two] { return to_toml(two); }};
   result.faults = faults_of_cutting(two, seed, 30, [&](const Blocks& b, Faults& faults) {
     const BlockArrays &p = b.arrays, q = cut(one).arrays;
     const long double whole = signed_volume(*bodies.both);
@@ -117,7 +116,7 @@ SeededCase check_shared_faces(unsigned seed) {
 }
 
 // Bumps over their spacing are about the angles between triangles. Where the wedges between these are slivers over most of their
-// length, and the planes yet not one, the cutting does not promise more than the rock's volume (DESIGN.md, rule 5). The tolerance
+// length, and the planes yet not one, the cutting does not promise more than the rock's volume (decision 5, rule 5). The tolerance
 // is 1.04e-8 of the spacing of six squares: bumps of up to twice that may leave rock between them that is a block.
 bool is_decidable(Real bumps) {
   return bumps < 3.16e-11 || bumps > 2.1e-8;

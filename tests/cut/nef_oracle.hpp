@@ -9,7 +9,7 @@
 namespace rockfold::test {
 
 /// A volume of the Nef polyhedron after dead-end joints are taken out of its boundary; counts by the definitions of
-/// INTERFACE.md §3, but that all joints are of one origin, and all faces of solids too: coplanar neighbours of two origins
+/// docs/user_guide.md, but that all joints are of one origin, and all faces of solids too: coplanar neighbours of two origins
 /// count as one face.
 struct NefBlock {
   Real volume = 0;  ///< m³, rounded once

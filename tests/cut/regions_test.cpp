@@ -145,6 +145,18 @@ TEST(Merge, JoinsTheBlocksThatHoldGivenPoints) {
   }
 }
 
+// Before joints cut anything: a wall belongs to the rock that stays behind it.
+TEST(Excavation, IsToldFromRockThatStays) {
+  Model model = box_model({0, 0, 0}, {10, 10, 10});
+  model.excavations.push_back(excavation_of("drift", 1, BoxShape{{4, 0, 4}, {6, 10, 6}}));
+  using At = UncutRock::At;
+  const UncutRock rock = check_cutting(
+      model, {{1, 2, 3}, {5, 5, 5}, {4, 5, 5}, {10, 3, 7}, {10 + 1e-6, 3, 7}, {5, 11, 5}});
+  EXPECT_NEAR(rock.volume, 960, 1e-9);
+  EXPECT_EQ(rock.of_point, (std::vector<At>{At::stays, At::excavated, At::stays, At::stays,
+                                            At::outside, At::outside}));
+}
+
 TEST(Merge, LeavesTheWallsOfExcavations) {
   Model model = box_model({0, 0, 0}, {10, 10, 10});
   add_joint(model, Vec3{0, 0, 1}, {0, 0, 8});

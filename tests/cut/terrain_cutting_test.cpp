@@ -1,8 +1,10 @@
 // Ground as it is surveyed, with joints and openings: never an error, no volume lost, blocks that do not hang on the last digit.
 #include <cmath>
+#include <map>
 
 #include <gtest/gtest.h>
 
+#include "src/base/vector.hpp"
 #include "tests/cut/corpus.hpp"
 #include "tests/cut/model_text.hpp"
 #include "tests/cut/seeded_runs.hpp"
@@ -36,6 +38,31 @@ SeededCase check(unsigned seed, int most_posts) {
             });
             return terrain.kind + "\n" + to_toml(least);
           }};
+}
+
+// Ground that is off by about the tolerance has a thousand slivers on and under it: what looks through them covers each area that it
+// starts from once. Areas are clipped to the tolerance along their edges.
+TEST(Terrains, AreSeenThroughSliversOnce) {
+  for (const unsigned seed : {1001u, 1002u, 1253u}) {
+    SCOPED_TRACE(seed);
+    const Blocks blocks = cut(jittered(terrain_model(seed, 60).model, 1e-7, 1));
+    const Complex& complex = *blocks.cutting.complex;
+    struct Covered {
+      Real area = 0, edges = 0;
+    };
+    std::map<Index, Covered> by_start;
+    for (const Beam& b : complex.beams) {
+      if (b.start == none) continue;
+      Covered& covered = by_start[b.start];
+      covered.area += b.area;
+      for (std::size_t k = 0; k < b.polygon.size(); ++k)
+        covered.edges += norm(b.polygon[k] - b.polygon[(k + 1) % b.polygon.size()]);
+    }
+    EXPECT_FALSE(by_start.empty());
+    for (const auto& [start, covered] : by_start)
+      EXPECT_NEAR(covered.area, complex.fragments[start / 2].area,
+                  complex.planes.width_tolerance() * covered.edges);
+  }
 }
 
 TEST(Terrains, AreCutWhole) {

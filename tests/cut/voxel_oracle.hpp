@@ -28,7 +28,7 @@ struct GridModel {
       joints;  ///< each of its own origin; the first listed wins where they overlap
 };
 
-/// A block; its counts by the definitions of INTERFACE.md §3: a face is a maximal connected plane region of one origin;
+/// A block; its counts by the definitions of docs/user_guide.md: a face is a maximal connected plane region of one origin;
 /// dead-end joints are no part of its surface. Where the surface touches itself, along an edge or at a vertex, it is
 /// taken as the boundary of the block's interior: it separates there, and each sheet has an edge or vertex of its own.
 struct GridBlock {

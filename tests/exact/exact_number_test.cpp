@@ -149,6 +149,27 @@ TEST(PlaneAlong, PassesThroughItsPointAndBothDirectionsExactly) {
   EXPECT_EQ(dot(plane.n, v), 0);
 }
 
+// In least integers and about the centre: what the same plane in fractions is.
+TEST(PlaneThroughEdge, IsThePlaneOfItsFractions) {
+  const Vec3 points[] = {{0.1, 0.2, 0.3},           {1.7, -0.4, 1e6 + 0.1}, {-3.3, 1.0 / 7, 2},
+                         {500000.25, 4e6 - 0.1, 3}, {1e-9, 2e-20, -5e15},   {1, 2, 3}};
+  const Vec3 normals[] = {{0, 0, 1}, {1.0 / 3, -2.0 / 3, 0.1}, {1e-8, 1, -1e-8}};
+  const Vec3 centres[] = {{0, 0, 0}, {499999.125, 1.0 / 3, -7e-5}};
+  for (const Vec3& a : points)
+    for (const Vec3& b : points)
+      for (const Vec3& normal : normals)
+        for (const Vec3& centre : centres) {
+          const ExactVec3 p = exact(a), q = exact(b);
+          const ExactPlane plane =
+              plane_along(p, {q[0] - p[0], q[1] - p[1], q[2] - p[2]}, exact(normal));
+          if (plane.n[0] == 0 && plane.n[1] == 0 && plane.n[2] == 0) continue;
+          const IntegerPlane expected = integers(plane.n, plane.d - dot(plane.n, exact(centre)));
+          const IntegerPlane found = plane_through_edge(a, b, normal, centre);
+          EXPECT_EQ(found.n, expected.n);
+          EXPECT_EQ(found.d, expected.d);
+        }
+}
+
 TEST(Opposite, IsTheSamePlaneSeenFromBelow) {
   const ExactPlane plane = plane_through({0.1, -2, 3}, {0.4, 0.5, 0.6}), other = opposite(plane);
   EXPECT_EQ(other.d, -plane.d);

@@ -1,5 +1,6 @@
 // Solids by block operations: what their blocks look like, with exact counts of vertices, edges, faces, shells and genus.
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -52,6 +53,15 @@ Model without(Model model, const Vec3& min, const Vec3& max, const std::string& 
 Model with(Model model, const Vec3& min, const Vec3& max, const std::string& name = "more") {
   model.solids.push_back(box_solid(name, min, max));
   return model;
+}
+
+// m² of all faces that lie on a face of a solid.
+Real area_on(const BlockArrays& a, Index solid, Index solid_face) {
+  Real area = 0;
+  for (std::size_t f = 0; f < a.face_area.size(); ++f)
+    if (a.origins[a.face_origin[f]].face_of(FaceOrigin::Kind::solid_face, solid) == solid_face)
+      area += a.face_area[f];
+  return area;
 }
 
 // Names of the faces' origins of a block, with their areas summed.
@@ -112,7 +122,7 @@ TEST(Solids, ABoxWithTwoTunnelsSideBySide) {
                    {{24, 36, 14}, 1, 2, 52});
 }
 
-// Floor and roof of the crossing belong to the tunnel dug last: three faces each, two edges more than if they were one.
+// Floor and roof of the crossing belong to both tunnels: five faces each, four edges more than if they were one.
 TEST(Solids, ABoxWithTwoCrossingTunnels) {
   expect_one_block(without(without(box_model({0, 0, 0}, {3, 3, 3}), {-1, 1, 1}, {4, 2, 2}),
                            {1, -1, 1}, {2, 4, 2}, "second"),
@@ -404,16 +414,46 @@ TEST(FaceOrigins, OfTwoFloorsInOneFaceOfACellAreEachItsOwn) {
   EXPECT_NEAR(areas.at("B.0"), 4, 1e-12);
 }
 
-// A trench dug along a shaft's floor level: what both reach is the later one's.
-TEST(FaceOrigins, OfAFloorDugTwiceAreTheLastOnes) {
+// A trench dug along a shaft's floor level: one face of the trench, with both names as a part of it is both's, and what the shaft alone has.
+TEST(FaceOrigins, OfAFloorDugTwiceAreBoth) {
   const Model model =
       without(without(box_model({0, 0, 0}, {9, 4, 4}), {1, 1, 2}, {6, 3, 5}, "first"), {4, 1, 2},
               {8, 3, 5}, "last");
-  const auto areas = areas_by_origin(checked_cut(model).arrays, 0);
+  const BlockArrays a = checked_cut(model).arrays;
+  const auto areas = areas_by_origin(a, 0);
   EXPECT_NEAR(areas.at("first.zmin"), 6, 1e-12);
-  EXPECT_NEAR(areas.at("last.zmin"), 8, 1e-12);
-  EXPECT_NEAR(areas.at("first.ymin"), 6, 1e-12);
-  EXPECT_NEAR(areas.at("last.ymin"), 8, 1e-12);
+  EXPECT_NEAR(areas.at("last.zmin, first.zmin"), 8, 1e-12);
+  EXPECT_EQ(areas.count("last.zmin"), 0u);
+  EXPECT_NEAR(area_on(a, 1, 4), 14, 1e-12);
+  EXPECT_NEAR(area_on(a, 2, 4), 8, 1e-12);
+}
+
+// A layer of the rock reaches its sides: they stay the rock's, and where the rock continues, so does the layer.
+TEST(FaceOrigins, OfALayerWithinTheRockAreThoseOfTheRockToo) {
+  Model model = with(box_model({0, 0, 0}, {4, 1, 2}), {0, 0, 0.5}, {4, 1, 1.5}, "layer");
+  model.solids[0].continues = {true, false, false, false, false, false};
+  const Blocks blocks = checked_cut(model);
+  const std::array of_rock{2, 2, 8, 8, 4, 4};
+  const std::array of_layer{1, 1, 4, 4};
+  for (int face = 0; face < 6; ++face)
+    EXPECT_NEAR(area_on(blocks.arrays, 0, face), of_rock[face], 1e-12);
+  for (int face = 0; face < 4; ++face)
+    EXPECT_NEAR(area_on(blocks.arrays, 1, face), of_layer[face], 1e-12);
+  for (const FaceOrigin& origin : blocks.arrays.origins)
+    if (origin.name == "layer.xmin, rock.xmin") {
+      EXPECT_TRUE(origin.continues);
+    }
+  EXPECT_EQ(blocks.arrays.finite[0], 0);
+}
+
+// Of two boxes beside each other one is taken away: the other's side does not become a face of what was behind it.
+TEST(FaceOrigins, AreThoseOfSurfacesThatTheRockIsInside) {
+  const Model model = without(with(box_model({0, 0, 0}, {1, 1, 1}), {1, 0, 0}, {2, 1, 1}, "gone"),
+                              {1, 0, 0}, {2, 1, 1}, "cut");
+  const BlockArrays a = checked_cut(model).arrays;
+  EXPECT_NEAR(area_on(a, 0, 1), 1, 1e-12);
+  EXPECT_NEAR(area_on(a, 2, 0), 1, 1e-12);
+  EXPECT_EQ(area_on(a, 1, 0), 0);
 }
 
 TEST(FaceOrigins, KeepTheirJointMaterial) {

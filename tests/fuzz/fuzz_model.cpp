@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "src/model/planar_polygon.hpp"
-#include "src/model/read_model.hpp"
+#include "src/model/read/read_model.hpp"
 
 namespace rockfold {
 namespace {

@@ -45,7 +45,33 @@ TEST(BoxTree, FindsTheBoxesThatHoldAPoint) {
   }
 }
 
+TEST(BoxTree, FindsTheBoxesThatMeetABox) {
+  const std::vector<Bounds> boxes = random_boxes(700);
+  const BoxTree tree(boxes);
+  const auto meet = [](const Bounds& a, const Bounds& b) {
+    for (int d = 0; d < 3; ++d)
+      if (a.max[d] < b.min[d] || b.max[d] < a.min[d]) return false;
+    return true;
+  };
+  std::vector<Index> found;
+  for (const Bounds& box : boxes) {
+    std::vector<Index> expected;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      if (meet(box, boxes[i])) expected.push_back(static_cast<Index>(i));
+    tree.near(box, found);
+    EXPECT_EQ(found, expected);
+    // A box that only touches it.
+    tree.near({box.max, box.max}, found);
+    EXPECT_EQ(found, tree.at(box.max));
+  }
+}
+
 TEST(BoxTree, FindsNothingBeyondAllBoxes) {
+  std::vector<Index> found{1};
+  BoxTree(random_boxes(50)).near({{20, 5, 5}, {21, 6, 6}}, found);
+  EXPECT_TRUE(found.empty());
+  BoxTree().near({{0, 0, 0}, {9, 9, 9}}, found);
+  EXPECT_TRUE(found.empty());
   EXPECT_TRUE(BoxTree(random_boxes(50)).at({20, 5, 5}).empty());
   EXPECT_TRUE(BoxTree().at({5, 5, 5}).empty());
 }

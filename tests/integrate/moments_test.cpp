@@ -120,7 +120,7 @@ CoverArrays one_tetrahedron() {
 
 TEST(PieceMoments, OfAnIrregularTetrahedronEqualTheClosedForm) {
   const PieceMoments m = piece_moments(one_tetrahedron());
-  const Real v = 2923.0 / 864;   // REFERENCES group A, "T1"
+  const Real v = 2923.0 / 864;   // cases A, "T1"
   const Real tolerance = 1e-13;  // some tens of operations on numbers up to 250
   EXPECT_NEAR(m.volume[0] / v, 1, tolerance);
   EXPECT_NEAR(m.first[0][0] / (1.5 * v), 1, tolerance);

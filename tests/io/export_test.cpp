@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <random>
 #include <sstream>
@@ -156,21 +158,34 @@ TEST_P(Exports, AsVtpAreTheBlocks) {
     EXPECT_EQ(origin[p], blocks.face_origin[f] + 1);
     EXPECT_EQ(volume[p], blocks.volume[surface.block[p]]);
   }
-  for (std::size_t f = 0; f < polygons.size(); ++f) {
-    const bool holes = blocks.loop_begin[f + 1] - blocks.loop_begin[f] > 1;
-    EXPECT_TRUE(holes ? polygons[f] > 1 : polygons[f] == 1);
-  }
+  EXPECT_EQ(std::count(polygons.begin(), polygons.end(), 0), 0);  // each face is there
+  for (const auto& corners : surface.polygon) EXPECT_EQ(corners.size(), 3u);
+  EXPECT_EQ(text.find("batch"), std::string::npos);
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.vtp"}));
 }
 
-/// Four convex polygons close a square around a square hole; eight triangles would.
-TEST(Exports, CutAFaceWithAHoleIntoFewPolygons) {
+/// Colours of block theory, with the block on each of its triangles; NaN where there is no factor.
+TEST(Exports, AsVtpHaveBatchAndFactorOfSafety) {
   const TemporaryFolder folder;
-  const BlockArrays blocks = tube();
-  export_blocks({blocks, face_polygons(blocks), {}, {}, ""}, folder / "tube.vtp");
-  const Surface surface = read_vtp(file_bytes(folder / "tube.vtp"));
-  expect_blocks(surface, blocks);
-  EXPECT_LE(surface.polygon.size(), 8u + 2 * 5);
+  const BlockArrays blocks = box_grid(2, 1, 1);
+  BlockFields theory;
+  theory.block_class = {2, 3};
+  theory.batch = {0, 4};
+  theory.factor_of_safety = {std::numeric_limits<Real>::quiet_NaN(), 0.75};
+  export_blocks({blocks, {}, face_triangles(blocks), {}, "", &theory}, folder / "a.vtp");
+  const std::string text = file_bytes(folder / "a.vtp");
+  const auto block = vtp_array(text, "block"), batch = vtp_array(text, "batch"),
+             factor = vtp_array(text, "factor_of_safety"), kind = vtp_array(text, "class");
+  ASSERT_EQ(block.size(), 24u);
+  ASSERT_EQ(factor.size(), block.size());
+  for (std::size_t p = 0; p < block.size(); ++p) {
+    EXPECT_EQ(batch[p], block[p] == 2 ? 4 : 0);
+    EXPECT_EQ(kind[p], block[p] == 2 ? 3 : 2);
+    EXPECT_EQ(std::isnan(factor[p]), block[p] == 1);
+    if (block[p] == 2) {
+      EXPECT_EQ(factor[p], 0.75);
+    }
+  }
 }
 
 /// The last face of the last block has no loop and no area.
@@ -184,9 +199,9 @@ TEST(Exports, PassOverAFaceWithoutLoops) {
   blocks.face_origin.push_back(0);
   blocks.face_up.push_back(1);
   blocks.face_plane.push_back(0);
-  export_blocks({blocks, face_polygons(blocks), {}, {}, ""}, folder / "a.vtp");
+  export_blocks({blocks, {}, face_triangles(blocks), {}, ""}, folder / "a.vtp");
   const Surface surface = read_vtp(file_bytes(folder / "a.vtp"));
-  EXPECT_EQ(surface.polygon.size(), 12u);
+  EXPECT_EQ(surface.polygon.size(), 24u);
   expect_blocks(surface, blocks);
 }
 
@@ -209,7 +224,7 @@ TEST(Exports, OfRandomRockAreClosed) {
                 {1.0 * at(random), 1.0 * at(random), 1.0 * at(random)});
     const Blocks blocks = cut(model);
     const BlockArrays& arrays = blocks.arrays;
-    export_blocks({arrays, face_polygons(arrays), {}, {}, ""}, folder / "a.vtp");
+    export_blocks({arrays, {}, face_triangles(arrays), {}, ""}, folder / "a.vtp");
     const Surface surface = read_vtp(file_bytes(folder / "a.vtp"));
     with_holes += surface.polygon.size() > arrays.face_area.size();
     const auto volume = volumes(surface, arrays.volume.size());

@@ -90,6 +90,8 @@ TEST(ResultFile, HoldsTheStatesInFullPrecision) {
   for (std::size_t p = 0; p < 27; ++p)
     for (std::size_t d = 0; d < 3; ++d)
       EXPECT_EQ(stored[(2 * 27 + p) * 3 + d], last.displacement[p][d]);
+  EXPECT_EQ(file.shape("/rockfold/states/velocity"), (hdf5::Shape{3, 27, 3}));
+  EXPECT_FALSE(file.exists("/rockfold/states/acceleration"));
 }
 
 /// The displacements drawn, at all points of all blocks and states, are those of the linear field.

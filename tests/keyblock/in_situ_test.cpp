@@ -1,4 +1,4 @@
-// Joints clamped by in-situ stress: the falling wedge of 3DEC's verification manual (REFERENCES E9).
+// Joints clamped by in-situ stress: the falling wedge of 3DEC's verification manual (case E9).
 #include "host/keyblock/in_situ.hpp"
 
 #include <cmath>
@@ -41,6 +41,7 @@ Model stressed_model(Real friction_angle, Real stiffness_ratio) {
   model.gravity = {0, 0, -10};
   model.joint_materials[0].normal_stiffness = 1e9;
   model.joint_materials[0].shear_stiffness = stiffness_ratio * 1e9;
+  model.support->clamping = true;
   model.initial_stress.any = true;
   model.initial_stress.at = {-0.05e6, -0.05e6, 0, 0, 0, 0};
   return model;
@@ -65,6 +66,17 @@ TEST(InSituStress, OfTheFallingWedgeEqualsTheClosedForm) {
       EXPECT_NEAR(needed(phi, k), expected, 1e-9) << phi << " " << k;
     }
   EXPECT_NEAR(needed(35, 1), 0.147617, 5e-7);
+}
+
+// What stress holds is lost where rock relaxes: it counts only where the model asks for it.
+TEST(InSituStress, MakesNoBlockSaferUnlessClampingCounts) {
+  Model model = stressed_model(50, 1);
+  ASSERT_TRUE(find_keyblocks(roof_wedge(), model).keyblocks.empty());
+  model.support->clamping = false;
+  const auto report = find_keyblocks(roof_wedge(), model);
+  ASSERT_EQ(report.keyblocks.size(), 1u);
+  EXPECT_NEAR(report.keyblocks[0].sliding_force, report.keyblocks[0].weight, 1e-9);
+  EXPECT_TRUE(std::isnan(report.keyblocks[0].factor_of_safety));
 }
 
 TEST(InSituStress, WithFrictionUpToTheHalfAngleOfTheWedgeHoldsNothing) {
@@ -174,6 +186,70 @@ TEST(InSituStress, OnJointsThatOpenAtOnceHoldsByAllOfThem) {
     Model loads = model;
     test::turn(turned, loads, normalized({0.3, -0.5, 0.1 * k}), 0.37 * k);
     EXPECT_NEAR(all_of(turned, loads).resisting_force, expected, 1e-9 * expected) << k;
+  }
+}
+
+// Crawford & Bray (1983): the horizontal force H₀ on each side of a symmetric roof wedge presses its joints and holds them along the
+// joint too, before the wedge moves.
+TEST(InSituStress, WithTheShearThatWasThereIsThatOfCrawfordAndBraysRoofWedge) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<Real> unit(0, 1);
+  for (int i = 0; i < 1000; ++i) {
+    const Real a = radians(10 + 50 * unit(random)), f = a + (radians(80) - a) * unit(random);
+    const Real push = 10 + 1000 * unit(random), kn = 1e9,
+               ks = kn * std::pow(10, 4 * unit(random) - 2);
+    const Real s = std::sin(a), c = std::cos(a);
+    std::vector<ContactPlane> planes;
+    for (const Real side : {-1.0, 1.0}) {
+      const Vec3 normal{side * c, 0, s}, force{-side * push, 0, 0};
+      planes.push_back({.normal = normal,
+                        .area = 2,
+                        .friction = std::tan(f),
+                        .clamping = push * c,
+                        .in_situ_shear = force + push * c * normal,
+                        .normal_stiffness = 2 * kn,
+                        .shear_stiffness = 2 * ks});
+    }
+    const Vec3 r{0, 0, -100};
+    const Movement held = with_in_situ_stress(planes, *find_movement(planes, r), r);
+    const Real pull = 2 * push * (ks * c * c + kn * s * s) * std::sin(f - a) /
+                      (ks * c * std::cos(f) + kn * s * std::sin(f));
+    EXPECT_NEAR(held.resisting, pull, 1e-9 * push) << i;
+  }
+}
+
+// The whole way, in small steps, against the events alone; shear that pushes the block on is among it.
+TEST(InSituStress, IsTheMostThatIsHeldAnywhereOnTheWay) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<Real> unit(0, 1);
+  for (int i = 0; i < 200; ++i) {
+    const Real a = radians(10 + 60 * unit(random)), friction = 2 * unit(random), kn = 1e9,
+               ks = kn * std::pow(10, 2 * unit(random) - 1);
+    const Real clamping = 100 * unit(random), along = 200 * (unit(random) - 0.5),
+               cohesion = 20 * unit(random);
+    const Real s = std::sin(a), c = std::cos(a);
+    std::vector<ContactPlane> planes;
+    for (const Real side : {-1.0, 1.0})
+      planes.push_back({.normal = {side * c, 0, s},
+                        .area = 1,
+                        .friction = friction,
+                        .cohesion = cohesion,
+                        .clamping = clamping,
+                        .in_situ_shear = along * Vec3{-side * s, 0, c},
+                        .normal_stiffness = kn,
+                        .shear_stiffness = ks});
+    const Vec3 r{0, 0, -1000};
+    const Movement held = with_in_situ_stress(planes, *find_movement(planes, r), r);
+    const Real opens = clamping / (kn * s);
+    Real most = 0;  // once all has opened
+    for (int k = 0; k <= 20000; ++k) {
+      const Real d = opens * k / 20000, n = clamping - kn * s * d,
+                 strength = n * friction + cohesion;
+      const Real shear = std::clamp(along + ks * c * d, -strength, strength);
+      most = std::max(most, 2 * (shear * c - n * s));
+    }
+    EXPECT_GE(held.resisting, most - 1e-9) << i;
+    EXPECT_NEAR(held.resisting, most, 0.02) << i;
   }
 }
 

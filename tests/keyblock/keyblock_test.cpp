@@ -104,7 +104,7 @@ TEST(Keyblocks, OfARoofFallAndNothingResists) {
   EXPECT_NEAR(key.support_pressure, 1.5 * 2000 * 9.81 / 3, 1e-9);  // F γ H / 3
 }
 
-// REFERENCES E10: thesis Table 5-1 in newtons, gravity along the first axis, no strength. Volumes
+// Case E10: thesis Table 5-1 in newtons, gravity along the first axis, no strength. Volumes
 // to 5e-4 m³.
 struct Row {
   int row;
@@ -314,6 +314,7 @@ Model loaded_model(Real friction_angle) {
   water.joints = {"J1"};
   water.level = WaterTable{{0, 0, 6}, upward(20, 40)};
   model.waters.push_back(water);
+  model.support->clamping = true;
   model.initial_stress.any = true;
   model.initial_stress.at = {-3e4, -2e4, -6e4, 5e3, -4e3, 0};
   return model;

@@ -144,5 +144,59 @@ TEST(BlockAt, FindsTheBlockOfAPointInsideAndOnItsBoundary) {
   EXPECT_EQ(block_at(blocks, {1, 1, 5.001}), none);
 }
 
+/// A strip of the east face, x = 2, y from 0 to 3, between two elevations.
+Traction on_strip(Real low, Real high) {
+  Traction traction;
+  traction.where = BoxRegion{{2, 0, low}, {2, 3, high}};
+  traction.pressure = true;
+  return traction;
+}
+
+Model pressed_model(const Traction& traction) {
+  Model model = model_with_joints(30);
+  model.tractions.push_back(traction);
+  return model;
+}
+
+TEST(Tractions, OfABoxActOnWhatLiesInIt) {
+  Traction strip = on_strip(2, 2.5);
+  strip.value = {1e5, 0, 0};
+  const Body dry = body_under(model_with_joints(30)), body = body_under(pressed_model(strip));
+  const Vec3 push = body.load - dry.load;
+  EXPECT_NEAR(push[0], -1e5 * 1.5, 1e-6);
+  EXPECT_NEAR(norm(push), 1e5 * 1.5, 1e-6);
+  // At z = 2.25, 0.75 m below the centroid (1, 1.5, 3).
+  EXPECT_NEAR(body.moment[1], -1e5 * 1.5 * -0.75, 1e-6);
+  EXPECT_NEAR(body.moment[0], 0, 1e-6);
+  EXPECT_NEAR(body.moment[2], 0, 1e-6);
+}
+
+TEST(Tractions, UpToAHeadAreHydrostatic) {
+  Traction water = on_strip(0, 9);
+  water.head = 4;
+  const Body dry = body_under(model_with_joints(30)), body = body_under(pressed_model(water));
+  EXPECT_NEAR((body.load - dry.load)[0], -weight_of_water * 3 * 3 / 2 * 3, 1e-6);
+  EXPECT_NEAR(body.moment[1], -weight_of_water * 13.5 * (2 - 3), 1e-6);  // 1 m above the base
+}
+
+TEST(Tractions, ThatAreVectorsActAsTheyAreGivenAndTablesAtOneSecond) {
+  Traction shear;
+  shear.where = PlaneRegion{{0, 0, 5}, {0, 0, 1}, 1e-9};
+  shear.table = {{0, 1, 2}, {{0, 0, 0}, {100, -200, 300}, {9, 9, 9}}};
+  const Body dry = body_under(model_with_joints(30)), body = body_under(pressed_model(shear));
+  EXPECT_NEAR(norm(body.load - dry.load - 6.0 * Vec3{100, -200, 300}), 0, 1e-8);
+}
+
+TEST(Tractions, OnNoFreeFaceAreRefused) {
+  Traction strip = on_strip(6, 7);
+  strip.place.key = "traction[1]";
+  try {
+    body_under(pressed_model(strip));
+    FAIL() << "not refused";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.diagnostics().front().place.key, "traction[1].where");
+  }
+}
+
 }  // namespace
 }  // namespace rockfold

@@ -109,7 +109,7 @@ TEST(MonteCarlo, DependsOnTheSeedAloneNotOnTheThreads) {
   const auto run = [&](int threads) {
     const int before = omp_get_max_threads();
     omp_set_num_threads(threads);
-    const auto result = simulate_tunnel(model, adit, spec);
+    auto result = simulate_tunnel(model, adit, spec);
     omp_set_num_threads(before);
     return result;
   };

@@ -56,7 +56,7 @@ Vec3 random_direction(std::mt19937_64& random) {
   return normalized({normal(random), normal(random), normal(random)});
 }
 
-// REFERENCES E1: joints in general position (Goodman & Shi): n² − n + 2 joint pyramids are not empty.
+// Case E1: joints in general position (Goodman & Shi): n² − n + 2 joint pyramids are not empty.
 class JointSets : public testing::TestWithParam<std::array<std::size_t, 4>> {};
 
 TEST_P(JointSets, InGeneralPositionGiveTheCountsOfBlockTheory) {
@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Joints, JointSets,
                                          std::array<std::size_t, 4>{5, 22, 6, 20},
                                          std::array<std::size_t, 4>{6, 32, 10, 30}));
 
-// REFERENCES E2: three sets 60/030, 60/150, 60/270; 0 = above. The excavation pyramid's normals
+// Case E2: three sets 60/030, 60/150, 60/270; 0 = above. The excavation pyramid's normals
 // point out of the rock.
 const std::vector<Vec3> three_sets{upward(60, 30), upward(60, 150), upward(60, 270)};
 using Codes = std::vector<std::string>;

@@ -47,7 +47,7 @@ Real area_of(const ConvexBlock& block, Index origin) {
   return area;
 }
 
-// Hoek & Bray, Rock Slope Engineering (REFERENCES E5): joints 45/105 and 70/235, face 65/185, upper slope 12/195,
+// Hoek & Bray, Rock Slope Engineering (case E5): joints 45/105 and 70/235, face 65/185, upper slope 12/195,
 // H1 = 100 ft; feet and pounds.
 class HoekBray : public testing::Test {
  protected:
@@ -131,7 +131,7 @@ TEST_F(HoekBray, EnoughWaterLiftsTheWedgeOffItsJoints) {
   EXPECT_EQ(verdict.movement->mode, SlidingMode::lifting);
 }
 
-// REFERENCES E9 without stress, G-2. 3DEC's falling wedge: roof tetrahedron between joints that dip 60°, apex 1 m above the roof, 20
+// Case E9 without stress, G-2. 3DEC's falling wedge: roof tetrahedron between joints that dip 60°, apex 1 m above the roof, 20
 // kN/m³.
 TEST(RoofTetrahedron, FallsWithItsWeight) {
   const Vec3 apex{0, 0, 1};

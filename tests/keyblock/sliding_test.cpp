@@ -77,7 +77,7 @@ std::vector<ContactPlane> on(const Wedge& w, Real phi_i = 0, Real phi_j = 0) {
   return {under(w.dip_i, w.direction_i, phi_i), under(w.dip_j, w.direction_j, phi_j)};
 }
 
-// REFERENCES E4. Wedges by trigonometry; the first is 3DEC's sliding wedge, critical friction 33.3572°.
+// Case E4. Wedges by trigonometry; the first is 3DEC's sliding wedge, critical friction 33.3572°.
 TEST(TwoPlanes, WedgesEqualTheClosedForm) {
   const Wedge wedge{40, 130, 60, 220};
   const auto m = find_movement(on(wedge), 9.81 * down);
@@ -104,7 +104,7 @@ TEST(TwoPlanes, WedgesEqualTheClosedForm) {
               1e-6);
 }
 
-// REFERENCES E7. Hoek & Bray: F = sin β / sin(ξ/2) · tan φ / tan ψ; both planes dip 45, 90 degrees apart.
+// Case E7. Hoek & Bray: F = sin β / sin(ξ/2) · tan φ / tan ψ; both planes dip 45, 90 degrees apart.
 TEST(TwoPlanes, TheSymmetricWedgeEqualsTheClosedForm) {
   const auto m = find_movement(on({45, 135, 45, 225}, 30, 30), down);
   EXPECT_NEAR(plunge(m->direction), degrees(std::asin(1 / std::sqrt(3.0))), 1e-12);
@@ -120,7 +120,7 @@ Real printed_equation_5_4(const Vec3& n_i, const Vec3& n_j, const Vec3& r, Real 
          dot(line, line);
 }
 
-// REFERENCES E8. The sign of the printed formula goes with the order of the planes; ours does not.
+// Case E8. The sign of the printed formula goes with the order of the planes; ours does not.
 TEST(TwoPlanes, TheForceDoesNotDependOnTheOrderOfThePlanes) {
   const auto check = [](const Wedge& w, Real phi_i, Real phi_j, Real right, Real printed) {
     const auto m = find_movement(on(w, phi_i, phi_j), down);
@@ -138,7 +138,7 @@ TEST(TwoPlanes, TheForceDoesNotDependOnTheOrderOfThePlanes) {
   check({45, 105, 70, 235}, 20, 30, -0.055226, 0.525565);
 }
 
-// REFERENCES E2. What each joint pyramid of 60/030, 60/150, 60/270 does under gravity, φ = 20. A
+// Case E2. What each joint pyramid of 60/030, 60/150, 60/270 does under gravity, φ = 20. A
 // block above one joint lies on it alone: it slides straight down, away from the two others. Above
 // all three it is at rest.
 TEST(Modes, OfTheEightJointPyramidsOfThreeSets) {

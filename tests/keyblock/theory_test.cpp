@@ -204,7 +204,7 @@ TEST(PyramidTable, OfThreeSetsIsThatOfBlockTheory) {
   EXPECT_EQ(report.excavations[0].blocks.size(), 6u);
 }
 
-// REFERENCES E1 on the program's own table.
+// Case E1 on the program's own table.
 TEST(PyramidTable, OfSetsInGeneralPositionHasTheCountsOfBlockTheory) {
   std::mt19937_64 random(67);
   for (std::size_t n = 3; n <= 6; ++n) {
@@ -227,7 +227,7 @@ TEST(PyramidTable, OfSetsInGeneralPositionHasTheCountsOfBlockTheory) {
   }
 }
 
-// Hoek & Bray's wedge (REFERENCES E5), feet and pounds: the crest of joint 1 is 100 ft above the toe.
+// Hoek & Bray's wedge (case E5), feet and pounds: the crest of joint 1 is 100 ft above the toe.
 TEST(SlopeBlocks, OfHoekAndBraysWedge) {
   const Vec3 n1 = upward(45, 105), n2 = upward(70, 235), face = upward(65, 185),
              upper = upward(12, 195);

@@ -32,6 +32,10 @@ cohesion = 1e4
 tensile_strength = 2e3
 normal_stiffness = 10e9
 shear_stiffness = 5e9
+dilation_angle = 4.5
+dilation_limit = 0.05
+residual_friction_angle = 15
+residual_cohesion = 2.5e3
 
 [[solid]]
 name = "rock"
@@ -324,6 +328,12 @@ dynamic_ratio = 0.9
 max_displacement_ratio = 0.01
 newmark = {beta = 0.3025, gamma = 0.6}
 rayleigh = {alpha = 0.5, beta = 0.001}
+
+[contact]
+material = "filled"
+max_iterations = 25
+restitution = 0.3
+max_penetration = 1e-4
 
 [solver]
 tolerance = 1e-9

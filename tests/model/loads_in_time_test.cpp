@@ -27,7 +27,7 @@ TEST(LoadsInTime, AreRefusedWhereNothingMoves) {
   EXPECT_TRUE(errors_of(model_of("quasi_static", base), {}, Purpose::run).empty());
 }
 
-/// REFERENCES C9.
+/// Case C9.
 TEST(Rayleigh, FollowsFromADampingRatioAtTwoFrequencies) {
   const Model model =
       parse_model(model_of("dynamic", "rayleigh = {damping_ratio = 0.05, frequencies = [1, 10]}"),

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "src/base/error.hpp"
-#include "src/model/read_model.hpp"
+#include "src/model/read/read_model.hpp"
 
 namespace rockfold {
 

@@ -1,9 +1,9 @@
 // Suggestions for mistyped words, and numbers as messages show them.
-#include "src/model/nearest.hpp"
+#include "src/model/text/nearest.hpp"
 
 #include <gtest/gtest.h>
 
-#include "src/model/value.hpp"
+#include "src/model/text/value.hpp"
 
 namespace rockfold {
 namespace {

@@ -23,7 +23,7 @@ TEST(Override, ReachesEveryKindOfPlace) {
       std::get<HalfspacesShape>(with({"solid.'cut.away'.planes.2.keep=above"}).solids[1].shape)
           .planes[1]
           .keep_above);
-  EXPECT_EQ(with({"analysis.type=static"}).analysis->steps, 1);
+  EXPECT_EQ(with({"analysis.type=static"}).analysis->steps(), 1);
   EXPECT_EQ(with({"analysis.newmark.beta=0.25"}).analysis->newmark_beta, 0.25);
   EXPECT_TRUE(with({"joint_set=[]", "water=[]"}).joint_sets.empty());
 }
@@ -61,7 +61,8 @@ struct WrongValue {
 TEST(Override, OfAWrongValueIsItsPlace) {
   const WrongValue cases[] = {
       {"joint_set.J1.spacing=-1", "joint_set[1].spacing", "found -1, must be > 0"},
-      {"joint_set.1.spacing=2 m", "joint_set[1].spacing", "found \"2 m\", must be a number (m)"},
+      {"joint_set.1.spacing=2 kg", "joint_set[1].spacing",
+       "found \"2 kg\", must be a number (m), or text with a unit: m, mm"},
       {"gravity.3=nan", "gravity[3]", "must be a finite number"},
       {"gravity=[0, 0", "gravity", "must be 3 numbers"},
       {"cover.spcing=3", "cover.spcing", "did you mean \"spacing\"?"},
@@ -100,7 +101,7 @@ TEST(Override, ThatIsMalformedIsAUsageError) {
       {"joint_set.0.spacing=3", "joint_set has 5 entries, no number 0"},
       {"joint_set.J2.spacing=3", "no entry named \"J2\", did you mean \"J1\"?"},
       {"cover.spacing.x=3", "cover.spacing is 1.5, it has no \"x\""},
-      {"contact.1.name=3", "the model has no contact to change an entry of"},
+      {"drift.1.name=3", "the model has no drift to change an entry of"},
       {"title=\xFF", "no UTF-8"},
   };
   for (const auto& [text, part] : cases) {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "src/needs.hpp"
+#include "src/check/needs.hpp"
 #include "tests/model/model_errors.hpp"
 
 namespace rockfold {

@@ -1,5 +1,5 @@
 // A right model: every key reaches the field that it means, and what is left out has its default.
-#include "src/model/read_model.hpp"
+#include "src/model/read/read_model.hpp"
 
 #include <cmath>
 
@@ -38,6 +38,70 @@ TEST_F(CompleteModel, HasItsMaterials) {
   EXPECT_EQ(model.joint_materials[1].shear_stiffness, 5e9);
 }
 
+TEST_F(CompleteModel, HasItsContact) {
+  const JointMaterial &clean = model.joint_materials[0], &filled = model.joint_materials[1];
+  EXPECT_EQ(clean.dilation_angle, 0);
+  EXPECT_EQ(clean.dilation_limit, std::numeric_limits<Real>::infinity());
+  EXPECT_FALSE(clean.residual_friction_angle);
+  EXPECT_EQ(clean.residual_cohesion, 0);
+  EXPECT_EQ(filled.dilation_angle, 4.5);
+  EXPECT_EQ(filled.dilation_limit, 0.05);
+  EXPECT_EQ(filled.residual_friction_angle, 15);
+  EXPECT_EQ(filled.residual_cohesion, 2.5e3);
+  EXPECT_EQ(filled.place.key, "joint_material[2]");
+  EXPECT_EQ(model.contact.material, 1);
+  EXPECT_EQ(model.contact.max_iterations, 25);
+  EXPECT_EQ(model.contact.restitution, 0.3);
+  EXPECT_EQ(model.contact.max_penetration, 1e-4);
+  EXPECT_EQ(model.contact.place.key, "contact");
+}
+
+TEST(Contact, HasDefaults) {
+  for (const char* section : {"", "[contact]\n"}) {
+    const std::string text = std::string(ROCK) + section;
+    EXPECT_EQ(parse_model(text, "m.toml").contact.material, none);
+    const Model model = parse_model(text + "[[joint_material]]\nfriction_angle = 30\n", "m.toml");
+    EXPECT_EQ(model.contact.material, 0);
+    EXPECT_EQ(model.contact.max_iterations, 40);
+    EXPECT_EQ(model.contact.restitution, 0);
+    EXPECT_EQ(model.contact.max_penetration, 0);
+    EXPECT_EQ(model.contact.place.file.empty(), *section == 0);
+  }
+}
+
+TEST(Contact, TakesNumbersWithUnits) {
+  const Model model = parse_model(
+      ROCK
+      "[contact]\nmax_penetration = '0.5 mm'\n"
+      "[[joint_material]]\nfriction_angle = '40 gon'\ncohesion = '20 kPa'\n"
+      "normal_stiffness = '10 GPa/m'\ndilation_angle = '0.1 rad'\ndilation_limit = '2 cm'\n"
+      "residual_friction_angle = '30 gon'\nresidual_cohesion = '5 kPa'\n",
+      "m.toml");
+  EXPECT_DOUBLE_EQ(model.contact.max_penetration, 5e-4);
+  const JointMaterial& joint = model.joint_materials[0];
+  EXPECT_DOUBLE_EQ(*joint.normal_stiffness, 1e10);
+  EXPECT_DOUBLE_EQ(joint.dilation_angle, 0.1 * 180 / std::numbers::pi);
+  EXPECT_DOUBLE_EQ(joint.dilation_limit, 0.02);
+  EXPECT_DOUBLE_EQ(*joint.residual_friction_angle, 27);
+  EXPECT_DOUBLE_EQ(joint.residual_cohesion, 5e3);
+}
+
+TEST(Monitor, WatchesAJointOfAnyKind) {
+  const std::string joints = ROCK
+      "interface = 'clean'\n[[joint_material]]\nname = 'clean'\nfriction_angle = 30\n"
+      "[[joint]]\nname = 'bed'\nnormal = [0, 0, 1]\npoint = [1, 1, 1]\n"
+      "[[joint_set]]\nname = 'J1'\ndip = 60\ndip_direction = 0\nspacing = 1\n";
+  for (const char* name : {"bed", "J1", "rock.interface"}) {
+    const Model model = parse_model(joints + "[[monitor]]\npoint = [1, 1, 1]\njoint = '" + name +
+                                        "'\n[[monitor]]\npoint = [2, 2, 2]\n",
+                                    "m.toml");
+    ASSERT_EQ(model.monitors.size(), 2u);
+    EXPECT_EQ(model.monitors[0].joint, name);
+    EXPECT_EQ(model.monitors[0].point, (Vec3{1, 1, 1}));
+    EXPECT_EQ(model.monitors[1].joint, "");
+  }
+}
+
 TEST_F(CompleteModel, HasItsBox) {
   ASSERT_EQ(model.solids.size(), 11u);
   const auto& rock = model.solids[0];
@@ -45,7 +109,7 @@ TEST_F(CompleteModel, HasItsBox) {
   EXPECT_EQ(rock.material, 0);
   EXPECT_EQ(std::get<BoxShape>(rock.shape).max, (Vec3{10, 20, 30.5}));
   EXPECT_EQ(rock.continues, (std::vector<bool>{true, false, false, false, true, false}));
-  EXPECT_EQ(rock.place.line, 32);
+  EXPECT_EQ(rock.place.line, 36);
 }
 
 TEST_F(CompleteModel, HasItsHalfspaces) {
@@ -164,10 +228,10 @@ TEST_F(CompleteModel, HasItsStrengths) {
 
 TEST_F(CompleteModel, HasItsAnalysis) {
   ASSERT_TRUE(model.analysis);
-  EXPECT_EQ(model.analysis->type, AnalysisType::dynamic);
-  EXPECT_EQ(model.analysis->time_step, 0.02);
-  EXPECT_EQ(model.analysis->steps, 25);
-  EXPECT_EQ(model.analysis->dynamic_ratio, 0.9);
+  EXPECT_EQ(model.analysis->stages[0].type, AnalysisType::dynamic);
+  EXPECT_EQ(model.analysis->stages[0].time_step, 0.02);
+  EXPECT_EQ(model.analysis->stages[0].steps, 25);
+  EXPECT_EQ(model.analysis->stages[0].dynamic_ratio, 0.9);
   EXPECT_EQ(model.analysis->max_displacement_ratio, 0.01);
   EXPECT_EQ(model.analysis->newmark_beta, 0.3025);
   EXPECT_EQ(model.analysis->newmark_gamma, 0.6);
@@ -223,12 +287,12 @@ TEST(Analysis, CountsItsSteps) {
   };
   for (const auto& [analysis, steps, ratio] : cases) {
     const auto model = parse_model(std::string(ROCK "[analysis]\n") + analysis, "m.toml");
-    EXPECT_EQ(model.analysis->steps, steps) << analysis;
-    EXPECT_EQ(model.analysis->dynamic_ratio, ratio) << analysis;
+    EXPECT_EQ(model.analysis->stages[0].steps, steps) << analysis;
+    EXPECT_EQ(model.analysis->stages[0].dynamic_ratio, ratio) << analysis;
   }
   const auto shorter =
       parse_model(std::string(ROCK "[analysis]\ntime_step = 0.1\nend_time = 0.25"), "m.toml");
-  EXPECT_NEAR(shorter.analysis->last_time_step.value(), 0.05, 1e-15);
+  EXPECT_NEAR(shorter.analysis->stages[0].last_time_step.value(), 0.05, 1e-15);
 }
 
 TEST(FaceNames, FollowTheShapes) {
@@ -269,7 +333,7 @@ TEST(ModelText, MayHaveAMarkAndAnyLineEnds) {
   for (std::size_t i = 0; (i = text.find('\n', i)) != std::string::npos; i += 2)
     text.insert(i, "\r");
   const auto model = parse_model("\xEF\xBB\xBF" + text, "m.toml");
-  EXPECT_EQ(model.solids[0].place.line, 32);
+  EXPECT_EQ(model.solids[0].place.line, 36);
   EXPECT_EQ(model.materials.size(), 2u);
 }
 

@@ -15,6 +15,11 @@ namespace {
 #define SOLID "[[solid]]\n"
 #define PRISM SOLID "shape = 'prism'\nextrude = [0, 0, 1]\n"
 #define PLANES "[[solid]]\nshape = 'halfspaces'\n"
+// Lines 6 to 9 of CLEAN and 10 to 13 of BED.
+#define CLEAN ROCK "[[joint_material]]\nname = 'clean'\nfriction_angle = 35\ncohesion = 1e4\n"
+#define BED CLEAN "[[joint]]\nname = 'bed'\nnormal = [0, 0, 1]\npoint = [1, 1, 1]\n"
+#define CONTACT CLEAN "[contact]\n"
+#define MONITOR BED "[[monitor]]\npoint = [1, 1, 1]\n"
 #define MATERIAL ROCK "[[material]]\nname = 'a'\n"
 #define RUN ROCK "[analysis]\n"
 #define FIXED ROCK "[[fixed]]\n"
@@ -79,6 +84,63 @@ TEST(WrongModel, OfMaterials) {
       {ROCK "[[joint_material]]\nfriction = 3", 7, 1, "joint_material[1].friction", "did you mean \"friction_angle\"?"},
       {ROCK "[[joint_material]]\nfriction_angle = 3\ncohesion = -1", 8, 12, "joint_material[1].cohesion", "found -1, must be >= 0 (Pa)"},
       {ROCK "[[joint_material]]\nfriction_angle = 3\nnormal_stiffness = 0", 8, 20, "joint_material[1].normal_stiffness", "must be > 0 (Pa/m)"},
+  };
+  for (const auto& wrong : cases) expect_error(wrong);
+}
+
+TEST(WrongModel, OfJointMaterials) {
+  const Wrong cases[] = {
+      {ROCK "[[joint_material]]\nfriction_angle = -1", 7, 18, "joint_material[1].friction_angle", "found -1, must be >= 0 and < 90 (deg)"},
+      {CLEAN "normal_stiffness = -1e9", 10, 20, "joint_material[1].normal_stiffness", "found -1e9, must be > 0 (Pa/m) (in \"clean\")"},
+      {CLEAN "shear_stiffness = 0", 10, 19, "joint_material[1].shear_stiffness", "found 0, must be > 0 (Pa/m)"},
+      {CLEAN "shear_stiffness = '5 GPa'", 10, 19, "joint_material[1].shear_stiffness", "GPa/m"},
+      {CLEAN "tensile_strength = -1", 10, 20, "joint_material[1].tensile_strength", "found -1, must be >= 0 (Pa)"},
+      {CLEAN "dilation_angle = 36", 10, 18, "joint_material[1].dilation_angle", "found 36.0, must be at most friction_angle = 35.0 (deg)"},
+      {CLEAN "dilation_angle = -1", 10, 18, "joint_material[1].dilation_angle", "found -1, must be >= 0 and < 90 (deg)"},
+      {CLEAN "dilation_angle = 5\ndilation_limit = 0", 11, 18, "joint_material[1].dilation_limit", "found 0, must be > 0 (m)"},
+      {CLEAN "dilation_limit = 0.1", 10, 18, "joint_material[1].dilation_limit", "there is no dilation_angle"},
+      {CLEAN "residual_friction_angle = 35.5", 10, 27, "joint_material[1].residual_friction_angle", "found 35.5, must be at most friction_angle = 35.0 (deg)"},
+      {CLEAN "residual_friction_angle = 90", 10, 27, "joint_material[1].residual_friction_angle", "found 90, must be >= 0 and < 90 (deg)"},
+      {CLEAN "residual_cohesion = 2e4", 10, 21, "joint_material[1].residual_cohesion", "must be at most cohesion = 10000.0 (Pa)"},
+      {CLEAN "residual_cohesion = -1", 10, 21, "joint_material[1].residual_cohesion", "found -1, must be >= 0 (Pa)"},
+      {ROCK "[[joint_material]]\nfriction_angle = 3\nresidual_cohesion = 1", 8, 21, "joint_material[1].residual_cohesion", "must be at most cohesion = 0.0 (Pa)"},
+      {CLEAN "residual_friction_angel = 30", 10, 1, "joint_material[1].residual_friction_angel", "did you mean \"residual_friction_angle\"?"},
+      {CLEAN "dilatation_angle = 3", 10, 1, "joint_material[1].dilatation_angle", "did you mean \"dilation_angle\"?"},
+      // What is wrong in the peak values is told once.
+      {ROCK "[[joint_material]]\nfriction_angle = 95\ndilation_angle = 5\nresidual_friction_angle = 30", 7, 18, "joint_material[1].friction_angle", "found 95"},
+      {ROCK "[[joint_material]]\nfriction_angle = 35\ncohesion = -1\nresidual_cohesion = 5", 8, 12, "joint_material[1].cohesion", "found -1"},
+  };
+  for (const auto& wrong : cases) expect_error(wrong);
+}
+
+TEST(WrongModel, OfContact) {
+  const Wrong cases[] = {
+      {CONTACT "material = 'claen'", 11, 12, "contact.material", "unknown joint material \"claen\", did you mean \"clean\"?"},
+      {CONTACT "material = 'clay'", 11, 12, "contact.material", "unknown joint material \"clay\""},
+      {ROCK "[contact]\nmaterial = 'clay'", 7, 12, "contact.material", "the model has no [[joint_material]]"},
+      {CONTACT "restitution = 1.1", 11, 15, "contact.restitution", "found 1.1, must be 0 to 1 (0 plastic, 1 elastic impact)"},
+      {CONTACT "restitution = -0.1", 11, 15, "contact.restitution", "found -0.1, must be 0 to 1"},
+      {CONTACT "restitution = '1'", 11, 15, "contact.restitution", "found \"1\", must be a number"},
+      {CONTACT "max_iterations = 0", 11, 18, "contact.max_iterations", "found 0, must be an integer >= 1"},
+      {CONTACT "max_iterations = 2.5", 11, 18, "contact.max_iterations", "found 2.5, must be an integer >= 1"},
+      {CONTACT "max_penetration = -1e-5", 11, 19, "contact.max_penetration", "must be >= 0 (m)"},
+      {CONTACT "max_penetration = nan", 11, 19, "contact.max_penetration", "found nan, must be a finite number"},
+      {CONTACT "penetration = 1", 11, 1, "contact.penetration", "did you mean \"max_penetration\"?"},
+      {CONTACT "penalty = 1", 11, 1, "contact.penalty", "the keys here are: material, max_iterations, restitution, max_penetration"},
+      {CLEAN "[[contact]]\nrestitution = 0", 10, 1, "contact", "write [contact], not [[contact]]"},
+  };
+  for (const auto& wrong : cases) expect_error(wrong);
+}
+
+TEST(WrongModel, OfMonitorsOfJoints) {
+  const Wrong cases[] = {
+      {MONITOR "joint = 'bde'", 16, 9, "monitor[1].joint", "unknown joint \"bde\", did you mean \"bed\"?"},
+      {MONITOR "joint = 'fault'", 16, 9, "monitor[1].joint", "unknown joint \"fault\""},
+      {MONITOR "joint = 'rock.interface'", 16, 9, "monitor[1].joint", "unknown joint \"rock.interface\""},
+      {MONITOR "joint = 1", 16, 9, "monitor[1].joint", "found 1, must be a text in quotes"},
+      {ROCK "[[monitor]]\npoint = [1, 1, 1]\njoint = 'bed'", 8, 9, "monitor[1].joint", "unknown joint \"bed\"; the model has no joints"},
+      {BED "[[monitor]]\njoint = 'bed'", 14, 1, "monitor[1].point", "is missing"},
+      {CLEAN "[[jiont]]\nname = 'bed'\n[[monitor]]\npoint = [1, 1, 1]\njoint = 'bed'", 10, 3, "jiont", "did you mean \"joint\"?"},
   };
   for (const auto& wrong : cases) expect_error(wrong);
 }
@@ -231,7 +293,7 @@ TEST(WrongModel, OfConditions) {
 TEST(WrongModel, OfLoads) {
   const Wrong cases[] = {
       {TRACTION "value = [0, 0, 1]\npressure = 1", 9, 12, "traction[1].pressure", "either value or pressure, not both"},
-      {TRACTION, 6, 1, "traction[1].value", "is missing, must have one of value, pressure, value_table or pressure_table (Pa)"},
+      {TRACTION, 6, 1, "traction[1].value", "is missing, must have one of value, pressure, value_table, pressure_table or head (Pa; head in m)"},
       {TRACTION "presure = 1", 8, 1, "traction[1].presure", "did you mean \"pressure\"?"},
       {TRACTION "pressure = nan", 8, 12, "traction[1].pressure", "found nan, must be a finite number (Pa)"},
       {TRACTION "pressure_table = [[0, 1, 2]]", 8, 19, "traction[1].pressure_table[1]", "must be a row [t, value] (s, Pa)"},
@@ -282,6 +344,9 @@ TEST(WrongModel, OfAnalyses) {
       {RUN "dynamic_ratio = 1.5", 7, 17, "analysis.dynamic_ratio", "found 1.5, must be 0 to 1"},
       {RUN "type = 'static'\nsteps = 5", 8, 9, "analysis.steps", "found 5, must be 1: a static analysis takes its loads in one step"},
       {RUN "type = 'quasi_static'\ndynamic_ratio = 0.5", 8, 17, "analysis.dynamic_ratio", "a quasi_static analysis has 0"},
+      {RUN "[[step]]\ntype = 'quasistatic'", 8, 8, "step[1].type", "did you mean \"quasi_static\"?"},
+      {RUN "[[step]]\n[[step]]\ntype = 'static'\nsteps = 2", 10, 9, "step[2].steps", "must be 1: a static analysis takes its loads in one step"},
+      {RUN "[[step]]\nkinematics = 'large'", 8, 1, "step[1].kinematics", "unknown key"},
       {RUN "max_displacement_ratio = 0", 7, 26, "analysis.max_displacement_ratio", "must be > 0 and <= 1"},
       {RUN "newmark = 0.25", 7, 11, "analysis.newmark", "must be a table"},
       {RUN "newmark = {alpha = 1}", 7, 12, "analysis.newmark.alpha", "the keys here are: beta, gamma"},
@@ -336,7 +401,7 @@ name = "b"
       "1 gravity[3]",         "6 solid[1].max", "6 solid[1].max",       "7 solid[1].material",
       "9 joint_set[1].dip",   "10 joint_set[1].dip_direction",          "11 joint_set[1].spcing",
       "13 cover.lattice",     "14 cover.spacing",                       "17 fixed[1].components[1]",
-      "19 analysis.kinematics", "20 analysis.newmark.beta",             "21 contact"};
+      "19 analysis.kinematics", "20 analysis.newmark.beta",             "22 contact.name"};
   EXPECT_EQ(found, expected) << listed(errors);
 }
 

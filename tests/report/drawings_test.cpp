@@ -53,7 +53,7 @@ std::vector<std::string> removable_codes(const std::vector<PyramidRegion>& regio
   return codes;
 }
 
-// REFERENCES E2: 60/030 60/150 60/270.
+// Case E2: 60/030 60/150 60/270.
 TEST(JointPyramids, OfThreeJointsAreRemovableWherePublished) {
   const std::vector<Vec3> joints{upward(60, 30), upward(60, 150), upward(60, 270)};
   const auto from = [&](const Vec3& into_opening) {
@@ -70,7 +70,7 @@ TEST(JointPyramids, OfThreeJointsAreRemovableWherePublished) {
   EXPECT_EQ(std::count(tunnel.begin(), tunnel.end(), "100"), 0);
 }
 
-// REFERENCES E1: n² − n + 2 are not empty, (n − 1)(n − 2)/2 removable under one plane, n² − n in a tunnel.
+// Case E1: n² − n + 2 are not empty, (n − 1)(n − 2)/2 removable under one plane, n² − n in a tunnel.
 TEST(JointPyramids, OfAnyJointsAreAsManyAsCounted) {
   std::mt19937 random(3);
   std::normal_distribution<Real> any;

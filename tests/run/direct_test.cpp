@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "host/direct/multifrontal.hpp"
 #include "src/base/vector.hpp"
 #include "tests/run/run_model.hpp"
+#include "tests/time/rock.hpp"
 
 namespace rockfold {
 namespace {
@@ -48,6 +50,36 @@ TEST(Factors, MayBeAskedForByName) {
   EXPECT_EQ(direct.result.preconditioner, Preconditioner::direct);
   EXPECT_LE(direct.result.iterations.pcg, plain.result.iterations.pcg);
   EXPECT_LE(norm(top_of(direct) - top_of(plain)), 1e-6 * norm(top_of(plain)));
+}
+
+/// Dashpots stiff beside the rock in a step: what the preconditioner does not know of them, iterations pay for.
+TEST(Dashpots, AreInTheFactorsAndOnTheLevels) {
+  for (const Preconditioner by : {Preconditioner::direct, Preconditioner::multigrid}) {
+    Rock rock = whole_box({12, 8, 8}, 0.5);
+    rock.hold([](const Vec3& x) { return x[0] < 1e-9; }, 1e9, false);
+    MotionSetup setup = rock.setup();
+    setup.gravity = {0, 0, -9.81};
+    setup.preconditioner = by;
+    setup.direct = [] { return host::make_direct_solver(); };
+    std::vector<Vec3> places;
+    for (Real y = 0.25; y < 4; y += 0.5)
+      for (Real z = 0.25; z < 4; z += 0.5) places.push_back({6, y, z});
+    const Vec3 normal = normalized(Vec3{3, 1, 2});
+    Index iterations[2];
+    for (const bool damped : {false, true}) {
+      if (damped)
+        setup.quiet = {reference::locate(rock.covered, places),
+                       std::vector<Vec3>(places.size(), normal),
+                       std::vector<Real>(places.size(), by == Preconditioner::direct ? 1e11 : 1e7),
+                       std::vector<Real>(places.size(), by == Preconditioner::direct ? 3e10 : 3e6)};
+      Motion motion(setup);
+      ASSERT_TRUE(motion.start(0.1).converged);
+      const SolveReport report = motion.step(0.1);
+      ASSERT_TRUE(report.converged);
+      iterations[damped] = report.iterations;
+    }
+    EXPECT_LE(iterations[1], by == Preconditioner::direct ? iterations[0] + 1 : 2 * iterations[0]);
+  }
 }
 
 }  // namespace

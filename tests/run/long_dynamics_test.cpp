@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(All, LongSteps,
                                               std::get<1>(of.param));
                          });
 
-/// See kernels/time/idle_motion.cpp.
+/// See kernels/time/null_space_motion.cpp.
 TEST(LongMotions, LeaveFunctionsThatMoveNoRockAtRest) {
   for (const char* method : {"augmented_lagrangian", "penalty"}) {
     const ModelAnswer answer =

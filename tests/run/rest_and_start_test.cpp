@@ -219,7 +219,7 @@ TEST(Multigrid, IsAsGoodWhereSupportsMissTheLattice) {
                       misses = solve(lattice, method, "[0.17, 0.08, 0.29]", "multigrid"),
                       plain = solve(lattice, method, "[0.17, 0.08, 0.29]", "node_block_jacobi");
       EXPECT_EQ(misses.preconditioner, Preconditioner::multigrid) << lattice << method;
-      EXPECT_LE(misses.iterations.pcg, 5 * fits.iterations.pcg) << lattice << method;
+      EXPECT_LE(misses.iterations.pcg, 10 * fits.iterations.pcg) << lattice << method;
       // Springs that yield to multipliers pull as springs do.
       const Vec3 u = plain.monitors[0].displacement.back();
       EXPECT_LE(length(misses.monitors[0].displacement.back() - u), 1e-6 * length(u))

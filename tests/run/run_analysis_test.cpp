@@ -33,9 +33,9 @@ struct Case {
     model.gravity = {0, 0, -10};
     model.materials = {{"rock", 2000, 1e8, 0.25, {}}};
     model.analysis = Analysis{};
-    model.analysis->type = type;
-    model.analysis->time_step = 0.05;
-    model.analysis->steps = type == AnalysisType::static_ ? 1 : 7;
+    model.analysis->stages[0].type = type;
+    model.analysis->stages[0].time_step = 0.05;
+    model.analysis->stages[0].steps = type == AnalysisType::static_ ? 1 : 7;
     model.output.every = 3;
     model.monitors = {{"crest", {1.9, 1.1, 1.2}}};
     std::vector<Vec3> corners;
@@ -198,7 +198,7 @@ TEST(RunAnalysis, InterruptedInItsOnlySolveKeepsTheStart) {
 TEST(RunAnalysis, StaticEqualsTheEndOfQuasiStatic) {
   Case statics(AnalysisType::static_, true), slow(AnalysisType::quasi_static, true);
   statics.model.solver.tolerance = slow.model.solver.tolerance = 1e-12;
-  slow.model.analysis->time_step = 10;
+  slow.model.analysis->stages[0].time_step = 10;
   slow.model.analysis->kinematics = Kinematics::small;
   const RunResult a = statics.run(), b = slow.run();
   EXPECT_EQ(statics.stored, (std::vector<Index>{0, 1}));
@@ -238,7 +238,7 @@ TEST(RunAnalysis, RefusesAStaticSystemThatNothingHolds) {
 
 TEST(RunAnalysis, ASolveThatDoesNotConvergeSaysWhereAndKeepsTheLastGoodState) {
   Case c(AnalysisType::dynamic, true);
-  c.model.analysis->time_step =
+  c.model.analysis->stages[0].time_step =
       1e-4;  // the first acceleration converges in a few iterations more than a step
   c.model.solver.max_iterations = 3;
   const std::string message = message_of(c);

@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "host/contact/lattice_surfaces.hpp"
 #include "host/cover/cover.hpp"
 #include "host/cover/loads.hpp"
 #include "host/cut/cut.hpp"
 #include "host/flatten/flatten.hpp"
-#include "src/model/read_model.hpp"
+#include "src/model/read/read_model.hpp"
+#include "src/run/contact_setup.hpp"
 #include "src/run/run_analysis.hpp"
 
 namespace rockfold {
@@ -34,16 +36,24 @@ inline void run_model(const std::string& text, ModelAnswer& answer,
   const QuietPoints quiet = quiet_points(cutting, covering, model);
   const auto velocities = rigid_velocities(covering, blocks.block_count(), model);
   std::vector<Vec3> points;
-  for (const auto& monitor : model.monitors) points.push_back(monitor.point);
+  for (const auto& monitor : model.monitors)
+    if (monitor.is_of_rock()) points.push_back(monitor.point);
   const MaterialPoints monitors = locate_points(covering, points, Slivers::passed_over),
                        vertices = locate_block_vertices(covering, blocks);
   const auto store = [&](const StoredState& state) {
     answer.stored.push_back(state.step);
     answer.last = state;
   };
-  answer.result = run_analysis(
-      {model, covering.arrays, blocks, fixed, monitors, loads, quiet, velocities, vertices}, store,
-      silent);
+  RunInput input{model, covering.arrays, blocks,     fixed,   monitors,
+                 loads, quiet,           velocities, vertices};
+  ContactSurfaces contact;
+  if (has_contact(model) && blocks.block_count() > 1) {
+    contact.surfaces = contact_surfaces(cutting, blocks, covering.arrays);
+    contact.points =
+        locate_vertices(covering, contact.surfaces.vertex, contact.surfaces.vertex_block);
+    input.contact = &contact;
+  }
+  answer.result = run_analysis(input, store, silent);
 }
 
 inline ModelAnswer run_model(const std::string& text) {

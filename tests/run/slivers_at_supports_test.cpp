@@ -35,6 +35,8 @@ max = [{:.17g}, {:.17g}, {:.17g}]
 [[traction]]
 where = {{face = "r.zmax"}}
 value = [0, 0, -1e6]
+[solver]
+tolerance = 1e-9
 [analysis]
 type = "static"
 [cover]

@@ -66,7 +66,7 @@ inline SmallSystem held_cube(Index n, const std::function<bool(Index, Index, Ind
     s.fixed.component.push_back({1, 1, 1});
     s.fixed.value.push_back({});
     s.fixed.stiffness.push_back(1e7 * h);
-    s.fixed.augmented.push_back(0);
+    s.fixed.enforce.push_back(Enforce::penalty);
   }
   return s;
 }

@@ -61,7 +61,7 @@ TEST(MergePoints, AddsUpPointsThatSayTheSame) {
   given.component = {{1, 0, 1}, {1, 0, 1}, {1, 0, 1}};
   given.value = {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}};
   given.stiffness = {100, 300, 50};
-  given.augmented = {1, 1, 1};
+  given.enforce = {Enforce::augmented, Enforce::augmented, Enforce::augmented};
   MergedPoints merged = merge_points(given);
   ASSERT_EQ(merged.fixed.points.size(), 2u);
   EXPECT_EQ(merged.fixed.stiffness, (std::vector<Real>{400, 50}));

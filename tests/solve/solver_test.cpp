@@ -34,7 +34,7 @@ SmallSystem held_system(bool augmented) {
   append(s.fixed.component, below.component);
   append(s.fixed.value, below.value);
   append(s.fixed.stiffness, below.stiffness);
-  append(s.fixed.augmented, below.augmented);
+  append(s.fixed.enforce, below.enforce);
   return s;
 }
 

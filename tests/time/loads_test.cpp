@@ -165,9 +165,15 @@ TEST(SupportsOverTime, StayAtRestForThousandsOfSteps) {
     ASSERT_TRUE(motion.start(2e-3).converged);
     const TrackedPoints points = rock.track({{0, 0.3, 0.4}, {2, 0.3, 0.3}});
     const int steps = turned ? 400 : 3000;
-    for (int step = 1; step <= steps; ++step) ASSERT_TRUE(motion.step(2e-3).converged);
+    Real gap = 0, moved = 0;
+    for (int step = 1; step <= steps; ++step) {
+      ASSERT_TRUE(motion.step(2e-3).converged);
+      const PointMotion at = motion.at(points);
+      gap = std::max(gap, norm(at.displacement[0]));
+      moved = std::max(moved, norm(at.displacement[1]));
+    }
     const PointMotion at = motion.at(points);
-    EXPECT_LT(norm(at.displacement[0]), turned ? 1e-6 : 1e-11);
+    EXPECT_LT(gap, turned ? 1e-3 * moved : 1e-11);
     EXPECT_LT(norm(at.velocity[0]), turned ? 1e-3 : 1e-8);
     EXPECT_LT(norm(at.acceleration[0]), turned ? 1 : 1e-5);
     EXPECT_GT(norm(at.displacement[1]), 1e-4);

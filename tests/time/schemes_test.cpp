@@ -85,7 +85,7 @@ TEST(Newmark, IsStableUpToTheCriticalStepOfTheLargestFrequency) {
   }
 }
 
-/// REFERENCES C3: β = 1/2, γ = 1, the scheme of DDA.
+/// Case C3: β = 1/2, γ = 1, the scheme of DDA.
 TEST(Newmark, OfDdaDampsAsItsSpectralRadiusSays) {
   const Oscillator oscillator;
   MotionSetup setup = oscillator.rock.setup();
@@ -105,7 +105,7 @@ TEST(Newmark, OfDdaDampsAsItsSpectralRadiusSays) {
   EXPECT_GT(found.p * found.p, 4 * found.q);
 }
 
-/// REFERENCES C4: with κ = 0 the error of DDA's scheme shrinks by 2 / (2 + Ω²) a step.
+/// Case C4: with κ = 0 the error of DDA's scheme shrinks by 2 / (2 + Ω²) a step.
 TEST(QuasiStatic, OfDdaApproachesTheAnswerFromOneSide) {
   const Oscillator oscillator;
   const TrackedPoints point = oscillator.rock.track({{0.3, 0.6, 0.2}});
@@ -126,7 +126,7 @@ TEST(QuasiStatic, OfDdaApproachesTheAnswerFromOneSide) {
   }
 }
 
-/// REFERENCES C4: a ratio κ is a damping α = −ln κ / Δt.
+/// Case C4: a ratio κ is a damping α = −ln κ / Δt.
 TEST(Dynamic, TheRatioDampsAsMassDampingDoes) {
   const Oscillator oscillator;
   const Real dt = 0.01, ratio = 0.999;
@@ -162,7 +162,7 @@ struct TunedBox {
   }
 };
 
-/// REFERENCES C9: 5 % at 1 and 10 Hz; the logarithmic decrement at 1 Hz is 0.314553.
+/// Case C9: 5 % at 1 and 10 Hz; the logarithmic decrement at 1 Hz is 0.314553.
 TEST(Rayleigh, DampsAModeAtItsRatio) {
   const TunedBox box;
   const Real alpha = 0.57119866, beta = 0.00144686;

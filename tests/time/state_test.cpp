@@ -88,8 +88,12 @@ TEST(State, RestoredInAnotherMotionGoesOnToTheSameBits) {
     const std::vector<std::byte> end = go_on(first, m);
     EXPECT_EQ(go_on(second, m), end);
     EXPECT_NE(end, saved);
-    // And by the motion that has gone on itself.
+    // And by the motion that has gone on itself, from bytes and from its own copy, as divided steps do.
     first.restore(saved);
+    first.save();
+    EXPECT_EQ(go_on(first, m), end);
+    first.restore();
+    EXPECT_EQ(first.bytes(), saved);
     EXPECT_EQ(go_on(first, m), end);
   }
   EXPECT_GE(moved, count - count / 20);

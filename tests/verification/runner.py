@@ -20,13 +20,20 @@ class Rockfold:
 
     def run(self, case, changes=None, edit=None):
         """The JSON document of `rockfold run` for an example. `changes`: {key path: value}; `edit`: changes the model's text."""
+        changes = {"solver.max_iterations": 50000, **(changes or {})}  # orders 1 and 2 on fine lattices take more than the default
+        return self.answer("run", case, changes, edit)
+
+    def support(self, case, changes=None, edit=None):
+        """Likewise of `rockfold support`."""
+        return self.answer("support", case, changes or {}, edit)
+
+    def answer(self, command, case, changes, edit):
         with tempfile.TemporaryDirectory(prefix="rockfold-") as folder:
             text = (CASES / case / "model.toml").read_text(encoding="utf-8")
             model = Path(folder) / f"{case}.toml"
             model.write_text(edit(text) if edit else text, encoding="utf-8")
-            changes = {"solver.max_iterations": 50000, **(changes or {})}  # orders 1 and 2 on fine lattices take more than the default
             sets = [word for key, value in changes.items() for word in ("--set", f"{key}={json.dumps(value)}")]
-            done = subprocess.run([self.program, "run", model, "--json", "-q", "--threads", str(self.threads), *sets],
+            done = subprocess.run([self.program, command, model, "--json", "-q", "--threads", str(self.threads), *sets],
                                   cwd=folder, capture_output=True, text=True, timeout=self.timeout, check=False,
                                   env=dict(os.environ, OMP_PROC_BIND="false"))
             if done.returncode:

@@ -1,5 +1,4 @@
 #include "src/io/block_mesh.hpp"
-#include "src/io/exports/surfaces.hpp"
 #include "src/io/exports/writers.hpp"
 
 namespace rockfold {
@@ -43,7 +42,7 @@ void write_polygons(const PolygonMesh& polygons, TextFile& file) {
 
 void write_vtp(const ExportData& data, TextFile& file) {
   const BlockArrays& blocks = data.blocks;
-  const PolygonMesh polygons = simple_polygons(blocks, data.polygons);
+  const PolygonMesh& polygons = data.triangles;  // viewers fill concave polygons wrongly
   const std::vector<Index> block = block_of_face(blocks);
   const Index n = polygons.size();
   const auto block_of = [&](Index p) { return block[polygons.polygon_face[p]]; };
@@ -68,6 +67,14 @@ void write_vtp(const ExportData& data, TextFile& file) {
               [&](Index p) { return blocks.face_origin[polygons.polygon_face[p]] + 1; });
   write_cells(file, "Float64", "volume", n, [&](Index p) { return blocks.volume[block_of(p)]; });
   write_cells(file, "Int32", "stage", n, [&](Index p) { return stage_of(blocks, block_of(p)); });
+  if (data.theory) {
+    const BlockFields& theory = *data.theory;
+    write_cells(file, "Int32", "class", n,
+                [&](Index p) { return int{theory.block_class[block_of(p)]}; });
+    write_cells(file, "Int32", "batch", n, [&](Index p) { return theory.batch[block_of(p)]; });
+    write_cells(file, "Float64", "factor_of_safety", n,
+                [&](Index p) { return theory.factor_of_safety[block_of(p)]; });
+  }
   file.print("</CellData>\n</Piece>\n</PolyData>\n</VTKFile>\n");
 }
 

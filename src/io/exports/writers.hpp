@@ -6,7 +6,8 @@
 
 namespace rockfold {
 
-/// VTK XML PolyData, ASCII, with cell data block, face, origin, volume, stage; the names of the origins stand in the field
+/// VTK XML PolyData, ASCII, triangles, with cell data block, face, origin, volume, stage, with block theory class, batch and
+/// factor_of_safety; the names of the origins stand in the field
 /// data `origin_name`.
 void write_vtp(const ExportData& data, TextFile& file);
 

@@ -297,7 +297,7 @@ void Layout::draw_axes(Svg& svg, const Chart& chart, const std::string& name) co
 }
 
 void Layout::draw_legend(Svg& svg) const {
-  svg.text({left, 30}, model_.title.empty() ? "Bolt layout" : model_.title,
+  svg.text({left, 30}, (model_.title.empty() ? "" : model_.title + ": ") + "bolts on " + name_,
            {.size = 16, .bold = true});
   Real x = left;
   const auto entry = [&](const Look& look) {

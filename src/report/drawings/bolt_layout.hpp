@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "src/app/support_design.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/model/model.hpp"
-#include "src/support_design.hpp"
 
 namespace rockfold {
 

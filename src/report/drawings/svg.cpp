@@ -1,5 +1,8 @@
 #include "src/report/drawings/svg.hpp"
 
+#include <algorithm>
+#include <string_view>
+
 #include <fmt/format.h>
 
 namespace rockfold {
@@ -52,6 +55,20 @@ std::string path(const std::vector<Point2>& points) {
 
 }  // namespace
 
+Real text_width(const std::string& words, Real size) {
+  Real ems = 0;
+  for (const char c : words) {
+    if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;  // the rest of a letter
+    if (std::string_view(" ijl.,:;'|!()[]/ftI-").find(c) != std::string_view::npos)
+      ems += 0.36;
+    else if (std::string_view("mwMW%@").find(c) != std::string_view::npos)
+      ems += 0.95;
+    else
+      ems += c >= 'A' && c <= 'Z' ? 0.73 : 0.6;
+  }
+  return ems * size;
+}
+
 Svg::Svg(Real width, Real height) : width_(width), height_(height) {}
 
 void Svg::line(const Point2& a, const Point2& b, const Pen& pen) {
@@ -85,6 +102,10 @@ void Svg::square(const Point2& centre, Real half, const Pen& pen) {
 }
 
 void Svg::text(const Point2& at, const std::string& words, const Font& font) {
+  const Real long_way = text_width(words, font.size) * (font.bold ? 1.08 : 1);
+  const Real before = font.anchor == "start" ? 0 : font.anchor == "end" ? 1 : 0.5;
+  left_ = std::min(left_, at[0] - before * long_way);
+  right_ = std::max(right_, at[0] + (1 - before) * long_way);
   std::string style = fmt::format(" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"",
                                   number(font.size), font.anchor, font.colour);
   if (font.bold) style += " font-weight=\"bold\"";
@@ -107,11 +128,14 @@ void Svg::clip_rectangle(const std::string& id, const Point2& low, const Point2&
 }
 
 std::string Svg::document(const std::string& title) const {
+  constexpr Real rim = 12;  // px beside texts that reach beyond the drawing
+  const Real left = left_ < 0 ? left_ - rim : 0;
+  const Real width = std::max(width_, right_ > width_ - rim ? right_ + rim : 0) - left;
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
-             "viewBox=\"0 0 {0} {1}\" font-family=\"Helvetica, Arial, sans-serif\">\n"
-             "<title>{2}</title>\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
-             number(width_), number(height_), escaped(title)) +
+             "viewBox=\"{3} 0 {0} {1}\" font-family=\"Helvetica, Arial, sans-serif\">\n"
+             "<title>{2}</title>\n<rect x=\"{3}\" width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
+             number(width), number(height_), escaped(title), number(left)) +
          body_ + "</svg>\n";
 }
 

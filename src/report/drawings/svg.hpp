@@ -45,13 +45,17 @@ class Svg {
   void clip_circle(const std::string& id, const Point2& centre, Real radius);
   void clip_rectangle(const std::string& id, const Point2& low, const Point2& high);
 
-  /// The whole document; `title` is what a viewer calls it.
+  /// The whole document, at least as wide as its texts; `title` is what a viewer calls it.
   std::string document(const std::string& title) const;
 
  private:
   Real width_, height_;
+  Real left_ = 0, right_ = 0;  ///< that texts reach
   std::string body_;
 };
+
+/// px that words take at most in a font without serifs, by rough widths of its letters.
+Real text_width(const std::string& words, Real size);
 
 /// Colours that are told apart by most eyes, in print too; over and over again.
 const char* series_colour(std::size_t number);

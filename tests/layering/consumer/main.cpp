@@ -3,7 +3,7 @@
 
 #include "host/cut/cut.hpp"
 #include "kernels/device/device.hpp"
-#include "src/model/read_model.hpp"
+#include "src/model/read/read_model.hpp"
 
 constexpr char cube[] = R"(
 title = "A cube in two"

@@ -1,0 +1,194 @@
+#include "host/contact/surfaces.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "host/cut/complex.hpp"
+#include "host/flatten/face_polygons.hpp"
+#include "host/flatten/near_vertices.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+
+namespace {
+
+/// A convex polygon of a cell's boundary, counter-clockwise seen from outside.
+struct CellPolygon {
+  Index cell = none;
+  Index origin = none;        ///< into the origins
+  std::vector<Vec3> corners;  ///< m, about the table's centre
+};
+
+std::vector<Vec3> corners_of(const Polygon& polygon, bool backwards) {
+  std::vector<Vec3> corners;
+  for (const Vertex& v : polygon.corner) corners.push_back(v.x);
+  if (backwards) std::reverse(corners.begin(), corners.end());
+  return corners;
+}
+
+/// What bounds the cells of blocks that are not convex, by cell.
+class CellPolygons {
+ public:
+  CellPolygons(const Complex& complex, const BlockArrays& blocks)
+      : complex_(complex), blocks_(blocks) {
+    for (const Fragment& f : complex.fragments) add(f);
+    for (const FreePart& f : complex.free_parts)
+      if (f.gap == none && wanted(f.cell))
+        polygons_.push_back(
+            {f.cell, f.origin, corners_of(complex.polygon_of(f), lies_above(f.cell, f.face))});
+    for (const Beam& b : complex.beams) add(b);
+    std::stable_sort(polygons_.begin(), polygons_.end(),
+                     [](const CellPolygon& a, const CellPolygon& b) { return a.cell < b.cell; });
+  }
+
+  /// Those of a cell.
+  std::span<const CellPolygon> of(Index cell) const {
+    const auto [begin, end] = std::equal_range(
+        polygons_.begin(), polygons_.end(), CellPolygon{cell, none, {}},
+        [](const CellPolygon& a, const CellPolygon& b) { return a.cell < b.cell; });
+    return {begin, end};
+  }
+
+ private:
+  bool wanted(Index cell) const {
+    return complex_.is_sliver[cell] == 0 && blocks_.convex[complex_.cell_block[cell]] == 0;
+  }
+  bool lies_above(Index cell, Index face) const {
+    return is_above(complex_.cells[cell].faces[face].inside);
+  }
+
+  void add(const Fragment& f) {
+    if (complex_.cell_block[f.cell[0]] == complex_.cell_block[f.cell[1]] ||
+        complex_.touches_sliver(f))
+      return;  // inside a block; or what beams stand for
+    for (int side = 0; side < 2; ++side)
+      if (wanted(f.cell[side]))
+        polygons_.push_back({f.cell[side], f.joint, corners_of(complex_.polygon_of(f), side == 1)});
+  }
+
+  void add(const Beam& b) {
+    if (b.narrow || !wanted(b.cell[0])) return;
+    const bool ends = b.cell[1] == none;
+    if (!ends && complex_.cell_block[b.cell[0]] == complex_.cell_block[b.cell[1]]) return;
+    polygons_.push_back({b.cell[0], ends ? b.origin : b.joint, b.polygon});
+  }
+
+  const Complex& complex_;
+  const BlockArrays& blocks_;
+  std::vector<CellPolygon> polygons_;
+};
+
+class Builder {
+ public:
+  Builder(const Complex& complex, const BlockArrays& blocks)
+      : complex_(complex),
+        blocks_(blocks),
+        polygons_(face_polygons(blocks)),
+        cell_polygons_(complex, blocks) {}
+
+  SurfaceArrays run() {
+    out_.tolerance = complex_.planes.width_tolerance();
+    out_.block_mass = blocks_.mass;
+    std::vector<Index> cell(complex_.cells.size());
+    std::iota(cell.begin(), cell.end(), 0);
+    std::stable_sort(cell.begin(), cell.end(), [&](Index a, Index b) {
+      return complex_.cell_block[a] < complex_.cell_block[b];
+    });
+    std::size_t next = 0;
+    Index polygon = 0;
+    for (Index b = 0; b < blocks_.block_count(); ++b) {
+      const Index last_polygon = polygons_before(blocks_.face_begin[b + 1], polygon);
+      const std::size_t first = next;
+      while (next < cell.size() && complex_.cell_block[cell[next]] == b) ++next;
+      if (blocks_.convex[b] != 0)
+        add_convex(b, polygon, last_polygon);
+      else
+        add_cells(b, std::span(cell).subspan(first, next - first));
+      polygon = last_polygon;
+    }
+    find_edges(out_);
+    return std::move(out_);
+  }
+
+ private:
+  /// The first polygon, from `from` on, of face `face` or a later one.
+  Index polygons_before(Index face, Index from) const {
+    while (from < polygons_.size() && polygons_.polygon_face[from] < face) ++from;
+    return from;
+  }
+
+  void add_convex(Index b, Index begin, Index end) {
+    const Index shift = out_.vertex_count() - blocks_.vertex_begin[b];
+    for (Index v = blocks_.vertex_begin[b]; v < blocks_.vertex_begin[b + 1]; ++v) {
+      out_.part_vertex.push_back(out_.vertex_count());
+      out_.vertex.push_back(blocks_.vertex[v]);
+      out_.vertex_block.push_back(b);
+    }
+    for (Index p = begin; p < end; ++p) {
+      for (const Index v : polygons_.polygon(p)) out_.corner_vertex.push_back(v + shift);
+      end_face(blocks_.face_origin[polygons_.polygon_face[p]]);
+    }
+    end_part(b);
+  }
+
+  void add_cells(Index b, std::span<const Index> cells) {
+    VertexMerger merger(out_.tolerance);
+    const Index first = out_.vertex_count();
+    for (const Index c : cells) {
+      if (complex_.is_sliver[c] != 0) continue;
+      std::vector<Index> corners;
+      for (const Vertex& v : complex_.cells[c].vertices) corners.push_back(first + merger.add(v.x));
+      std::sort(corners.begin(), corners.end());
+      corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+      out_.part_vertex.insert(out_.part_vertex.end(), corners.begin(), corners.end());
+      for (const CellPolygon& p : cell_polygons_.of(c)) add_polygon(p, first, merger);
+      end_part(b);
+    }
+    for (const Vec3& x : merger.vertices()) {
+      out_.vertex.push_back(x + complex_.planes.centre());
+      out_.vertex_block.push_back(b);
+    }
+  }
+
+  /// Without corners that became one with their neighbours; nothing, where fewer than three are left.
+  void add_polygon(const CellPolygon& p, Index first, VertexMerger& merger) {
+    std::vector<Index> corners;
+    for (const Vec3& x : p.corners) {
+      const Index v = first + merger.add(x);
+      if (corners.empty() || corners.back() != v) corners.push_back(v);
+    }
+    while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
+    if (corners.size() < 3) return;
+    out_.corner_vertex.insert(out_.corner_vertex.end(), corners.begin(), corners.end());
+    end_face(p.origin);
+  }
+
+  void end_face(Index origin) {
+    out_.corner_begin.push_back(static_cast<Index>(out_.corner_vertex.size()));
+    const bool joint = origin != none && blocks_.origins[origin].kind == FaceOrigin::Kind::joint;
+    out_.face_joint.push_back(joint ? origin : none);
+    out_.face_material.push_back(joint ? blocks_.origins[origin].joint_material : none);
+  }
+
+  void end_part(Index b) {
+    out_.part_block.push_back(b);
+    out_.part_vertex_begin.push_back(static_cast<Index>(out_.part_vertex.size()));
+    out_.part_face_begin.push_back(out_.face_count());
+  }
+
+  const Complex& complex_;
+  const BlockArrays& blocks_;
+  const PolygonMesh polygons_;
+  const CellPolygons cell_polygons_;
+  SurfaceArrays out_;
+};
+
+}  // namespace
+
+SurfaceArrays contact_surfaces(const Cutting& cutting, const BlockArrays& blocks) {
+  return Builder(*cutting.complex, blocks).run();
+}
+
+}  // namespace rockfold

@@ -1,0 +1,55 @@
+#include "host/cover/overlaid_splits.hpp"
+
+#include <array>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "host/cut/union_find.hpp"
+#include "src/arrays/shape_functions.hpp"
+#include "src/base/error.hpp"
+
+namespace rockfold {
+
+namespace {
+
+// The first split has the even form in every second lattice cell, the odd form in those between.
+bool is_of_second_split(const CoverArrays& covers, const ElementNodes& at) {
+  const auto [i, j, k] = covers.lattice.cell_ijk(at.cell);
+  return (at.part >= covers.first_split_parts()) != (((i + j + k) & 1) != 0);
+}
+
+}  // namespace
+
+// Within one split all elements of a body are connected. Those of both are, if they share a cover.
+void refuse_halved_blocks(const CoverSpec& cover, const CoverArrays& covers) {
+  if (covers.first_split_parts() == covers.parts_per_cell()) return;
+  UnionFind bodies(covers.cover_count());
+  for (Index e = 0; e < covers.element_count(); ++e) {
+    const ElementNodes nodes = element_nodes(covers, e);
+    for (int a = 1; a < covers.nodes_per_part(); ++a) bodies.join(nodes.cover[0], nodes.cover[a]);
+  }
+  std::vector<std::array<bool, 2>> has(covers.cover_count());  // elements of each split, by body
+  for (Index e = 0; e < covers.element_count(); ++e) {
+    const ElementNodes nodes = element_nodes(covers, e);
+    has[bodies.find(nodes.cover[0])][is_of_second_split(covers, nodes) ? 1 : 0] = true;
+  }
+  const Index whole = covers.parts_per_cell() * covers.regular_count();
+  for (Index e = whole; e < covers.element_count(); ++e) {
+    const ElementNodes nodes = element_nodes(covers, e);
+    const auto& [first, second] = has[bodies.find(nodes.cover[0])];
+    if (first && second) continue;
+    const Index block = covers.piece_block[covers.piece_begin[e - whole]];
+    const Vec3 at = covers.lattice.cell_centre(nodes.cell);
+    throw Error(
+        ErrorKind::model,
+        fmt::format(
+            "block {} lies in the middle of the lattice cell about ({:.6g}, {:.6g}, "
+            "{:.6g}), where the two forms of \"tet5\" have no node in common: each would "
+            "move half of the block; use mixed = false, another lattice or a smaller spacing",
+            block + 1, at[0], at[1], at[2]),
+        Place{cover.place.file, cover.place.line, cover.place.column, "cover.mixed"});
+  }
+}
+
+}  // namespace rockfold

@@ -1,0 +1,32 @@
+#include "host/keyblock/water.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+
+const Water* water_of(const std::vector<Water>& waters, const std::string& joint) {
+  const Water* for_all = nullptr;
+  for (const Water& water : waters) {
+    if (water.joints.empty()) for_all = &water;
+    if (std::find(water.joints.begin(), water.joints.end(), joint) != water.joints.end())
+      return &water;
+  }
+  return for_all;
+}
+
+LinearPressure linear_pressure(const Water& water, const Vec3& gravity) {
+  if (const auto* constant = std::get_if<WaterPressure>(&water.level))
+    return {.at_origin = constant->value, .gradient = {}};
+  const Real weight = water.density * norm(gravity);
+  const Vec3 up = -normalized(gravity);
+  if (const auto* head = std::get_if<WaterHead>(&water.level))
+    return {.at_origin = weight * head->elevation, .gradient = -weight * up};
+  const auto& table = std::get<WaterTable>(water.level);
+  const Real rise = weight / dot(table.normal, up);  // per m along the normal, below the table
+  return {.at_origin = rise * dot(table.point, table.normal), .gradient = -rise * table.normal};
+}
+
+}  // namespace rockfold

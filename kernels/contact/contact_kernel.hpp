@@ -1,0 +1,99 @@
+// Contacts on the device: what the time step calls. See contact.hpp for the order of calls.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "kernels/contact/broad_phase_kernel.hpp"
+#include "kernels/contact/contact.hpp"
+#include "kernels/contact/pair_points_kernel.hpp"
+#include "kernels/operator/point_terms_kernel.hpp"
+
+namespace rockfold::contact {
+
+/// −d(force)/d(displacement of the first side from the second), N/m.
+using solve::Tangents;
+
+/// Where the surface vertices are and how fast they move, at the end of a step.
+struct Motion {
+  Field x;  ///< [V] m
+  Field v;  ///< [V] m/s; unused where speed_by_gap = 0
+  Real speed_by_gap =
+      0;        ///< 1/s, d(velocity)/d(place) of the step: γ/(βΔt); 0: no speeds, no impact
+  Real dt = 0;  ///< s
+};
+
+struct DeviceContacts {
+  Surfaces surfaces;
+  ContactOptions options;
+  Array<JointLaw> laws;
+
+  Pose before;         ///< of the last accepted step
+  Field speed_before;  ///< [V] m/s then
+  Pose now;            ///< work space: of the pose that detection looks at
+  Field sorted_at;     ///< [V] where vertices were when boxes were sorted last
+  Pairs candidates;    ///< of then
+  PointSet accepted;   ///< at the last accepted step
+  PointSet current;    ///< as detected last
+  Index detections = 0;
+  bool started = false;
+  bool detected = false;  ///< since the last accepted step
+
+  BroadPhase broad;
+  Array<Plane> spare_plane;    ///< that the next detection writes
+  Array<Index> near;           ///< [pairs] 0 or 1, then places; work space
+  Array<Index> near_pair;      ///< the pairs near enough to have points
+  Array<Index> staged_count;   ///< of each of these
+  Array<ContactPoint> staged;  ///< [near][capacity]
+  Index capacity = 16;         ///< points of a pair; doubled where a pair has more
+  Array<Real> partial, total;  ///< of sums
+};
+
+DeviceContacts make_contacts(const SurfaceArrays& surfaces, const ContactOptions& options);
+
+/// Finds the points of a pose into `current`, from `accepted`; the first call is step 0. Those found before serve on while no vertex
+/// has gone further than `still` since.
+DetectReport detect(DeviceContacts& contacts, const Field& x);
+
+/// rad, the largest turn of a face from the last accepted step to the pose that detection looked at last.
+Real largest_turn(const DeviceContacts& contacts);
+
+/// Gives the points of joints, as accepted at step 0, the tractions of the initial stress with all vertices at x: as shear stretch, and as
+/// a dilation that closes.
+void stress_joints(const DeviceContacts& contacts, const Field& x);
+
+/// [points] The force of each point of `current` on its first side, N, and its tangent.
+ContactEnergy evaluate(DeviceContacts& contacts, const Motion& motion, const Field& force,
+                       const Tangents& tangent);
+
+/// Breaks the bonds that do not bear the tractions of this motion, for the step and all that detection finds in it. Returns how many.
+Index break_bonds(DeviceContacts& contacts, const Motion& motion);
+
+/// Makes the end of a step the start of the next: memories, planes, places and speeds. Returns the elastic energy of its points, J.
+Real accept(DeviceContacts& contacts, const Motion& motion);
+
+/// The next step starts with that share of the speeds that the last one ended with.
+void scale_speeds(const DeviceContacts& contacts, Real share);
+
+/// Pairs are found in new arrays each time, and need no copy.
+void copy(const PointSet& from, PointSet& to);
+
+/// What was accepted last, kept aside.
+struct Accepted {
+  bool started = false;
+  Field x, speed, sorted_at;
+  Pairs candidates;
+  PointSet points;
+};
+void keep(const DeviceContacts& contacts, Accepted& kept);
+void restore(DeviceContacts& contacts, const Accepted& kept);
+
+std::vector<std::byte> bytes(const DeviceContacts& contacts);
+void restore(DeviceContacts& contacts, std::span<const std::byte> bytes);
+
+/// Those detected last, or, if none have been since, those accepted.
+std::vector<ContactPoint> points(const DeviceContacts& contacts);
+ContactCount count_states(const DeviceContacts& contacts);
+
+}  // namespace rockfold::contact

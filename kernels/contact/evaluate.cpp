@@ -1,0 +1,161 @@
+#include <utility>
+
+#include "kernels/contact/contact_kernel.hpp"
+#include "kernels/contact/law_kernel.hpp"
+#include "kernels/device/sums_kernel.hpp"
+
+namespace rockfold::contact {
+
+namespace {
+
+/// A point's frame and how its sides have moved in it.
+struct LocalMotion {
+  Vector n, a, b;
+  PointMotionInStep motion;
+};
+
+KOKKOS_INLINE_FUNCTION LocalMotion local_motion(const ContactPoint& p, const Motion& m) {
+  LocalMotion l;
+  l.n = to_vector(p.normal);
+  l.a = to_vector(p.along);
+  l.b = cross(l.n, l.a);
+  const Vector d = between(p, m.x);
+  l.motion.gap = dot(l.n, d) + p.offset;
+  l.motion.gap_before = p.gap_before;
+  l.motion.shear[0] = dot(l.a, d) - p.shear_before[0];
+  l.motion.shear[1] = dot(l.b, d) - p.shear_before[1];
+  l.motion.speed_by_gap = m.speed_by_gap;
+  if (m.speed_by_gap > 0) {
+    l.motion.speed = dot(l.n, between(p, m.v));
+    l.motion.speed_before = p.speed_before;
+  }
+  return l;
+}
+
+KOKKOS_INLINE_FUNCTION PointTraction traction_at(const ContactPoint& p, const LocalMotion& l,
+                                                 const Array<JointLaw>& laws, Real restitution,
+                                                 Real dt) {
+  return traction(laws(p.law), impact_rule(restitution, p.period, dt), p.memory, l.motion);
+}
+
+KOKKOS_INLINE_FUNCTION Real component(const Vector& v, int d) {
+  return d == 0 ? v.x : d == 1 ? v.y : v.z;
+}
+
+/// area · E D Eᵀ, E = (n, a, b) as columns.
+KOKKOS_INLINE_FUNCTION void store_tangent(const PointTraction& t, const LocalMotion& l, Real area,
+                                          const Tangents& tangent, Index c) {
+  const Vector e[3] = {l.n, l.a, l.b};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      Real sum = 0;
+      for (int k = 0; k < 3; ++k)
+        for (int m = 0; m < 3; ++m)
+          sum += component(e[k], i) * t.tangent[3 * k + m] * component(e[m], j);
+      tangent(c, 3 * i + j) = area * sum;
+    }
+}
+
+/// J/m² that is stored in the state that a point remembers.
+KOKKOS_INLINE_FUNCTION Real elastic_energy(const ContactPoint& p, const JointLaw& law) {
+  const ContactMemory& m = p.memory;
+  if (m.state == Contact::open) return 0;
+  return 0.5 * law.normal_stiffness * m.pressed * m.pressed +
+         0.5 * law.shear_stiffness * (m.shear[0] * m.shear[0] + m.shear[1] * m.shear[1]);
+}
+
+/// Of four.
+void make_room_for_sums(DeviceContacts& c) {
+  device::grow(c.partial, "contact::partial",
+               4 * static_cast<std::size_t>(device::chunk_count(c.current.count)));
+}
+
+}  // namespace
+
+ContactEnergy evaluate(DeviceContacts& c, const Motion& m, const Field& force,
+                       const Tangents& tangent) {
+  make_room_for_sums(c);
+  const auto point = c.current.point;
+  const auto laws = c.laws;
+  const auto into = c.total;
+  const Field start = c.before.x;
+  const Real restitution = c.options.restitution;
+  // elastic, friction, work of the contact on the rock, elastic before
+  device::sum_then<4>(
+      "rockfold::contact::evaluate", c.current.count, c.partial,
+      KOKKOS_LAMBDA(const Index i, device::Sums<4>& sum) {
+        const ContactPoint& p = point(i);
+        const LocalMotion l = local_motion(p, m);
+        const PointTraction t = traction_at(p, l, laws, restitution, m.dt);
+        const Vector f = p.area * (t.traction[0] * l.n + t.traction[1] * l.a + t.traction[2] * l.b);
+        for (int d = 0; d < 3; ++d) force(i, d) = component(f, d);
+        store_tangent(t, l, p.area, tangent, i);
+        sum.value[0] += p.area * t.elastic;
+        sum.value[1] += p.area * t.friction;
+        sum.value[2] += dot(f, between(p, m.x) - between(p, start));
+        sum.value[3] += p.area * elastic_energy(p, laws(p.law));
+      },
+      KOKKOS_LAMBDA(const device::Sums<4>& sum) {
+        for (int k = 0; k < 4; ++k) into(k) = sum.value[k];
+      });
+  const std::vector<Real> sum = device::to_host(c.total);
+  return {sum[0], sum[3], sum[1], sum[3] - sum[0] - sum[1] - sum[2]};
+}
+
+Index break_bonds(DeviceContacts& c, const Motion& m) {
+  const PointSet now = c.current, accepted = c.accepted;
+  const auto laws = c.laws;
+  const Real restitution = c.options.restitution;
+  Index broken = 0;
+  Kokkos::parallel_reduce(
+      "rockfold::contact::break_bonds", device::Range(0, now.pairs.count),
+      KOKKOS_LAMBDA(const Index pair, Index& sum) {
+        for (Index i = now.point_begin(pair); i < now.point_begin(pair + 1); ++i) {
+          ContactPoint& p = now.point(i);
+          const PointTraction t = traction_at(p, local_motion(p, m), laws, restitution, m.dt);
+          if (!overloads_bonds(laws(p.law), p.memory, t)) continue;
+          p.memory.broken = 1;
+          ++sum;
+          const Index old = find_pair(accepted.pairs, now.pairs.a(pair), now.pairs.b(pair));
+          if (old == none) continue;
+          for (Index j = accepted.point_begin(old); j < accepted.point_begin(old + 1); ++j)
+            if (accepted.point(j).key == p.key) accepted.point(j).memory.broken = 1;
+        }
+      },
+      broken);
+  return broken;
+}
+
+Real accept(DeviceContacts& c, const Motion& m) {
+  make_room_for_sums(c);
+  const auto point = c.current.point;
+  const auto laws = c.laws;
+  const auto into = c.total;
+  const Real restitution = c.options.restitution;
+  device::sum_then<1>(
+      "rockfold::contact::accept", c.current.count, c.partial,
+      KOKKOS_LAMBDA(const Index i, device::Sums<1>& sum) {
+        ContactPoint& p = point(i);
+        p.memory = traction_at(p, local_motion(p, m), laws, restitution, m.dt).memory;
+        sum.value[0] += p.area * elastic_energy(p, laws(p.law));
+      },
+      KOKKOS_LAMBDA(const device::Sums<1>& sum) { into(0) = sum.value[0]; });
+  set_pose(c.surfaces, m.x, c.before);
+  if (m.speed_by_gap > 0)
+    Kokkos::deep_copy(c.speed_before, m.v);
+  else
+    Kokkos::deep_copy(c.speed_before, 0.0);
+  std::swap(c.accepted, c.current);
+  c.detected = false;
+  return device::to_host(c.total)[0];
+}
+
+void scale_speeds(const DeviceContacts& c, Real share) {
+  const Field v = c.speed_before;
+  device::for_each(
+      "rockfold::contact::scale_speeds", c.surfaces.vertices, KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d) v(n, d) *= share;
+      });
+}
+
+}  // namespace rockfold::contact

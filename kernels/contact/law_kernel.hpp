@@ -1,0 +1,257 @@
+// law.hpp on the device.
+#pragma once
+
+#include <limits>
+
+#include "kernels/contact/law.hpp"
+#include "kernels/device/device_kernel.hpp"
+
+namespace rockfold::contact {
+
+namespace math = device::math;
+
+KOKKOS_INLINE_FUNCTION ImpactRule impact_rule(Real restitution, Real period, Real dt) {
+  ImpactRule rule;
+  rule.restitution = restitution;
+  rule.period = math::fmax(period, 0.5 * dt);
+  if (dt > 0) rule.shear_drag = (1 - restitution) * shear_delay * period / dt;
+  return rule;
+}
+
+/// Over one step; p > 0 presses.
+struct Pressure {
+  Real value = 0;      ///< Pa, what acts
+  Real stiffness = 0;  ///< Pa/m, −d(value)/d(gap)
+};
+
+/// The mean over a step that does exactly the work of ½ k ⟨−g⟩².
+KOKKOS_INLINE_FUNCTION Pressure mean_pressure(Real k, Real g0, Real g1) {
+  const Real x0 = math::fmax(0.0, -g0), x1 = math::fmax(0.0, -g1);
+  Pressure p;
+  if (x0 > 0 && x1 > 0) {
+    p.value = 0.5 * k * (x0 + x1);
+    p.stiffness = 0.5 * k;
+  } else if (x0 > 0 || x1 > 0) {  // it opens or closes within the step
+    const Real closing = g0 - g1;
+    p.value = 0.5 * k * (x1 * x1 - x0 * x0) / closing;
+    p.stiffness = (k * x1 - p.value) / closing;
+  }
+  return p;
+}
+
+/// That of the step's end.
+KOKKOS_INLINE_FUNCTION Pressure end_pressure(Real k, Real g1) {
+  Pressure p;
+  p.value = -k * g1;
+  p.stiffness = k;
+  return p;
+}
+
+/// Keeps account of the closing speed that a rebound is measured by.
+KOKKOS_INLINE_FUNCTION void remember_approach(const PointMotionInStep& motion,
+                                              ContactMemory& memory) {
+  const Real closing = -motion.speed_before;
+  if (closing > 0) {
+    memory.approach = memory.parting ? closing : math::fmax(memory.approach, closing);
+    memory.parting = 0;
+  } else {
+    memory.parting = 1;
+  }
+}
+
+/// Of a point that has been open before; g: gap less dilation at both ends of the step (law.hpp, "Impact").
+KOKKOS_INLINE_FUNCTION Pressure impact_pressure(Real k, const ImpactRule& rule, Real approach,
+                                                const PointMotionInStep& motion, Real g0, Real g1) {
+  Pressure p;
+  if (rule.restitution > 0)
+    p = mean_pressure(k, g0, g1);
+  else if (g1 < 0)
+    p = end_pressure(k, g1);
+  const Real beyond = motion.speed - rule.restitution * approach;
+  if (!(beyond > 0) || rule.restitution >= 1) return p;
+  const Real depth = math::fmax(0.0, -g1), explained = approach * rule.period;
+  const bool whole = explained >= depth, least = explained <= restitution_error * depth;
+  const Real share = whole ? 1 : least ? restitution_error : explained / depth;
+  const Real delay = share * rule.period / restitution_error, drag = k * delay * beyond;
+  p.value -= drag;
+  p.stiffness += k * delay * motion.speed_by_gap + (whole || least ? 0 : drag / depth);
+  if (!(p.value > 0)) p.value = p.stiffness = 0;
+  return p;
+}
+
+/// Shear that a pressure bears: cohesion + friction · pressure.
+struct StrengthLine {
+  Real cohesion = 0, friction = 0;
+};
+
+/// Slip that a line of strength asks for, and what it adds to the opening.
+struct Slip {
+  Real length = 0;    ///< m, Δγ
+  Real opening = 0;   ///< m, Δδ
+  Real dilation = 0;  ///< d(Δδ)/d(Δγ): tan ψ, or 0 at the dilation's limit
+};
+
+/// `trial`: k_s |s|; p: the pressure before the joint dilates.
+KOKKOS_INLINE_FUNCTION Slip find_slip(const JointLaw& law, const StrengthLine& line, Real trial,
+                                      Real p, Real slip_before) {
+  Slip s;
+  const Real room = math::fmax(0.0, law.dilation_limit - slip_before);
+  const Real missing = trial - line.cohesion - line.friction * p;
+  s.dilation = room > 0 ? math::fmin(law.dilation, law.residual_friction) : 0;
+  s.length = missing / (law.shear_stiffness + law.normal_stiffness * s.dilation * line.friction);
+  if (s.length > room && s.dilation > 0) {  // it comes to the limit within the step
+    s.opening = s.dilation * room;
+    s.dilation = 0;
+    s.length = (missing - law.normal_stiffness * s.opening * line.friction) / law.shear_stiffness;
+  } else {
+    s.opening = s.dilation * s.length;
+  }
+  return s;
+}
+
+/// Nothing holds: what was stored in shear is lost.
+KOKKOS_INLINE_FUNCTION void open(const JointLaw& law, PointTraction& out) {
+  ContactMemory& m = out.memory;
+  out.friction = 0.5 * law.shear_stiffness * (m.shear[0] * m.shear[0] + m.shear[1] * m.shear[1]);
+  m.shear[0] = m.shear[1] = m.pressed = 0;
+  m.state = Contact::open;
+  m.broken = m.met = 1;
+}
+
+/// Pa: bonds bear whatever comes while forces are sought.
+inline constexpr Real unlimited = std::numeric_limits<Real>::max();
+
+/// The pressure, what shear bears at most, and how both change.
+struct Strength {
+  Real pressure = 0, shear = 0;  ///< Pa
+  Real slope = 0;                ///< d(shear)/d(pressure)
+  Real by_gap = 0;               ///< Pa/m, −d(pressure)/d(gap)
+  Real by_shear[2] = {0, 0};     ///< Pa/m, −d(pressure)/d(shear): of dilation
+};
+
+/// Residual strength under a pressure ≥ 0.
+KOKKOS_INLINE_FUNCTION Strength residual_strength(const JointLaw& law, const Pressure& p) {
+  const Real whole = law.residual_cohesion + p.value * law.residual_friction,
+             most = most_cohesion * p.value;
+  if (whole <= most) return {p.value, whole, law.residual_friction, p.stiffness};
+  return {p.value, most, most_cohesion, p.stiffness};
+}
+
+/// Slip along m = s/|s| until the stretch s is one that strength bears. False where no pressure is left, with what dilation adds.
+KOKKOS_INLINE_FUNCTION bool slide(const JointLaw& law, const Pressure& p, const Real* s,
+                                  Real length, Strength& now, PointTraction& out) {
+  const Real ks = law.shear_stiffness, kn = law.normal_stiffness, trial = ks * length;
+  StrengthLine line{law.residual_cohesion, law.residual_friction};
+  Slip slip = find_slip(law, line, trial, p.value, out.memory.slip);
+  if ((most_cohesion - line.friction) * (p.value + kn * slip.opening) < line.cohesion) {
+    line = {0, most_cohesion};
+    slip = find_slip(law, line, trial, p.value, out.memory.slip);
+  }
+  now.pressure = p.value + kn * slip.opening;
+  if (now.pressure < 0) return false;
+  // dΔγ = (k_s m·dΔ + tan φ k dg)/h, k = −dp/dg of the trial
+  const Real h = ks + kn * slip.dilation * line.friction;
+  now.shear = line.cohesion + line.friction * now.pressure;
+  now.slope = line.friction;
+  now.by_gap = p.stiffness * (1 - kn * slip.dilation * line.friction / h);
+  out.memory.state = Contact::slide;
+  for (int i = 0; i < 2; ++i) {
+    const Real m = length > 0 ? s[i] / length : 0;
+    now.by_shear[i] = -kn * slip.dilation * ks / h * m;
+    out.memory.shear[i] = now.shear / ks * m;
+  }
+  out.memory.slip += slip.length;
+  out.memory.dilation += slip.opening;
+  out.friction += slip.length * now.shear - slip.opening * now.pressure;
+  return true;
+}
+
+/// Tractions with shear −k_s v, no more than the strength; v = s + drag · way.
+KOKKOS_INLINE_FUNCTION void shear(const JointLaw& law, const Strength& now, const Real* s,
+                                  const Real* way, Real drag, PointTraction& out) {
+  const Real ks = law.shear_stiffness;
+  const Real v[2] = {s[0] + drag * way[0], s[1] + drag * way[1]};
+  const Real length = math::sqrt(v[0] * v[0] + v[1] * v[1]);
+  const bool whole = ks * length <= now.shear;
+  const Real share = whole ? ks : now.shear / length;
+  out.traction[0] = now.pressure;
+  out.tangent[0] = now.by_gap;
+  for (int i = 0; i < 2; ++i) {
+    const Real along = whole ? 0 : v[i] / length, slope = now.slope * along;
+    out.traction[1 + i] = -share * v[i];
+    out.tangent[1 + i] = now.by_shear[i];
+    out.tangent[3 * (1 + i)] = -slope * now.by_gap;
+    for (int j = 0; j < 2; ++j)
+      out.tangent[3 * (1 + i) + 1 + j] =
+          (1 + drag) * share * ((i == j) - (whole ? 0 : along * v[j] / length)) -
+          slope * now.by_shear[j];
+  }
+}
+
+/// m: the closure whose energy ½ k x² is stored at the end. In an impact, of the true closure no more than what was put in: a long step
+/// that ends deep has not compressed the joint by that much.
+KOKKOS_INLINE_FUNCTION Real stored_closure(const JointLaw& law, const ContactMemory& before,
+                                           const PointMotionInStep& motion, bool impact,
+                                           const PointTraction& out) {
+  if (!impact) return out.traction[0] / law.normal_stiffness;
+  const Real closure = math::fmax(0.0, out.memory.dilation - motion.gap);
+  const Real put_in = out.traction[0] * (motion.gap_before - motion.gap);
+  const Real had = 0.5 * law.normal_stiffness * before.pressed * before.pressed;
+  return math::fmin(closure, math::sqrt(2 * math::fmax(0.0, had + put_in) / law.normal_stiffness));
+}
+
+/// Whether bonds hold that are stronger than what is left once they are broken.
+KOKKOS_INLINE_FUNCTION bool is_bonded(const JointLaw& law, const ContactMemory& memory) {
+  return !memory.broken && (law.tensile_strength > 0 || law.cohesion > law.residual_cohesion ||
+                            law.friction > law.residual_friction);
+}
+
+/// Whether bonds that have held through the step cannot bear what it has come to.
+KOKKOS_INLINE_FUNCTION bool overloads_bonds(const JointLaw& law, const ContactMemory& before,
+                                            const PointTraction& now) {
+  const Real* t = now.traction;
+  return is_bonded(law, before) &&
+         (t[0] < -law.tensile_strength || math::sqrt(t[1] * t[1] + t[2] * t[2]) >
+                                              math::fmax(0.0, law.cohesion + t[0] * law.friction));
+}
+
+/// The law of law.hpp.
+KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactRule& rule,
+                                              const ContactMemory& before,
+                                              const PointMotionInStep& motion) {
+  PointTraction out;
+  out.memory = before;
+  ContactMemory& memory = out.memory;
+  const Real g0 = motion.gap_before - before.dilation, g1 = motion.gap - before.dilation;
+  const bool impact = before.met && motion.speed_by_gap > 0;
+  if (impact) remember_approach(motion, memory);
+  Pressure p = end_pressure(law.normal_stiffness, g1);  // < 0: what dilation must make up for
+  if (impact) {
+    p = impact_pressure(law.normal_stiffness, rule, memory.approach, motion, g0, g1);
+    if (g1 > 0 && (law.dilation > 0 || !(p.value > 0))) {
+      p.value -= law.normal_stiffness * g1;
+      p.stiffness += law.normal_stiffness;
+    }
+  }
+  const Real s[2] = {before.shear[0] + motion.shear[0], before.shear[1] + motion.shear[1]};
+  const Real length = math::sqrt(s[0] * s[0] + s[1] * s[1]);
+  const bool bonded = is_bonded(law, before);
+  Strength now{p.value, unlimited, 0, p.stiffness};
+  if (!bonded) now = residual_strength(law, p);
+  if (bonded || (p.value >= 0 && law.shear_stiffness * length <= now.shear)) {
+    memory.state = Contact::stick;
+    for (int i = 0; i < 2; ++i) memory.shear[i] = s[i];
+  } else if (!slide(law, p, s, length, now, out)) {
+    open(law, out);
+    return out;
+  }
+  shear(law, now, s, motion.shear, impact && !bonded ? rule.shear_drag : 0, out);
+  const Real pressed = stored_closure(law, before, motion, impact, out);
+  memory.pressed = pressed;
+  out.elastic = 0.5 * law.normal_stiffness * pressed * pressed;
+  for (const double stretch : memory.shear)
+    out.elastic += 0.5 * law.shear_stiffness * stretch * stretch;
+  return out;
+}
+
+}  // namespace rockfold::contact

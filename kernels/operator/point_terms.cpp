@@ -1,0 +1,54 @@
+#include "kernels/operator/point_terms_kernel.hpp"
+
+namespace rockfold::solve {
+
+PointTerms make_point_terms(const MaterialPoints& points, Index unknowns) {
+  PointTerms terms;
+  static_cast<PointRows&>(terms) = make_point_rows(points, unknowns);
+  terms.tangent = Blocks("rockfold::solve::term_tangent", terms.points.count);
+  terms.force = device::make_field("solve::term_force", terms.points.count);
+  return terms;
+}
+
+void append_points(MaterialPoints& to, const MaterialPoints& from) {
+  const Index before = static_cast<Index>(to.unknown.size());
+  to.element.insert(to.element.end(), from.element.begin(), from.element.end());
+  to.local.insert(to.local.end(), from.local.begin(), from.local.end());
+  to.unknown.insert(to.unknown.end(), from.unknown.begin(), from.unknown.end());
+  to.weight.insert(to.weight.end(), from.weight.begin(), from.weight.end());
+  for (std::size_t n = 0; n < from.size(); ++n) to.begin.push_back(before + from.begin[n + 1]);
+}
+
+void apply_terms(const PointTerms& terms, const Field& x, const Field& y, Index first) {
+  if (terms.points.count <= first) return;
+  const PointTerms t = terms;
+  const bool whole = t.whole.extent(0) > 0;
+  device::for_each(
+      "rockfold::solve::term_forces", t.points.count, KOKKOS_LAMBDA(const Index n) {
+        Real u[3] = {0, 0, 0};
+        for (int d = 0; d < 3 && n >= first; ++d) u[d] = interpolate_one(t.points, n, d, x);
+        for (int i = 0; i < 3; ++i) {
+          Real sum = 0;
+          for (int j = 0; j < 3; ++j)
+            sum += (whole ? t.whole(n, 3 * i + j) : t.tangent(n, symmetric_entry(i, j))) * u[j];
+          t.force(n, i) = sum;
+        }
+      });
+  scatter(terms, 1, terms.force, y);
+}
+
+void add_terms_diagonal(const PointTerms& terms, const Blocks& block) {
+  if (!terms.any()) return;
+  const PointTerms t = terms;
+  device::for_each(
+      "rockfold::solve::term_diagonal", static_cast<Index>(t.row.extent(0)),
+      KOKKOS_LAMBDA(const Index r) {
+        for (Index i = t.row_begin(r); i < t.row_begin(r + 1); ++i) {
+          const Real w = t.points.weight(t.row_entry(i));
+          const Index n = t.entry_point(t.row_entry(i));
+          for (int m = 0; m < 6; ++m) block(t.row(r), m) += w * w * t.tangent(n, m);
+        }
+      });
+}
+
+}  // namespace rockfold::solve

@@ -1,0 +1,399 @@
+#include "src/app/pipeline.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "host/contact/lattice_surfaces.hpp"
+#include "host/cover/cover.hpp"
+#include "host/cover/loads.hpp"
+#include "host/cut/cut.hpp"
+#include "host/flatten/face_polygons.hpp"
+#include "host/flatten/flatten.hpp"
+#include "host/keyblock/first_look.hpp"
+#include "host/keyblock/keyblock.hpp"
+#include "host/keyblock/theory.hpp"
+#include "host/measure/measure.hpp"
+#include "host/measure/parts.hpp"
+#include "host/shapes/extents.hpp"
+#include "kernels/device/device.hpp"
+#include "src/app/answers.hpp"
+#include "src/app/estimate.hpp"
+#include "src/app/limits.hpp"
+#include "src/app/memory.hpp"
+#include "src/app/signals.hpp"
+#include "src/app/support_design.hpp"
+#include "src/app/threads.hpp"
+#include "src/check/key_use.hpp"
+#include "src/check/needs.hpp"
+#include "src/check/rock_check.hpp"
+#include "src/check/whole_model.hpp"
+#include "src/io/exports/export.hpp"
+#include "src/model/openings.hpp"
+#include "src/page/write_page.hpp"
+#include "src/printed/printed_report.hpp"
+#include "src/run/run_analysis.hpp"
+#include "src/store/design_files.hpp"
+#include "src/store/histories.hpp"
+#include "src/store/output_path.hpp"
+#include "src/store/results.hpp"
+#include "src/store/resume.hpp"
+#include "src/sweep/sweep.hpp"
+
+namespace fs = std::filesystem;
+
+namespace rockfold {
+
+namespace {
+
+/// Covers over the cut rock, and the points of it that conditions, loads, monitors and results
+/// refer to.
+struct CoveredRock {
+  Covering covering;
+  FixedPoints fixed;
+  MaterialPoints monitors, block_vertices;
+  LoadPoints loads;
+  QuietPoints quiet;
+  std::vector<RigidVelocity> velocities;
+  ElementMesh mesh;
+  std::optional<ContactSurfaces> contact;
+};
+
+CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockArrays& blocks,
+                       Progress& progress) {
+  CoveredRock rock;
+  rock.covering = build_covers(cutting, model, progress);
+  rock.fixed = fixed_points(cutting, rock.covering, model);
+  rock.monitors = locate_points(rock.covering, monitor_points(model), Slivers::passed_over);
+  rock.loads = load_points(cutting, rock.covering, model);
+  rock.quiet = quiet_points(cutting, rock.covering, model);
+  rock.velocities = rigid_velocities(rock.covering, blocks.block_count(), model);
+  rock.block_vertices = locate_block_vertices(rock.covering, blocks);
+  if (has_contact(model) && blocks.block_count() > 1) {
+    SurfaceArrays surfaces = contact_surfaces(cutting, blocks, rock.covering.arrays);
+    MaterialPoints points = locate_vertices(rock.covering, surfaces.vertex, surfaces.vertex_block);
+    rock.contact = ContactSurfaces{std::move(surfaces), std::move(points)};
+  }
+  rock.mesh = make_element_mesh(rock.covering.arrays);
+  require_in_rock(model, rock.monitors);
+  rock.covering.pieces.reset();  // all points are located
+  return rock;
+}
+
+struct Analysed {
+  RunResult run;
+  std::unique_ptr<RunJournal> journal;  ///< until the result is whole
+};
+
+/// Steps through the analysis and stores its states. If it fails, the states so far are kept.
+Analysed analyse(const CoveredRock& rock, const Model& model, const BlockArrays& blocks,
+                 ResultWriter& writer, const Options& options, const Resumption* resumption,
+                 Probe* probe, Terminal& terminal) {
+  const RunInput input{model,
+                       rock.covering.arrays,
+                       blocks,
+                       rock.fixed,
+                       rock.monitors,
+                       rock.loads,
+                       rock.quiet,
+                       rock.velocities,
+                       rock.block_vertices,
+                       &rock.mesh,
+                       rock.contact ? &*rock.contact : nullptr};
+  const StoreState show = [&](const StoredState& state) {
+    add_stored_state(writer, rock.block_vertices, state);
+  };
+  auto journal = open_journal(options, model, writer.path(), resumption, show);
+  const StoreState store = [&](const StoredState& state) {
+    journal->add_state(state.step, state.motion.time, hash_of(state), packed(state));
+    show(state);
+  };
+  const DeviceScope device(options.threads);
+  try {
+    const Checkpoints checkpoints = checkpoints_in(*journal, model, resumption);
+    if (probe)
+      return {run_analysis(input, store, terminal, {}, probe->watch()), std::move(journal)};
+    return {run_analysis(input, store, terminal, checkpoints), std::move(journal)};
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::usage) throw;  // what is there is as it was
+    keep_states(writer, error.kind(), terminal);
+    if (error.kind() != ErrorKind::io) journal->remove();  // it would fail again
+    throw;
+  }
+}
+
+bool wants_export(const Options& options, ExportFormat format) {
+  return std::any_of(options.exports.begin(), options.exports.end(),
+                     [&](const auto& path) { return export_format(path) == format; });
+}
+/// Whether an export needs blocks as convex parts.
+bool wants_parts(const Options& options) {
+  return wants_export(options, ExportFormat::three_dec);
+}
+
+void write_exports(const Options& options, const Model& model, const Cutting& cutting,
+                   const BlockArrays& blocks, const PolygonMesh& polygons,
+                   const BlockFields& fields) {
+  PolygonMesh triangles;
+  if (wants_export(options, ExportFormat::stl) || wants_export(options, ExportFormat::vtp))
+    triangles = face_triangles(blocks);
+  PartArrays parts;
+  if (wants_parts(options)) parts = convex_parts(cutting, blocks);
+  for (const auto& path : options.exports)
+    export_blocks({blocks, polygons, triangles, parts, model.title,
+                   fields.block_class.empty() ? nullptr : &fields},
+                  path);
+}
+
+/// Throws Error(analysis) where it was a limit that ended the run.
+void require_no_limit_met(const RunResult& run, const Model& model, const std::string& path) {
+  const auto error = stop_error(fmt::format(
+      "stopped after {} of {} steps, t = {:.6g} s; {} holds the states so far, and `rockfold "
+      "resume {}` goes on",
+      run.steps, model.analysis->steps(), run.time, path, path));
+  if (error) throw *error;
+}
+
+/// demo, cut, support, run: each is the same way, left earlier or later.
+int analyse_rock(const Options& options, Terminal& terminal, const Resumption* resumption = nullptr,
+                 Probe* probe = nullptr) {
+  PhaseClock clock(terminal);
+  std::optional<DeviceScope> device;
+  const Model model = load_model(options, terminal);
+  if (resumption) require_same_inputs(resumption->journal.origin, model);
+  const std::string path = result_path(options);
+  check_output_paths(options, model);
+  require_states_replaced_knowingly(options, path);
+
+  Cutting cutting = clock.measure("cut", [&] { return cut_blocks(model, terminal); });
+  return_free_memory();
+  const BlockArrays blocks =
+      clock.measure("cut", "joining blocks", [&] { return flatten_blocks(cutting, model); });
+  warn_of_cutting(cutting.totals.intent, terminal);
+
+  std::optional<RockMeasures> measures;
+  if (wants_measures(options, model))
+    measures = clock.measure("measure", "measuring blocks and joints",
+                             [&] { return measure_rock(cutting, blocks, model); });
+  if (measures) warn_of_flagged_blocks(measures->blocks, model, terminal);
+
+  std::optional<KeyblockReport> keyblocks;
+  std::optional<SupportDesign> design;
+  if (wants_support(options, model)) {
+    warn_of_immobile_blocks(blocks, terminal);
+    std::optional<JointStressReport> stress;
+    if (has_elastic_joint_stress(model)) {
+      device.emplace(options.threads);
+      stress = clock.measure("stress", "in-situ stress round openings",
+                             [&] { return find_joint_stress(blocks, model, terminal); });
+    }
+    for (const std::string& text :
+         joint_stress_warnings(blocks, model, stress ? &*stress : nullptr))
+      terminal.warn(text);
+    keyblocks = clock.measure("keyblock", "finding key blocks", [&] {
+      return find_keyblocks(blocks, model, stress ? &stress->tractions : nullptr);
+    });
+    design = clock.measure("support", "designing support", [&] {
+      return design_support(blocks, *keyblocks, measures ? &*measures : nullptr, model);
+    });
+    warn_of_support_design(*design, terminal);
+    design->joint_stress = std::move(stress);
+  }
+
+  std::optional<CoveredRock> rock;
+  if (wants_run(options)) {
+    check_contact(model, blocks, terminal);
+    warn_of_contact(model, blocks, terminal);
+    warn_of_keys_without_use(model, terminal);
+    warn_of_conditional_stability(model, terminal);
+    rock = clock.measure("cover", [&] { return cover_rock(cutting, model, blocks, terminal); });
+  }
+
+  // From here on the flat arrays say all, but for those exports.
+  if (!wants_parts(options)) cutting.complex.reset();
+  return_free_memory();
+
+  remember_interrupts();
+  ResultWriter writer(path, model, result_header(options));
+  PolygonMesh polygons;
+  BlockFields fields = keyblocks ? block_fields(*keyblocks) : BlockFields{};
+  clock.measure("output", "writing blocks", [&] {
+    polygons = face_polygons(blocks);
+    if (design && design->bolting) add_bolting(fields, *design->bolting);
+    writer.write_blocks(blocks, polygons, fields,
+                        measures ? measures->blocks.flags : std::vector<std::uint8_t>{});
+    if (keyblocks && has_first_looks(model))
+      writer.write_first_looks(find_first_looks(blocks, model));
+  });
+
+  if (design && !(model.drawings.empty() && model.tables.empty()))
+    clock.measure("output", "writing drawings and tables",
+                  [&] { write_design_files(blocks, *keyblocks, *design, model, path); });
+
+  if (!options.exports.empty())
+    clock.measure("output", "writing exports",
+                  [&] { write_exports(options, model, cutting, blocks, polygons, fields); });
+  polygons = {};  // as large as the blocks, and states need it no more
+
+  std::optional<RunResult> run;
+  std::unique_ptr<RunJournal> journal;
+  if (rock) {
+    clock.measure("output", "writing elements",
+                  [&] { writer.write_elements(rock->covering.arrays, rock->mesh); });
+    auto analysed = analyse(*rock, model, blocks, writer, options, resumption, probe, terminal);
+    run = std::move(analysed.run);
+    journal = std::move(analysed.journal);
+    add_histories(writer, model, *run);
+    write_history_files(*run, model, path);
+    add_run_seconds(clock, *run);
+    warn_of_large_rotation(model, *run, terminal);
+    warn_of_lost_energy(model, *run, terminal);
+    warn_of_divided_steps(model, *run, terminal);
+    warn_of_missing_factors(model, *run, terminal);
+    if (!run->interrupted) warn_of_support_gap(model, *run, rock->fixed, terminal);
+    warn_of_interruption(*run, model, terminal);
+  }
+  const Answer answer{options,
+                      model,
+                      cutting.totals,
+                      blocks,
+                      measures ? &*measures : nullptr,
+                      keyblocks ? &*keyblocks : nullptr,
+                      design ? &*design : nullptr,
+                      rock ? &rock->covering.arrays : nullptr,
+                      run ? &*run : nullptr,
+                      path,
+                      unused_keys(options, model)};
+  clock.measure("output", [&] {
+    writer.write_answer(stored_answer(answer, terminal.warnings()));
+    if (run && !run->interrupted)
+      writer.write_run(whole_answer(answer, terminal), run_origin(options, model));
+    writer.finish();
+    if (run && !run->interrupted) journal->remove();
+  });
+  if (probe) return 0;
+  if (options.command == Command::demo && has_page())
+    clock.measure("output", "writing the page",
+                  [&] { write_page(path, page_path(options), page_choice(options)); });
+
+  if (options.report)
+    clock.measure("output", "writing the report",
+                  [&] { write_report(path, report_path(options)); });
+
+  if (run && run->interrupted) require_no_limit_met(*run, model, path);
+  print_answer(answer, terminal, clock.seconds());
+  return run ? interrupted_status() : 0;
+}
+
+/// Goes on with an interrupted run, or tells of a finished one.
+int resume_run(const Options& options, Terminal& terminal) {
+  if (const auto resumption = find_run(options))
+    return analyse_rock(resumption->options, terminal, &*resumption);
+  const auto document = read_run_document(options.input);
+  if (!document)
+    throw Error(
+        ErrorKind::io,
+        "holds no run that came to its end, and there is no journal beside it to go on from",
+        Place{options.input, 0, 0, {}});
+  print_finished(options, *document);
+  return 0;
+}
+
+struct ScratchFolder {
+  ScratchFolder() : path(fs::temp_directory_path() / fmt::format("rockfold-trial-{}", getpid())) {
+    fs::create_directories(path);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+  fs::path path;
+};
+
+/// What the most that can be done with a model will take: its beginning is carried out, and what it writes is thrown away.
+Estimate estimate_model(const Options& options, const Model& model, Terminal& terminal) {
+  Options trial = options;
+  trial.command = model.analysis ? Command::run : model.support ? Command::support : Command::cut;
+  const ScratchFolder folder;
+  trial.output = (folder.path / "trial.vtkhdf").string();
+  Probe probe(model);
+  analyse_rock(trial, terminal, nullptr, &probe);
+  return probe.estimate(command_name(trial.command));
+}
+
+int check_model(const Options& options, Terminal& terminal) {
+  const Model model = read_whole_model(options.input, options.overrides, Purpose::check);
+  check_output_names(options, model);
+  if (!model.solids.empty()) check_rock(model);
+  warn_of_model(model, terminal);
+  if (!model.solids.empty()) warn_of_joints_beside_rock(model, terminal);
+  if (model.support) warn_of_free_rock(model, terminal);
+  std::optional<Estimate> estimate;
+  if (options.estimate) estimate = estimate_model(options, model, terminal);
+  print_check(options, model, named_extents(model), estimate ? &*estimate : nullptr, terminal);
+  return 0;
+}
+
+int tell_theory(const Options& options, Terminal& terminal) {
+  PhaseClock clock(terminal);
+  const Model model = load_model(options, terminal);
+  check_output_paths(options, model);
+  const TheoryReport report = clock.measure("theory", "joint pyramids and their blocks",
+                                            [&] { return joint_set_theory(model); });
+  print_theory(options, model, report, terminal, clock.seconds());
+  return 0;
+}
+
+int view_result(const Options& options) {
+  check_page_path(options);
+  const auto facts = write_page(options.input, page_path(options), page_choice(options));
+  print_page(options, page_path(options), facts);
+  return 0;
+}
+
+int report_result(const Options& options) {
+  check_report_path(options);
+  print_report(options, report_path(options), write_report(options.input, report_path(options)));
+  return 0;
+}
+
+int tell_info(const Options& options) {
+  print_info(options, info_of_result(options.input));
+  return 0;
+}
+
+}  // namespace
+
+int run_command(const Options& options, Terminal& terminal) {
+  exit_at_once_when_interrupted(options.json);
+  use_threads(options.threads);
+  const LimitWatch watch(options);
+  switch (options.command) {
+    case Command::check:
+      return check_model(options, terminal);
+    case Command::theory:
+      return tell_theory(options, terminal);
+    case Command::view:
+      return view_result(options);
+    case Command::report:
+      return report_result(options);
+    case Command::resume:
+      return resume_run(options, terminal);
+    case Command::sweep:
+      return run_sweep(options, terminal);
+    case Command::info:
+      return tell_info(options);
+    case Command::examples:
+      return hand_out_examples(options);
+    default:
+      return analyse_rock(options, terminal);
+  }
+}
+
+}  // namespace rockfold

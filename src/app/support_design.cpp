@@ -1,0 +1,48 @@
+#include "src/app/support_design.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "src/report/design_names.hpp"
+
+namespace rockfold {
+
+StageKeys keys_of_support_design(const Model& model) {
+  StageKeys keys{"support design",
+                 {"bolt_type", "bolt", "bolt_pattern", "shotcrete", "pattern_search",
+                  "classification", "drawing"}};
+  if (!std::all_of(model.tables.begin(), model.tables.end(), std::mem_fn(&TableFile::is_history)))
+    keys.keys.emplace_back("table");
+  return keys;
+}
+
+SupportDesign design_support(const BlockArrays& blocks, const KeyblockReport& keyblocks,
+                             const RockMeasures* measures, const Model& model) {
+  SupportDesign design;
+  if (wants_bolting(model)) design.bolting = support_blocks(blocks, keyblocks, model);
+  if (model.pattern_search) design.search = search_pattern(blocks, keyblocks, model);
+  if (model.classification) design.classification = classify(blocks, keyblocks, *measures, model);
+  return design;
+}
+
+void warn_of_support_design(const SupportDesign& design, Terminal& terminal) {
+  if (design.bolting)
+    for (const BoltGroup& group : design.bolting->groups)
+      if (!group.type.bond_strength)
+        terminal.warn(fmt::format(
+            "{}: no bond_strength is given: any length beyond a block anchors the whole capacity",
+            group.name));
+  if (design.bolting && !design.bolting->disturbed.empty())
+    terminal.warn(fmt::format(
+        "active bolts bring blocks that stay without them below the target factor of safety: {}",
+        block_list(design.bolting->disturbed)));
+  if (design.search && design.search->best == none)
+    terminal.warn(fmt::format(
+        "pattern_search: none of the {} patterns holds all {} key blocks; look at the blocks that "
+        "no bolt crosses, or let smallest_block leave small ones to mesh or shotcrete",
+        design.search->patterns, design.search->wanted));
+}
+
+}  // namespace rockfold

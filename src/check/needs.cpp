@@ -1,0 +1,408 @@
+#include "src/check/needs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "host/files/load_files.hpp"
+#include "host/joints/missed_rock.hpp"
+#include "host/shapes/extents.hpp"
+#include "src/app/examples.hpp"
+#include "src/app/signals.hpp"
+#include "src/base/error.hpp"
+#include "src/base/vector.hpp"
+#include "src/check/key_use.hpp"
+#include "src/check/whole_model.hpp"
+#include "src/model/openings.hpp"
+#include "src/model/read/read_model.hpp"
+#include "src/report/error_text.hpp"
+#include "src/report/names.hpp"
+#include "src/run/fixed_contradiction.hpp"
+#include "src/store/output_path.hpp"
+
+namespace rockfold {
+
+namespace {
+
+/// A rotation θ that is taken for linear strains feigns a strain of 1 − cos θ: 2e-4 at this one, as
+/// much as the elastic strain of rock near failure.
+constexpr Real largest_small_rotation = 0.02;  // rad
+/// Energy / largest energy of the motion that average acceleration, which keeps it, may lose.
+constexpr Real largest_lost_share = 0.01;
+/// m: rock that moves less is at rest but for rounding.
+constexpr Real least_motion = 1e-10;
+
+/// Of the largest displacement: above it the answer differs visibly from that of points held exactly; and in analyses that close gaps,
+/// where it tells of supports that cannot all be kept.
+constexpr Real largest_support_gap = 1e-3, largest_gap_at_rest = 1e-5;
+/// Of the largest displacement, prescribed or found: springs as stiff as Rockfold makes them give way by that much only where another support pulls at them.
+constexpr Real largest_share_off_place = 0.1;
+
+Purpose purpose_of(Command command) {
+  if (command == Command::support) return Purpose::support;
+  if (command == Command::theory) return Purpose::theory;
+  return command == Command::run || command == Command::demo ? Purpose::run : Purpose::cut;
+}
+
+void find_outside(const std::string& what, const Vec3& point, Index element, const Place& place,
+                  std::vector<Diagnostic>& outside) {
+  if (element != none) return;
+  Place of_point = place;
+  of_point.key += ".point";
+  outside.push_back({of_point, fmt::format("({}, {}, {}){} is not in the rock", point[0], point[1],
+                                           point[2], what)});
+}
+
+/// Each random set gets a seed of its own: equal ones would draw alike.
+void reseed(Model& model, std::uint64_t seed) {
+  bool random = false;
+  for (std::size_t s = 0; s < model.joint_sets.size(); ++s)
+    if (auto& set = model.joint_sets[s]; set.random) {
+      set.random->seed = seed + s;
+      random = true;
+    }
+  if (model.theory && model.theory->monte_carlo) {
+    model.theory->monte_carlo->seed = seed;
+    random = true;
+  }
+  if (!random) return;
+  if (!model.text.empty() && model.text.back() != '\n') model.text += '\n';
+  model.text +=
+      fmt::format("\n# Random joint sets drawn with --seed {} on the command line.\n", seed);
+}
+
+}  // namespace
+
+bool wants_run(const Options& options) {
+  return options.command == Command::run || options.command == Command::demo;
+}
+
+bool wants_support(const Options& options, const Model& model) {
+  return options.command == Command::support || (wants_run(options) && model.support);
+}
+
+bool wants_measures(const Options& options, const Model& model) {
+  return options.command == Command::cut || model.cut.min_volume || model.cut.max_aspect_ratio ||
+         (model.classification && wants_support(options, model));
+}
+
+Model load_model(const Options& options, Terminal& terminal) {
+  const Purpose purpose = purpose_of(options.command);
+  Model model =
+      options.command == Command::demo
+          ? parse_model(find_example("slope").text, "slope.toml", options.overrides, purpose)
+      : options.model_text
+          ? parse_model(*options.model_text, options.input, options.overrides, purpose)
+          : read_whole_model(options.input, options.overrides, purpose);
+  if (options.seed) reseed(model, *options.seed);
+  load_files(model);
+  if (options.command == Command::support && !model.support) {
+    model.support = SupportSpec{};
+    model.support->stress = usual_joint_stress(model);
+  }
+  if (wants_support(options, model)) check_for(model, Purpose::support);
+  if (options.command != Command::theory &&
+      std::filesystem::path(result_path(options)).extension() != ".vtkhdf")
+    terminal.warn("ParaView knows result files by their name: let it end in .vtkhdf");
+  require_loads_used(options, model, terminal);
+  warn_of_model(model, terminal);
+  if (options.command != Command::theory) warn_of_joints_beside_rock(model, terminal);
+  if (wants_support(options, model)) warn_of_free_rock(model, terminal);
+  return model;
+}
+
+void warn_of_model(const Model& model, Terminal& terminal) {
+  for (const Diagnostic& warning : model.warnings) terminal.warn(diagnostic_line(warning));
+}
+
+void warn_of_joints_beside_rock(const Model& model, Terminal& terminal) {
+  for (const Diagnostic& warning : files_out_of_scale(model))
+    terminal.warn(diagnostic_line(warning));
+  for (const Diagnostic& warning : joints_beside_rock(model))
+    terminal.warn(diagnostic_line(warning));
+}
+
+void warn_of_free_rock(const Model& model, Terminal& terminal) {
+  const SupportSpec spec = model.support.value_or(SupportSpec{});
+  const bool has_joints = !model.joints.empty() || !model.joint_sets.empty() ||
+                          !model.joint_meshes.empty() || !model.joint_tables.empty();
+  const auto continues = [](const Solid& solid) {
+    return std::find(solid.continues.begin(), solid.continues.end(), true) != solid.continues.end();
+  };
+  if (!has_joints || model.solids.empty() || (!spec.joint_faces_only && !model.fixed.empty()) ||
+      std::any_of(model.solids.begin(), model.solids.end(), continues))
+    return;
+  Place place = model.solids.front().place;
+  place.key += ".continues";
+  terminal.warn(diagnostic_line(
+      {place,
+       "no solid has any: all faces are free, the underside too, and blocks fall out of it. "
+       "Name the faces beyond which the rock goes on, as in continues = [\"zmin\"]"}));
+}
+
+std::vector<Vec3> monitor_points(const Model& model) {
+  std::vector<Vec3> points;
+  for (const auto& monitor : model.monitors)
+    if (monitor.is_of_rock()) points.push_back(monitor.point);
+  return points;
+}
+
+void require_in_rock(const Model& model, const MaterialPoints& monitors) {
+  std::vector<Diagnostic> outside;
+  std::size_t n = 0;
+  for (const Monitor& monitor : model.monitors)
+    if (monitor.is_of_rock())
+      find_outside(" of monitor " + monitor.name, monitor.point, monitors.element[n++],
+                   monitor.place, outside);
+  if (!outside.empty()) throw Error(ErrorKind::model, outside);
+}
+
+void warn_of_keys_without_use(const Model& model, Terminal& terminal) {
+  const Analysis given = *model.analysis, usual;
+  if (given.has(AnalysisType::dynamic) || given.has(AnalysisType::quasi_static)) return;
+  std::string keys;
+  const auto name = [&](const char* key, bool is_given) {
+    if (is_given) keys += (keys.empty() ? "analysis." : ", analysis.") + std::string(key);
+  };
+  name("dynamic_ratio", given.stages[0].dynamic_ratio != usual.stages[0].dynamic_ratio);
+  name("max_displacement_ratio", given.max_displacement_ratio.has_value());
+  name("newmark",
+       given.newmark_beta != usual.newmark_beta || given.newmark_gamma != usual.newmark_gamma);
+  name("rayleigh", given.rayleigh_alpha != 0 || given.rayleigh_beta != 0);
+  if (!keys.empty()) terminal.warn("of no use in a static analysis, which has no time: " + keys);
+}
+
+void warn_of_conditional_stability(const Model& model, Terminal& terminal) {
+  const Analysis& analysis = *model.analysis;
+  const Real beta = analysis.newmark_beta, gamma = analysis.newmark_gamma;
+  if (!analysis.has(AnalysisType::dynamic) || gamma >= 0.5) return;
+  terminal.warn(
+      fmt::format("newmark = {{beta = {}, gamma = {}}} adds energy to every vibration that damping "
+                  "does not take: "
+                  "gamma >= 0.5 does not",
+                  beta, gamma));
+}
+
+void warn_of_cutting(const IntentReport& intent, Terminal& terminal) {
+  if (!intent.doubts_decide) return;
+  std::string names;
+  for (const auto& name : intent.near_planes) names += (names.empty() ? "" : ", ") + name;
+  const std::string what = intent.doubts == 1
+                               ? "a cell or opening of the rock is"
+                               : fmt::format("{} cells or openings of the rock are", intent.doubts);
+  terminal.warn(fmt::format(
+      "{} about as wide as 1e-9 of the model's size, and blocks depend on it: what is "
+      "narrower is no block and no connection. They lie between: {}; the narrowest, "
+      "{:.2g} m wide, lies at ({:.6g}, {:.6g}, {:.6g})",
+      what, names, intent.least_doubt, intent.doubt_at[0], intent.doubt_at[1], intent.doubt_at[2]));
+}
+
+void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& model,
+                            Terminal& terminal) {
+  if (statistics.small_blocks > 0)
+    terminal.warn(fmt::format("{} blocks are smaller than cut.min_volume = {} m3",
+                              statistics.small_blocks, *model.cut.min_volume));
+  if (statistics.elongated_blocks > 0)
+    terminal.warn(fmt::format("{} blocks are more elongated than cut.max_aspect_ratio = {}",
+                              statistics.elongated_blocks, *model.cut.max_aspect_ratio));
+}
+
+void warn_of_immobile_blocks(const BlockArrays& blocks, Terminal& terminal) {
+  bool finite = blocks.block_count() == 0, free = finite;
+  for (Index b = 0; b < blocks.block_count() && !free; ++b) {
+    if (blocks.finite[b] == 0) continue;
+    finite = true;
+    for (Index f = blocks.face_begin[b]; f < blocks.face_begin[b + 1]; ++f)
+      free |= blocks.origins[blocks.face_origin[f]].kind != FaceOrigin::Kind::joint;
+  }
+  if (free) return;
+  terminal.warn(
+      finite
+          ? "no block can move: every finite one is enclosed by other blocks, none has a free "
+            "face. A face of a solid left out of continues, or an [[excavation]], would free some"
+          : "no block can move: none is finite, each touches a face beyond which the rock "
+            "continues. Fewer faces in continues, or more joints, would make finite blocks");
+}
+
+void check_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal) {
+  if (blocks.block_count() < 2 || model.cover->joints == JointTreatment::welded) return;
+  if (has_contact(model)) {
+    const Analysis& analysis = *model.analysis;
+    if (!analysis.has(AnalysisType::dynamic) ||
+        (analysis.newmark_beta == 0.25 && analysis.newmark_gamma == 0.5))
+      return;
+    Place place = analysis.place;
+    place.key += ".newmark";
+    throw Error(ErrorKind::model,
+                {{place,
+                  "must be {beta = 0.25, gamma = 0.5} where blocks touch each other: only "
+                  "then is no energy made in impacts"}});
+  }
+  terminal.warn(fmt::format(
+      "the {} blocks move through each other: contact needs cover.order = 0 or 1, no cover.mixed, "
+      "analysis.kinematics = \"large\" and no static analysis (\"quasi_static\" finds the same "
+      "rest). With cover.joints = \"welded\" the rock moves as one mass",
+      blocks.block_count()));
+}
+
+namespace {
+
+/// Of their size, by which blocks move in a step that contact finds its way through, and in one that it hardly does.
+constexpr Real good_way = 0.02, long_way = 0.2;
+/// Times E/h: joints as stiff as a hundred of these yield a hundredth of what the rock does; the iterations grow with k h/E.
+constexpr Real stiff = 1000;
+
+/// m: the cube root of the mean volume.
+Real size_of(const BlockArrays& blocks) {
+  Real volume = 0;
+  for (const Real v : blocks.volume) volume += v;
+  return std::cbrt(volume / static_cast<Real>(blocks.block_count()));
+}
+
+/// m/s: of blocks that have fallen by their own size, or as fast as they start.
+Real expected_speed(const Model& model, Real size) {
+  Real speed = std::sqrt(2 * norm(model.gravity) * size);
+  for (const InitialVelocity& v : model.initial_velocities)
+    speed = std::max(speed, norm(v.velocity));
+  return speed;
+}
+
+void warn_of_contact_steps(const Model& model, Real size, Terminal& terminal) {
+  Real longest = 0;
+  for (const AnalysisStage& stage : model.analysis->stages)
+    if (stage.type == AnalysisType::dynamic) longest = std::max(longest, stage.time_step);
+  const Real speed = expected_speed(model, size), way = longest * speed / size;
+  if (way <= long_way) return;
+  terminal.warn(fmt::format(
+      "analysis.time_step = {:.3g} s is long for contact: blocks of {:.2g} m at {:.2g} m/s (their "
+      "start, or a fall by their size) move by {:.2g} of their size in a step, which takes many "
+      "iterations or is divided. {:.1g} s is a good start",
+      longest, size, speed, way, good_way * size / speed));
+}
+
+void warn_of_stiff_joints(const Model& model, Real size, Terminal& terminal) {
+  Real modulus = 0;
+  for (const Material& m : model.materials) modulus = std::max(modulus, m.young_modulus);
+  const Real rock = modulus / size;
+  for (const JointMaterial& joint : model.joint_materials)
+    for (const auto& [key, k] : {std::pair{"normal_stiffness", joint.normal_stiffness},
+                                 std::pair{"shear_stiffness", joint.shear_stiffness}})
+      if (k && *k >= stiff * rock)
+        terminal.warn(fmt::format(
+            "{}.{} = {:.3g} Pa/m is {:.2g} times E/h of the blocks (h = {:.2g} m, E/h = {:.2g} "
+            "Pa/m): contact so stiff takes many iterations; from 100 times E/h on joints yield a "
+            "hundredth of what the rock does",
+            joint.place.key, key, *k, *k / rock, size, rock));
+}
+
+}  // namespace
+
+void warn_of_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal) {
+  if (blocks.block_count() < 2 || model.cover->joints == JointTreatment::welded ||
+      !has_contact(model))
+    return;
+  const Real size = size_of(blocks);
+  warn_of_contact_steps(model, size, terminal);
+  warn_of_stiff_joints(model, size, terminal);
+}
+
+void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal) {
+  if (model.analysis->large()) return;
+  Real largest = 0;
+  std::size_t at = 0;
+  for (std::size_t b = 0; b < run.blocks.size(); ++b)
+    if (norm(run.blocks[b].rotation) > largest) largest = norm(run.blocks[at = b].rotation);
+  if (largest > largest_small_rotation)
+    terminal.warn(fmt::format(
+        "block {} turns by {:.3g} rad, but strains are those of small rotations: above {} rad "
+        "its size and stress are not to be trusted",
+        at + 1, largest, largest_small_rotation));
+}
+
+void warn_of_lost_energy(const Model& model, const RunResult& run, Terminal& terminal) {
+  const Analysis& analysis = *model.analysis;
+  const auto keeps_energy = [](const AnalysisStage& stage) {
+    return stage.type == AnalysisType::dynamic && stage.dynamic_ratio == 1;
+  };
+  if (!std::all_of(analysis.stages.begin(), analysis.stages.end(), keeps_energy) ||
+      analysis.newmark_beta != 0.25 || analysis.newmark_gamma != 0.5 ||
+      run.largest_displacement.length < least_motion)
+    return;
+  Real largest = 0, lost = 0;
+  for (const Energy& e : run.energies) {
+    largest =
+        std::max({largest, e.kinetic, std::abs(e.strain + e.numerical), std::abs(e.potential)});
+    lost = std::max(lost, std::abs(e.numerical));
+  }
+  if (lost <= largest_lost_share * largest) return;
+  terminal.warn(fmt::format(
+      "the energy does not close: {:.3g} J have come or gone where the rock moves {:.3g} J about. "
+      "The motion is not to be trusted: choose a solver.tolerance of 1e-8 to 1e-10, a shorter "
+      "analysis.time_step, or covers of a lower order",
+      lost, largest));
+}
+
+namespace {
+Real longest_step(const Analysis& analysis) {
+  Real longest = 0;
+  for (const AnalysisStage& stage : analysis.stages) longest = std::max(longest, stage.time_step);
+  return longest;
+}
+}  // namespace
+
+void warn_of_divided_steps(const Model& model, const RunResult& run, Terminal& terminal) {
+  if (run.divided_steps == 0) return;
+  terminal.warn(fmt::format(
+      "{} of {} steps did not converge at once and were divided, into {} parts at most: with an "
+      "analysis.time_step shorter than {:.3g} s all steps would be alike",
+      run.divided_steps, run.steps, run.most_parts, longest_step(*model.analysis)));
+}
+
+void warn_of_support_gap(const Model& model, const RunResult& run, const FixedPoints& fixed,
+                         Terminal& terminal) {
+  if (const auto pair = find_contradiction(fixed)) {
+    terminal.warn(fmt::format(
+        "fixed[{}] and fixed[{}] prescribe different displacements of the same points: neither "
+        "can be kept (reactions and stress there mean nothing)",
+        (*pair)[0] + 1, (*pair)[1] + 1));
+    return;
+  }
+  const OffPlace& off = run.off_place;
+  const Real motion = std::max(off.prescribed, run.largest_displacement.length);
+  if (off.other != none && off.prescribed > 0 && off.distance > largest_share_off_place * motion) {
+    terminal.warn(
+        fmt::format("fixed[{}] is {:.2g} m off its place, on rock that fixed[{}] holds as well: "
+                    "they contradict each other (reactions and stress there mean nothing)",
+                    off.condition + 1, off.distance, off.other + 1));
+    return;
+  }
+  const bool moving = model.analysis->stages.back().type == AnalysisType::dynamic;
+  if (run.support_gap <= (moving ? largest_support_gap : largest_gap_at_rest)) return;
+  terminal.warn(fmt::format(
+      "fixed points are off their places by {:.2g} of the largest displacement: they "
+      "cannot all be kept on these covers ({}more than so few covers can do; a smaller "
+      "cover.spacing can do more)",
+      run.support_gap,
+      model.fixed.size() > 1 ? "[[fixed]] contradict each other, or hold " : "[[fixed]] holds "));
+}
+
+void warn_of_missing_factors(const Model& model, const RunResult& run, Terminal& terminal) {
+  if (model.solver.preconditioner != Preconditioner::direct || run.interrupted ||
+      run.preconditioner == Preconditioner::direct ||
+      run.preconditioner == Preconditioner::automatic)
+    return;
+  terminal.warn(
+      fmt::format("solver.preconditioner = \"direct\": this system's factors are out of reach "
+                  "(3e11 operations, 3 GB) or did not help; it was solved with {}",
+                  preconditioner_name(run.preconditioner)));
+}
+
+void warn_of_interruption(const RunResult& run, const Model& model, Terminal& terminal) {
+  if (!run.interrupted || stop_error("")) return;  // the error of a limit says so itself
+  terminal.warn(fmt::format("interrupted after {} of {} steps: the result ends at t = {:.6g} s",
+                            run.steps, model.analysis->steps(), run.time));
+}
+
+}  // namespace rockfold

@@ -1,0 +1,235 @@
+// What a run came to, and its histories.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "src/printed/plot.hpp"
+#include "src/printed/sections.hpp"
+
+namespace rockfold {
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+constexpr std::size_t most_curves = 8;  // in a plot: as many as there are colours
+constexpr std::size_t most_rows = 40;   // of blocks beside their prediction
+
+std::vector<Real> numbers(const Json& list) {
+  std::vector<Real> values;
+  for (const Json& v : list)
+    values.push_back(v.is_number() ? v.get<Real>() : std::numeric_limits<Real>::quiet_NaN());
+  return values;
+}
+
+std::vector<Real> lengths(const Json& vectors) {
+  std::vector<Real> values;
+  for (const Json& v : vectors)
+    values.push_back(std::hypot(v.at(0).get<Real>(), v.at(1).get<Real>(), v.at(2).get<Real>()));
+  return values;
+}
+
+/// Of each monitor that has it, one quantity; in plots of at most `most_curves`.
+void add_monitor_plots(Html& html, const Json& monitors, const std::string& key,
+                       const std::string& title, const std::string& unit) {
+  Plot plot{title, unit, {}, {}};
+  const auto draw = [&] {
+    if (const std::string svg = plot_svg(plot); !svg.empty()) html.figure(svg, "");
+    plot.curves.clear();
+  };
+  for (const Json& m : monitors) {
+    if (!m.contains(key) || m.at(key).empty()) continue;
+    plot.time = numbers(m.at("time"));
+    plot.curves.push_back(
+        {m.at("name"), m.at(key).at(0).is_array() ? lengths(m.at(key)) : numbers(m.at(key))});
+    if (plot.curves.size() == most_curves) draw();
+  }
+  draw();
+}
+
+/// What never differs from zero beside the others only takes room.
+void add_energy_plot(Html& html, const Json& history) {
+  Plot plot{"Energy", "J", numbers(history.at("time")), {}};
+  Real most = 0;
+  const auto peak = [](const PlotCurve& curve) {
+    Real largest = 0;
+    for (const Real v : curve.values)
+      if (std::isfinite(v)) largest = std::max(largest, std::abs(v));
+    return largest;
+  };
+  for (const auto& [name, values] : history.items())
+    if (name != "time") {
+      plot.curves.push_back({name, numbers(values)});
+      most = std::max(most, peak(plot.curves.back()));
+    }
+  std::erase_if(plot.curves, [&](const PlotCurve& curve) { return peak(curve) <= 1e-3 * most; });
+  if (plot.curves.size() > most_curves) plot.curves.resize(most_curves);
+  if (const std::string svg = plot_svg(plot); !svg.empty())
+    html.figure(svg, "Parts that stay below a thousandth of the largest are left out.");
+}
+
+void add_contact_plot(Html& html, const Json& history) {
+  Plot plot{"Contact points", "", numbers(history.at("time")), {}};
+  for (const char* name : {"open", "stick", "slide"})
+    plot.curves.push_back({name, numbers(history.at(name))});
+  if (const std::string svg = plot_svg(plot); !svg.empty() && !history.at("open").empty())
+    html.figure(svg, "");
+}
+
+void add_stages(Html& html, const Json& setup) {
+  Rows rows;
+  for (const Json& s : setup.at("analysis").at("stages"))
+    rows.push_back(
+        {s.at("name").get<std::string>().empty() ? "analysis" : s.at("name").get<std::string>(),
+         s.at("type"), fmt::format("{}", s.at("steps").get<Index>()), digits(s.at("time_step")),
+         digits(s.at("dynamic_ratio"))});
+  html.table("",
+             {{"step", "", true},
+              {"type", "", true},
+              {"time steps"},
+              {"time step", "s"},
+              {"dynamic ratio"}},
+             rows);
+}
+
+std::string largest_text(const Json& largest) {
+  if (!largest.is_object()) return "none";
+  const Json& blocks = largest.at("blocks");
+  return fmt::format("{}, {} between blocks {} and {}", quantity(largest.at("value"), "m"),
+                     largest.at("joint").get<std::string>().empty()
+                         ? "faces that met"
+                         : largest.at("joint").get<std::string>(),
+                     blocks.at(0).get<Index>(), blocks.at(1).get<Index>());
+}
+
+void add_totals(Html& html, const Json& answer) {
+  const Json& totals = answer.at("totals");
+  std::vector<std::pair<std::string, std::string>> facts{
+      {"Unknowns", digits(totals.at("dof"), 9)},
+      {"Reached", fmt::format("{} s after {} steps", digits(totals.at("time")),
+                              totals.at("steps").get<Index>())},
+      {"Largest displacement",
+       fmt::format("{}, of block {}", quantity(totals.at("largest_displacement"), "m"),
+                   totals.at("largest_displacement_block").get<Index>())},
+      {"Sum of reactions", vector_text(answer.at("reaction")) + " N"}};
+  if (answer.contains("rest")) {
+    const Json& rest = answer.at("rest");
+    facts.emplace_back(
+        "Blocks that moved",
+        fmt::format("{} of {}, by more than a hundredth of their size; the fastest moves at {}",
+                    rest.at("moved_blocks").get<Index>(), totals.at("blocks").get<Index>(),
+                    quantity(rest.at("speed"), "m/s")));
+    facts.emplace_back("Largest slip", largest_text(rest.at("largest_slip")));
+    facts.emplace_back("Largest opening", largest_text(rest.at("largest_opening")));
+    const Json& c = answer.at("contacts");
+    facts.emplace_back(
+        "Contact points",
+        fmt::format("{} open, {} stick, {} slide; deepest penetration {}",
+                    c.at("open").get<Index>(), c.at("stick").get<Index>(),
+                    c.at("slide").get<Index>(), quantity(c.at("max_penetration"), "m")));
+  }
+  html.facts(facts);
+}
+
+/// What monitors show at the end.
+void add_monitor_table(Html& html, const Json& monitors) {
+  Rows points, joints;
+  for (const Json& m : monitors) {
+    if (m.at("time").empty()) continue;
+    const std::string name = m.at("name");
+    if (m.contains("joint")) {
+      joints.push_back({name, m.at("joint"), digits(m.at("normal_stress").back(), 4, 1e3),
+                        digits(m.at("shear_stress").back(), 4, 1e3),
+                        digits(m.at("opening").back(), 4, 1e-3),
+                        digits(m.at("slip").back(), 4, 1e-3), m.at("state").back()});
+      continue;
+    }
+    const Json& u = m.at("displacement").back();
+    std::vector<std::string> row{name};
+    for (const Json& part : u) row.push_back(digits(part, 4, 1e-3));
+    row.push_back(digits(lengths(Json::array({u})).front() / 1e-3));
+    for (const Json& s : m.at("principal_stress").back()) row.push_back(digits(s, 4, 1e3));
+    points.push_back(row);
+  }
+  if (!points.empty())
+    html.table("Monitors of points at the end",
+               {{"monitor", "", true},
+                {"east", "mm"},
+                {"north", "mm"},
+                {"up", "mm"},
+                {"in all", "mm"},
+                {"σ₁", "kPa"},
+                {"σ₂", "kPa"},
+                {"σ₃", "kPa"}},
+               points);
+  if (!joints.empty())
+    html.table("Monitors of joints at the end",
+               {{"monitor", "", true},
+                {"joint", "", true},
+                {"normal stress", "kPa"},
+                {"shear stress", "kPa"},
+                {"opening", "mm"},
+                {"slip", "mm"},
+                {"state", "", true}},
+               joints);
+}
+
+/// What block theory says of key blocks, and what they did.
+void add_keyblock_motion(Html& html, const Json& motions) {
+  std::vector<Json> moved;
+  std::copy_if(motions.begin(), motions.end(), std::back_inserter(moved),
+               [](const Json& m) { return m.at("moved").get<bool>(); });
+  html.heading(3, "Key blocks in the analysis");
+  html.paragraph(fmt::format("{} of {} key blocks moved by more than a hundredth of their size.",
+                             moved.size(), motions.size()));
+  Rows rows;
+  for (std::size_t i = 0; i < std::min(moved.size(), most_rows); ++i) {
+    const Json& m = moved[i];
+    rows.push_back({fmt::format("{}", m.at("block").get<Index>()),
+                    fmt::format("{}", m.at("batch").get<Index>()), mode_words(m),
+                    trend_text(m.at("direction")),
+                    digits(lengths(Json::array({m.at("displacement")})).front()),
+                    digits(m.at("off_direction"), 3), digits(m.at("rotation"), 3)});
+  }
+  if (!rows.empty())
+    html.table(
+        moved.size() > most_rows ? fmt::format("The first {} of {}", most_rows, moved.size()) : "",
+        {{"block"},
+         {"batch"},
+         {"predicted", "", true},
+         {"predicted direction", "trend/plunge"},
+         {"moved", "m"},
+         {"off the direction", "°"},
+         {"turned", "°"}},
+        rows);
+}
+
+}  // namespace
+
+void add_analysis(Html& html, const ReportSource& source) {
+  if (!source.has_run()) return;
+  const Json& answer = source.answer;
+  html.heading(2, "Analysis", "analysis");
+  if (answer.at("setup").contains("analysis")) add_stages(html, answer.at("setup"));
+  add_totals(html, answer);
+  const Json& monitors = answer.at("monitors");
+  if (!monitors.empty()) {
+    html.heading(3, "Monitors");
+    add_monitor_table(html, monitors);
+    add_monitor_plots(html, monitors, "displacement", "Displacement of points", "m");
+    add_monitor_plots(html, monitors, "velocity", "Velocity of points", "m/s");
+    add_monitor_plots(html, monitors, "slip", "Slip of joints", "m");
+    add_monitor_plots(html, monitors, "opening", "Opening of joints", "m");
+    add_monitor_plots(html, monitors, "normal_stress", "Normal stress of joints, tension positive",
+                      "Pa");
+    add_monitor_plots(html, monitors, "shear_stress", "Shear stress of joints", "Pa");
+  }
+  if (answer.contains("keyblock_motion")) add_keyblock_motion(html, answer.at("keyblock_motion"));
+  html.heading(3, answer.contains("rest") ? "Energies and contact" : "Energies");
+  add_energy_plot(html, answer.at("energy_history"));
+  if (answer.contains("contacts_history")) add_contact_plot(html, answer.at("contacts_history"));
+}
+
+}  // namespace rockfold

@@ -1,0 +1,225 @@
+// What was modelled: summary, materials, joints, the model's text.
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "src/base/sha256.hpp"
+#include "src/printed/sections.hpp"
+
+namespace rockfold {
+
+namespace {
+
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
+/// "1 solid, 3 joint sets".
+std::string count_text(const Json& counts) {
+  static const std::vector<std::array<const char*, 3>> names{
+      {"solids", "solid", "solids"},
+      {"joint_sets", "joint set", "joint sets"},
+      {"joints", "single joint", "single joints"},
+      {"joint_meshes", "joint mesh", "joint meshes"},
+      {"joint_tables", "table of joints", "tables of joints"},
+      {"excavations", "excavation", "excavations"},
+      {"fixed", "condition of fixity", "conditions of fixity"},
+      {"tractions", "traction", "tractions"},
+      {"point_loads", "point load", "point loads"},
+      {"water", "water level", "water levels"}};
+  std::string text;
+  for (const auto& [key, one, many] : names)
+    if (const Index count = counts.at(key); count > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, count == 1 ? one : many);
+  return text;
+}
+
+/// Nothing where the size of the blocks decides.
+std::string spacing_text(const Json& spacing) {
+  const auto is_zero = [](const Json& x) { return x == 0; };
+  if (std::all_of(spacing.begin(), spacing.end(), is_zero)) return "";
+  return ", spacing " + vector_text(spacing) + " m";
+}
+
+void add_materials(Html& html, const Json& setup) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& m : setup.at("materials"))
+    rows.push_back({m.at("name"), digits(m.at("density")), digits(m.at("young_modulus"), 4, 1e9),
+                    digits(m.at("poisson_ratio"))});
+  if (!rows.empty())
+    html.table("Rock",
+               {{"material", "", true},
+                {"density", "kg/m³"},
+                {"Young's modulus", "GPa"},
+                {"Poisson's ratio"}},
+               rows);
+  rows.clear();
+  const auto stiffness = [](const Json& value) {
+    return value.is_null() ? std::string("default") : digits(value, 4, 1e9);
+  };
+  for (const Json& m : setup.at("joint_materials"))
+    rows.push_back({m.at("name"), digits(m.at("friction_angle")), digits(m.at("cohesion"), 4, 1e3),
+                    digits(m.at("tensile_strength"), 4, 1e3),
+                    digits(m.at("residual_friction_angle")),
+                    digits(m.at("residual_cohesion"), 4, 1e3), digits(m.at("dilation_angle")),
+                    stiffness(m.at("normal_stiffness")), stiffness(m.at("shear_stiffness"))});
+  if (!rows.empty())
+    html.table("Joint materials (Mohr–Coulomb)",
+               {{"material", "", true},
+                {"friction", "°"},
+                {"cohesion", "kPa"},
+                {"tension", "kPa"},
+                {"residual friction", "°"},
+                {"residual cohesion", "kPa"},
+                {"dilation", "°"},
+                {"normal stiffness", "GPa/m"},
+                {"shear stiffness", "GPa/m"}},
+               rows);
+}
+
+void add_net(Html& html, const ReportSource& source) {
+  const Json& setup = source.answer.at("setup");
+  NetContent net;
+  net.title_of_document = "Stereonet";
+  for (const Json& joint : setup.at("joints"))
+    net.planes.push_back({joint.at("name"), joint.at("normal").get<Vec3>(), joint.at("dip"),
+                          joint.at("dip_direction")});
+  for (const auto& [joint, normal] : source.poles) {
+    const auto plane = std::find_if(net.planes.begin(), net.planes.end(),
+                                    [&name = joint](const NetPlane& p) { return p.name == name; });
+    net.poles.push_back({normal, static_cast<std::size_t>(plane - net.planes.begin())});
+  }
+  for (const Json& m : setup.at("joint_materials"))
+    net.friction_angles.push_back(m.at("friction_angle"));
+  net.equal_area = true;
+  html.figure(draw_net(net),
+              "Joints between blocks. Poles inside a friction circle belong to planes too gentle "
+              "to slide on.");
+}
+
+}  // namespace
+
+const Json& ReportSource::support() const {
+  static const Json none_found = nullptr;
+  if (answer.contains("support")) return answer.at("support");
+  return answer.contains("keyblocks") ? answer : none_found;
+}
+
+void add_summary(Html& html, const ReportSource& source) {
+  const Json& answer = source.answer;
+  const Json& totals = answer.at("totals");
+  Facts facts{{"Result", source.file},
+              {"Made by", fmt::format("rockfold {} {} (commit {})", source.version, source.command,
+                                      source.commit.empty() ? "unknown" : source.commit)},
+              {"Model", "SHA-256 " + sha256(source.model)},
+              {"Blocks", digits(totals.at("blocks"), 8)}};
+  if (const Json& support = source.support(); !support.is_null()) {
+    const Json& sums = support.at("totals");
+    const Json& first = sums.at("first_batch");
+    facts.emplace_back(
+        "Key blocks",
+        fmt::format("{} in {} batches, {} m³; support force {}", sums.at("keyblocks").get<Index>(),
+                    sums.at("batches").size(), digits(sums.at("keyblock_volume")),
+                    quantity(sums.at("support_force"), "N")));
+    facts.emplace_back(
+        "First batch",
+        fmt::format("{} key blocks, {} m³; support force {}", first.at("keyblocks").get<Index>(),
+                    digits(first.at("volume")), quantity(first.at("support_force"), "N")));
+  }
+  if (source.has_run()) {
+    facts.emplace_back("Analysis",
+                       fmt::format("{} steps to {} s{}", totals.at("steps").get<Index>(),
+                                   digits(totals.at("time")),
+                                   totals.value("interrupted", false) ? ", interrupted" : ""));
+    facts.emplace_back("Largest displacement", quantity(totals.at("largest_displacement"), "m"));
+  }
+  facts.emplace_back("Warnings",
+                     answer.at("warnings").empty()
+                         ? "none"
+                         : fmt::format("{}, listed at the end", answer.at("warnings").size()));
+  html.facts(facts);
+}
+
+void add_model(Html& html, const ReportSource& source) {
+  const Json& setup = source.answer.at("setup");
+  html.heading(2, "Model");
+  Facts facts{{"Consists of", count_text(setup.at("counts"))},
+              {"Gravity", vector_text(setup.at("gravity")) + " m/s² (east, north, up)"}};
+  if (!setup.at("files").empty())
+    facts.emplace_back("Files", joined(setup.at("files")) + " (not part of the model's SHA-256)");
+  if (setup.contains("support")) {
+    const Json& s = setup.at("support");
+    facts.emplace_back("Target factor of safety", digits(s.at("target_factor_of_safety")));
+    facts.emplace_back("Water pressure in joints", quantity(s.at("water_pressure"), "Pa"));
+    facts.emplace_back("Seismic coefficient", vector_text(s.at("seismic_coefficient")));
+  }
+  if (setup.contains("analysis")) {
+    const Json& a = setup.at("analysis");
+    facts.emplace_back("Kinematics", a.at("kinematics").get<std::string>() + " displacements");
+    if (a.contains("lattice"))
+      facts.emplace_back(
+          "Cover", fmt::format("lattice {}{}, order {}, joints {}{}",
+                               a.at("lattice").get<std::string>(), spacing_text(a.at("spacing")),
+                               a.at("order").get<int>(), a.at("joints").get<std::string>(),
+                               a.at("contact").get<bool>() ? ", blocks in contact" : ""));
+  }
+  html.facts(facts);
+  add_materials(html, setup);
+}
+
+void add_block_sizes(Html& html, const ReportSource& source) {
+  if (!source.answer.contains("statistics")) return;
+  const Json& volume = source.answer.at("statistics").at("volume");
+  html.heading(2, "Sizes of blocks");
+  std::vector<std::vector<std::string>> rows(2);
+  std::vector<HtmlColumn> columns{{"share of the blocks", "", true}};
+  rows[0].emplace_back("by number");
+  rows[1].emplace_back("by volume");
+  for (const auto& [name, value] : volume.at("by_number").items()) {
+    columns.push_back({name, "m³"});
+    rows[0].push_back(digits(value, 3));
+    rows[1].push_back(digits(volume.at("by_volume").at(name), 3));
+  }
+  html.table(
+      "D50: half of the blocks are smaller. Mean volume " + quantity(volume.at("mean"), "m³"),
+      columns, rows);
+}
+
+void add_joints(Html& html, const ReportSource& source) {
+  const Json& joints = source.answer.at("setup").at("joints");
+  if (joints.empty() && source.poles.empty()) return;
+  html.heading(2, "Joints");
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& j : joints)
+    rows.push_back({j.at("name"), j.at("kind"), digits(j.at("dip"), 3),
+                    digits(j.at("dip_direction"), 3), digits(j.at("spacing")),
+                    j.at("radius").is_null() ? "through-going" : digits(j.at("radius")),
+                    j.at("material")});
+  html.table("",
+             {{"joint", "", true},
+              {"kind", "", true},
+              {"dip", "°"},
+              {"dip direction", "°"},
+              {"spacing", "m"},
+              {"radius", "m"},
+              {"material", "", true}},
+             rows);
+  add_net(html, source);
+}
+
+void add_warnings(Html& html, const ReportSource& source) {
+  const Json& warnings = source.answer.at("warnings");
+  const Json& unused = source.answer.at("unused");
+  if (warnings.empty() && unused.empty()) return;
+  html.heading(2, "Warnings");
+  if (!warnings.empty()) html.list(warnings.get<std::vector<std::string>>());
+  if (!unused.empty())
+    html.paragraph(fmt::format("Not used by `{}`: {}.", source.command, joined(unused)));
+}
+
+void add_model_text(Html& html, const ReportSource& source) {
+  html.heading(2, "Appendix: the model");
+  html.paragraph("As read, with what the command line changed. SHA-256 " + sha256(source.model));
+  html.preformatted(source.model);
+}
+
+}  // namespace rockfold

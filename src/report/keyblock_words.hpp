@@ -1,0 +1,18 @@
+// How summaries tell of key blocks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/keyblock/keyblock.hpp"
+
+namespace rockfold {
+
+/// "slides on two"
+const char* mode_words(const Keyblock& key);
+/// "J1, J2", or "-"
+std::string joined_names(const std::vector<std::string>& names);
+/// The least safe first: what falls, then by factor of safety, of equals the heavier.
+void sort_by_safety(std::vector<Keyblock>& keys);
+
+}  // namespace rockfold

@@ -1,0 +1,178 @@
+// The summary of key blocks: the first batch on top, then what moves behind it and what just stays.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "src/report/design_names.hpp"
+#include "src/report/keyblock_words.hpp"
+#include "src/report/progress_line.hpp"
+#include "src/report/summary.hpp"
+#include "src/report/table.hpp"
+
+namespace rockfold {
+
+const char* mode_words(const Keyblock& key) {
+  switch (key.mode) {
+    case SlidingMode::lifting:
+      return key.direction[2] > 0 ? "pushed up" : "falls";
+    case SlidingMode::single_plane:
+      return "slides";
+    case SlidingMode::two_planes:
+      return "slides on two";
+    case SlidingMode::rotation:
+      return "turns";
+    case SlidingMode::at_rest:
+      return "rests";
+  }
+  return "";
+}
+
+std::string joined_names(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? "-" : text;
+}
+
+void sort_by_safety(std::vector<Keyblock>& keys) {
+  const auto safety = [](const Keyblock& key) {
+    return std::isfinite(key.factor_of_safety) ? key.factor_of_safety : 0;
+  };
+  std::stable_sort(keys.begin(), keys.end(), [&](const Keyblock& a, const Keyblock& b) {
+    return std::pair(safety(a), -a.weight) < std::pair(safety(b), -b.weight);
+  });
+}
+
+namespace {
+
+std::vector<std::string> keyblock_row(const Keyblock& key) {
+  return {block_ids(key.members),
+          std::to_string(key.batch),
+          fmt::format("{:.2f}", key.volume),
+          fmt::format("{:.1f}", key.weight / 1e3),
+          mode_words(key),
+          joined_names(key.planes),
+          std::isfinite(key.factor_of_safety) ? fmt::format("{:.2f}", key.factor_of_safety) : "-",
+          fmt::format("{:.1f}", key.sliding_force / 1e3),
+          std::isfinite(key.support_force) ? fmt::format("{:.1f}", key.support_force / 1e3) : "-",
+          std::isfinite(key.support_pressure) ? fmt::format("{:.2f}", key.support_pressure / 1e3)
+                                              : "-"};
+}
+
+const std::vector<Column> keyblock_columns{{"block", "", false},     {"batch", "", false},
+                                           {"volume", "m3", false},  {"weight", "kN", false},
+                                           {"it", "", true},         {"on", "", true},
+                                           {"safety", "", false},    {"net", "kN", false},
+                                           {"support", "kN", false}, {"pressure", "kPa", false}};
+
+std::string batches_text(const std::vector<Index>& batches) {
+  std::string text;
+  for (const Index n : batches) text += (text.empty() ? "" : " + ") + std::to_string(n);
+  return text;
+}
+
+bool any_removable(const KeyblockReport& report) {
+  return std::any_of(report.block_class.begin(), report.block_class.end(),
+                     [](BlockClass c) { return c == BlockClass::stable || c == BlockClass::key; });
+}
+
+/// Blocks that stay, but with less than the target factor of safety.
+std::string doubtful_summary(const KeyblockReport& report) {
+  std::size_t count = 0;
+  Real force = 0;
+  for (const auto& block : report.stable)
+    if (block.support_force > 0) ++count, force += block.support_force;
+  if (count == 0) return "";
+  return fact("below the target", fmt::format("{} more blocks stay, but need {:.4g} kN for the "
+                                              "target factor of safety",
+                                              count, force / 1e3));
+}
+
+/// What blocks need together.
+struct KeyblockSums {
+  std::size_t blocks = 0, unheld = 0;  // along a given direction no force may suffice
+  Real volume = 0, force = 0;
+};
+
+KeyblockSums sums_of(const std::vector<Keyblock>& keys) {
+  KeyblockSums sums;
+  for (const Keyblock& key : keys) {
+    ++sums.blocks;
+    sums.volume += key.volume;
+    if (std::isfinite(key.support_force))
+      sums.force += key.support_force;
+    else
+      ++sums.unheld;
+  }
+  return sums;
+}
+
+std::string sums_text(const KeyblockSums& sums) {
+  std::string text =
+      fmt::format("{}, {:.4g} m3, {:.4g} kN", sums.blocks, sums.volume, sums.force / 1e3);
+  if (sums.unheld > 0)
+    text += fmt::format("; no force along support_direction holds {} of them", sums.unheld);
+  return text;
+}
+
+std::string keyblock_table(const std::vector<Keyblock>& keys, std::size_t most) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t k = 0; k < std::min(most, keys.size()); ++k)
+    rows.push_back(keyblock_row(keys[k]));
+  std::string text = table_text(keyblock_columns, rows);
+  if (rows.size() < keys.size())
+    text += fmt::format("  … {} more: [[table]] kind = \"keyblocks\" lists all\n",
+                        grouped(static_cast<std::int64_t>(keys.size() - rows.size())));
+  return text;
+}
+
+/// A line for each batch behind the first.
+std::string later_batches(const KeyblockReport& report) {
+  std::string text;
+  for (std::size_t batch = 2; batch <= report.batches.size(); ++batch) {
+    std::vector<Keyblock> keys;
+    for (const Keyblock& key : report.keyblocks)
+      if (key.batch == static_cast<Index>(batch)) keys.push_back(key);
+    const Index stage = report.batch_stage[batch - 1];
+    text +=
+        fact(fmt::format("batch {}{}", batch, stage > 0 ? fmt::format(", stage {}", stage) : ""),
+             sums_text(sums_of(keys)));
+  }
+  return text.empty() ? "" : "\n" + text;
+}
+
+/// The least safe of the blocks that stay.
+std::string stable_table(const KeyblockReport& report) {
+  constexpr std::size_t most = 10;
+  auto stable = report.stable;
+  std::erase_if(stable, [](const Keyblock& key) { return !std::isfinite(key.factor_of_safety); });
+  if (stable.empty()) return "";
+  sort_by_safety(stable);
+  if (stable.size() > most) stable.resize(most);
+  return "\n  Blocks that stay, the least safe first:\n\n" + keyblock_table(stable, most);
+}
+
+}  // namespace
+
+std::string support_summary(const KeyblockReport& report, const BlockArrays& blocks,
+                            std::size_t most) {
+  if (report.keyblocks.empty())
+    return fact("key blocks", any_removable(report) ? "none: no block moves under these loads"
+                                                    : "none: no block can move") +
+           doubtful_summary(report) + stable_table(report);
+  std::vector<Keyblock> first;
+  for (const Keyblock& key : report.keyblocks)
+    if (key.batch == 1) first.push_back(key);
+  sort_by_safety(first);
+  std::string text = fact(
+      "key blocks", fmt::format("{} of {} blocks", report.keyblocks.size(), blocks.block_count()));
+  text +=
+      fact("batches", fmt::format("{} ({})", report.batches.size(), batches_text(report.batches)));
+  text += fact("first batch", sums_text(sums_of(first)));
+  if (report.batches.size() > 1) text += fact("all batches", sums_text(sums_of(report.keyblocks)));
+  text += doubtful_summary(report);
+  return text + "\n" + keyblock_table(first, most) + later_batches(report) + stable_table(report);
+}
+
+}  // namespace rockfold

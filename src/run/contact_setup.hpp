@@ -1,0 +1,14 @@
+// What a model asks of contact: by which laws blocks touch each other, and how near they are looked at.
+#pragma once
+
+#include "kernels/contact/contact.hpp"
+#include "src/arrays/block_arrays.hpp"
+#include "src/model/model.hpp"
+
+namespace rockfold {
+
+/// Laws of the joint materials and the rest of [contact]. A stiffness that is not given closes by 1e-5 of a block under its overburden,
+/// ρ g H / (1e-5 h), but is no more than E/h: a joint need not be stiffer than the rock. h is the cube root of the mean volume.
+ContactOptions contact_options(const Model& model, const BlockArrays& blocks);
+
+}  // namespace rockfold

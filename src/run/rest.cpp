@@ -1,0 +1,57 @@
+#include "src/run/rest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "src/base/vector.hpp"
+#include "src/run/contact_samples.hpp"
+
+namespace rockfold {
+namespace {
+
+/// Share of √(g h) below which blocks are at rest.
+constexpr Real resting = 1e-3;
+
+void take_larger(Real value, Index joint, const Index (&block)[2], LargestAtJoint& largest) {
+  if (value <= largest.value) return;
+  largest = {value, joint, {block[0], block[1]}};
+}
+
+/// By the vector that is axis times angle (Rodrigues).
+Vec3 rotated(const Vec3& v, const Vec3& rotation) {
+  const Real angle = norm(rotation);
+  if (!(angle > 0)) return v;
+  const Vec3 axis = (1 / angle) * rotation;
+  return std::cos(angle) * v + std::sin(angle) * cross(axis, v) +
+         ((1 - std::cos(angle)) * dot(axis, v)) * axis;
+}
+
+}  // namespace
+
+Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
+               const std::vector<BlockMotion>& whole, const std::vector<BlockMotion>& velocity,
+               const std::vector<ContactPoint>& start, const std::vector<Vec3>& covers) {
+  Rest rest;
+  const auto& volume = input.blocks.volume;
+  for (std::size_t b = 0; b < counted.size(); ++b) {
+    rest.moved += norm(counted[b].displacement) > share_that_is_motion * std::cbrt(volume[b]);
+    rest.speed = std::max(rest.speed, norm(velocity[b].displacement));
+  }
+  const auto& block_of = input.contact->surfaces.vertex_block;
+  for (const ContactPoint& p : start) {
+    if (p.joint == none) continue;
+    const Index block[2] = {block_of[p.vertex[0]], block_of[p.vertex[3]]};
+    const Vec3 normal = rotated({p.normal[0], p.normal[1], p.normal[2]}, whole[block[1]].rotation);
+    const Vec3 apart = way_apart(input, p, covers);
+    const Real opening = dot(normal, apart);
+    take_larger(opening, p.joint, block, rest.opening);
+    take_larger(norm(apart - opening * normal), p.joint, block, rest.slip);
+  }
+  const Real rock = std::accumulate(volume.begin(), volume.end(), Real{0});
+  const Real size = std::cbrt(rock / static_cast<Real>(volume.size()));
+  rest.at_rest = rest.speed <= resting * std::sqrt(norm(input.model.gravity) * size);
+  return rest;
+}
+
+}  // namespace rockfold

@@ -1,0 +1,14 @@
+// What has become of the blocks at the end of a run with contact.
+#pragma once
+
+#include "src/run/run_analysis.hpp"
+
+namespace rockfold {
+
+/// [B] `counted` displacements say what moved, `whole` ones how the blocks have turned; `velocity`: averages of the velocity likewise, m/s. `start`: the contact points of step 0; those of joints say how far
+/// what lay opposite each other has gone apart (opening) and along the joint (slip), under `covers` m of the unknowns.
+Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
+               const std::vector<BlockMotion>& whole, const std::vector<BlockMotion>& velocity,
+               const std::vector<ContactPoint>& start, const std::vector<Vec3>& covers);
+
+}  // namespace rockfold

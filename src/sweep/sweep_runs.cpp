@@ -1,0 +1,175 @@
+#include "src/sweep/sweep_runs.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "src/base/archive.hpp"
+#include "src/model/text/overrides.hpp"
+#include "src/model/text/parse_toml.hpp"
+#include "src/report/documents.hpp"
+#include "src/sweep/sampling.hpp"
+
+namespace fs = std::filesystem;
+
+namespace rockfold::sweep {
+
+namespace {
+
+std::string text_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<std::string> overrides_of(const Options& options, const SweepSpec& spec,
+                                      const std::vector<std::string>& values) {
+  std::vector<std::string> all = options.overrides;
+  for (std::size_t p = 0; p < values.size(); ++p)
+    all.push_back(spec.parameters[p].key + "=" + values[p]);
+  return all;
+}
+
+/// That the model is there, is TOML and has what the keys name: else every run would fail with the same words.
+std::string require_model(const Options& options, const SweepSpec& spec,
+                          const std::vector<std::string>& values) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(spec.model, ignored))
+    throw Error(ErrorKind::io, "no such file", Place{spec.model, 0, 0, "model"});
+  std::string text = text_of(spec.model);
+  Value root = parse_toml(text, 0, spec.model);
+  for (const std::string& change : overrides_of(options, spec, values))
+    apply_override(root, change, 1);
+  return text;
+}
+
+Identity identity_of(const Options& options, const SweepSpec& spec, const std::string& model,
+                     const std::vector<std::vector<std::string>>& values) {
+  Identity identity{model, spec.command, {}, "", static_cast<Index>(values.size()), {}};
+  for (const std::string& change : options.overrides) identity.model += "\n# --set " + change;
+  for (const Parameter& p : spec.parameters) identity.keys.push_back(p.key);
+  for (const Result& r : spec.results) identity.paths.push_back(r.name + " = " + r.path);
+  Hash hash;
+  for (const auto& row : values)
+    for (const std::string& text : row)
+      hash.add(std::as_bytes(std::span(text.c_str(), text.size() + 1)));
+  identity.values = fmt::format("{:016x}", hash.value());
+  return identity;
+}
+
+/// What a path picks; null if there is no such thing.
+Json picked(const Json& document, const std::string& path) {
+  const Json* at = &document;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const std::string part = path.substr(begin, end - begin);
+    begin = end + 1;
+    if (at->is_object()) {
+      if (!at->contains(part)) return {};
+      at = &at->at(part);
+      continue;
+    }
+    if (!at->is_array()) return {};
+    std::int64_t n = 0;
+    const auto [stop, error] = std::from_chars(part.data(), part.data() + part.size(), n);
+    if (error == std::errc{} && stop == part.data() + part.size()) {
+      if (n < 0) n += std::ssize(*at);
+      if (n < 0 || n >= std::ssize(*at)) return {};
+      at = &at->at(static_cast<std::size_t>(n));
+      continue;
+    }
+    const auto found = std::find_if(at->begin(), at->end(), [&](const Json& entry) {
+      return entry.is_object() && entry.value("name", Json()) == part;
+    });
+    if (found == at->end()) return {};
+    at = &*found;
+  }
+  return *at;
+}
+
+std::string last_line(const std::string& text) {
+  std::size_t end = text.find_last_not_of('\n');
+  if (end == std::string::npos) return "";
+  const std::size_t before = text.rfind('\n', end);
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  return text.substr(begin, end + 1 - begin);
+}
+
+std::string why_it_failed(const Json& document, const Ended& end, const std::string& stderr_text) {
+  if (document.is_object() && document.contains("error")) {
+    const Json& error = document["error"];
+    const std::string key = error.value("key", "");
+    return (key.empty() ? "" : key + ": ") + error.value("message", "");
+  }
+  const std::string said = last_line(stderr_text);
+  if (end.signal != 0) return fmt::format("killed by signal {}", end.signal);
+  return fmt::format("exit status {}{}", end.exit_status, said.empty() ? "" : ": " + said);
+}
+
+}  // namespace
+
+SweepRuns::SweepRuns(const Options& options, const SweepSpec& spec, std::string folder)
+    : options_(options),
+      spec_(spec),
+      folder_(std::move(folder)),
+      values_(sample(spec)),
+      identity_(
+          identity_of(options, spec, require_model(options, spec, values_.front()), values_)) {}
+
+/// What a run under way and its files are called.
+std::string SweepRuns::stem_of(Index run) const {
+  return (fs::path(folder_) / "runs" / fmt::format("{:06}", run)).string();
+}
+
+Job SweepRuns::job_of(Index run) const {
+  const std::string stem = stem_of(run);
+  Job job{run,
+          {spec_.command, spec_.model, "--json", "--quiet", "--threads"},
+          stem + ".json",
+          stem + ".log"};
+  job.arguments.push_back(std::to_string(std::max(1, options_.threads)));
+  for (const std::string& change : overrides_of(options_, spec_, values_[run - 1]))
+    job.arguments.insert(job.arguments.end(), {"--set", change});
+  for (const std::string& load : options_.ignored)
+    job.arguments.insert(job.arguments.end(), {"--ignore", load});
+  if (spec_.command != "theory")
+    job.arguments.insert(job.arguments.end(), {"-o", stem + ".vtkhdf"});
+  clear(run);
+  return job;
+}
+
+/// Removes what a run wrote. Of those that failed the document and the log are left.
+void SweepRuns::clear(Index run) const {
+  const fs::path stem = stem_of(run);
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(stem.parent_path(), ignored))
+    if (entry.path().filename().string().starts_with(stem.filename().string() + "."))
+      fs::remove(entry.path(), ignored);
+}
+
+RunRecord SweepRuns::outcome(const Ended& end) const {
+  const std::string stem = stem_of(end.run);
+  RunRecord row{end.run, "failed", end.seconds, "", {}};
+  const Json document = Json::parse(text_of(stem + ".json"), nullptr, false);
+  if (end.limit != Limit::none) {
+    row.status = "limit";
+    row.error = end.limit == Limit::time
+                    ? fmt::format("longer than limits.time, {:g} s", spec_.time_limit)
+                    : fmt::format("more than limits.memory, {:g} bytes", spec_.memory_limit);
+  } else if (end.exit_status == 0 && document.is_object()) {
+    row.status = "done";
+    for (const Result& result : spec_.results) {
+      const Json value = picked(document, result.path);
+      row.results.push_back(value.is_structured() ? "null" : value.dump());
+    }
+  } else {
+    row.error = why_it_failed(document, end, text_of(stem + ".log"));
+  }
+  return row;
+}
+
+}  // namespace rockfold::sweep

@@ -1,0 +1,189 @@
+#include "src/sweep/sweep_spec.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "src/model/text/nearest.hpp"
+#include "src/model/text/parse_toml.hpp"
+#include "src/model/text/table_reader.hpp"
+
+namespace rockfold::sweep {
+
+namespace {
+
+Range above_zero(const char* unit) {
+  return {.low = 0, .low_open = true, .unit = unit};
+}
+
+/// As it would stand in a model.
+std::string toml_text(const Value& value) {
+  if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return std::to_string(*whole);
+  if (const auto* number = std::get_if<double>(&value.data)) return number_text(*number);
+  if (const auto* yes = std::get_if<bool>(&value.data)) return *yes ? "true" : "false";
+  if (const auto* text = std::get_if<std::string>(&value.data)) return *text;
+  const auto* list = std::get_if<Array>(&value.data);
+  if (list == nullptr) return "";
+  std::string all = "[";
+  for (const Value& item : *list) all += (all.size() > 1 ? ", " : "") + toml_text(item);
+  return all + "]";
+}
+
+void read_variable(TableReader& in, Variable& v) {
+  using Kind = Variable::Kind;
+  const auto kind =
+      in.choose("distribution",
+                {{"constant", "exponential", "log_normal", "power_law", "normal", "uniform"}, {}});
+  if (!kind) return in.give_up();
+  v.kind = static_cast<Kind>(*kind);
+  const bool bounded = v.kind == Kind::power_law || v.kind == Kind::uniform;
+  const bool positive =
+      v.kind == Kind::exponential || v.kind == Kind::log_normal || v.kind == Kind::power_law;
+  if (!bounded) in.read("mean", v.mean, positive ? above_zero("") : Range{});
+  if (v.kind == Kind::normal || v.kind == Kind::log_normal)
+    in.read("standard_deviation", v.standard_deviation, above_zero(""));
+  if (v.kind == Kind::power_law) in.read("exponent", v.exponent, above_zero(""));
+  if (v.kind == Kind::constant) return;
+  const Range limit = v.kind == Kind::power_law ? above_zero("") : Range{};
+  const Need need = bounded ? Need::required : Need::optional;
+  in.read("min", v.min, limit, need);
+  in.read("max", v.max, limit, need);
+  if (!(v.min < v.max))
+    in.wrong("max", "found " + number_text(v.max) + ", must be > min's " + number_text(v.min));
+}
+
+void read_parameter(TableReader& in, SweepSpec& spec) {
+  Parameter parameter;
+  in.read("key", parameter.key);
+  const Value* values = in.find("values");
+  if (values == nullptr) {
+    if (!in.has("distribution")) {
+      in.missing({"values", "distribution"}, "must be given: values = [...] or distribution");
+      in.give_up();
+      return;
+    }
+    read_variable(in, parameter.values.emplace<Variable>());
+  } else {
+    const auto* list = std::get_if<Array>(&values->data);
+    if (list == nullptr || list->empty()) {
+      in.wrong("values", "found " + described(*values) + ", must be a list of at least one value");
+    } else {
+      auto& texts = parameter.values.emplace<std::vector<std::string>>();
+      for (const Value& item : *list) texts.push_back(toml_text(item));
+    }
+  }
+  spec.parameters.push_back(std::move(parameter));
+}
+
+template <typename Read>
+void read_list(TableReader& root, const std::string& key, Read read) {
+  const Value* value = root.find(key);
+  if (value == nullptr) return;
+  const auto* list = std::get_if<Array>(&value->data);
+  if (list == nullptr)
+    return root.wrong(key, "found " + described(*value) + ", must be [[" + key + "]]");
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    TableReader in((*list)[i], fmt::format("{}[{}]", key, i + 1), root.out());
+    read(in);
+  }
+}
+
+void read_event(TableReader& in, SweepSpec& spec) {
+  Event event;
+  in.read("name", event.name);
+  if (!in.read("when", event.text)) return;
+  std::vector<std::string> known;
+  for (const Result& result : spec.results) known.push_back(result.name);
+  for (const Parameter& parameter : spec.parameters) known.push_back(parameter.key);
+  try {
+    event.when = parse_condition(event.text);
+  } catch (const std::invalid_argument& error) {
+    return in.wrong("when", error.what());
+  }
+  for (const auto& all : event.when.any_of_all)
+    for (const auto& comparison : all)
+      if (std::find(known.begin(), known.end(), comparison.name) == known.end())
+        in.wrong("when", fmt::format("'{}' is no result or parameter{}", comparison.name,
+                                     suggestion(comparison.name, known, "there are")));
+  spec.events.push_back(std::move(event));
+}
+
+void require_own_names(const SweepSpec& spec, TableReader& root) {
+  std::set<std::string> taken{"run", "status", "seconds", "error"};
+  const auto take = [&](const char* list, const std::string& name) {
+    if (!taken.insert(name).second)
+      root.wrong(list, fmt::format("two columns of the table are called '{}'", name));
+  };
+  for (const auto& p : spec.parameters) take("parameter", p.key);
+  for (const auto& r : spec.results) take("result", r.name);
+  for (const auto& e : spec.events) take("event", e.name);
+}
+
+void read_root(TableReader& root, SweepSpec& spec) {
+  root.read("model", spec.model);
+  static const std::vector<std::string> commands{"cut", "support", "theory", "run"};
+  if (const auto command = root.choose("command", {commands, {}}))
+    spec.command = commands[*command];
+  if (const auto sampling =
+          root.choose("sampling", {{"all", "latin_hypercube", "monte_carlo"}, {}}, Need::optional))
+    spec.sampling = static_cast<Sampling>(*sampling);
+  const bool drawn = spec.sampling != Sampling::all;
+  root.read("runs", spec.runs, IntegerRange{.low = 1}, drawn ? Need::required : Need::optional);
+  Index seed = 1;
+  root.read("seed", seed, IntegerRange{.low = 0}, Need::optional);
+  spec.seed = static_cast<std::uint64_t>(seed);
+  root.read("workers", spec.workers, IntegerRange{.low = 0}, Need::optional);
+  if (const Value* limits = root.find("limits")) {
+    TableReader in(*limits, "limits", root.out());
+    in.read("time", spec.time_limit, above_zero("s"), Need::optional);
+    in.read("memory", spec.memory_limit, above_zero("bytes"), Need::optional);
+  }
+  read_list(root, "parameter", [&](TableReader& in) { read_parameter(in, spec); });
+  read_list(root, "result", [&](TableReader& in) {
+    Result& result = spec.results.emplace_back();
+    in.read("name", result.name);
+    in.read("path", result.path);
+  });
+  read_list(root, "event", [&](TableReader& in) { read_event(in, spec); });
+  for (const Parameter& p : spec.parameters)
+    if (!drawn && std::holds_alternative<Variable>(p.values))
+      root.wrong("sampling", fmt::format("'all' takes lists alone, but {} has a distribution: give "
+                                         "values, or latin_hypercube or monte_carlo",
+                                         p.key));
+  if (spec.parameters.empty() && !drawn) root.wrong("", "there is no [[parameter]] to vary");
+  require_own_names(spec, root);
+}
+
+}  // namespace
+
+SweepSpec read_sweep(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::error_code ignored;
+  if (!in || std::filesystem::is_directory(path, ignored))
+    throw Error(ErrorKind::io,
+                in ? "cannot be read: is a directory"
+                   : std::string("cannot be read: ") + std::strerror(errno),
+                Place{path, 0, 0, ""});
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const Value root = parse_toml(text, 0, path);
+  Diagnostics out({path});
+  SweepSpec spec;
+  spec.path = path;
+  {
+    TableReader reader(root, "", out);
+    read_root(reader, spec);
+  }
+  if (!out.empty()) throw out.error();
+  spec.model = (std::filesystem::path(path).parent_path() / spec.model).string();
+  return spec;
+}
+
+}  // namespace rockfold::sweep

@@ -1,0 +1,76 @@
+// SWEEP.toml (docs/user_guide.md, Many runs): many runs of one model with varied parameters.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "src/base/error.hpp"
+#include "src/base/types.hpp"
+
+namespace rockfold::sweep {
+
+/// A number drawn at random, inside [min, max] alone.
+struct Variable {
+  enum class Kind { constant, exponential, log_normal, power_law, normal, uniform };
+  Kind kind = Kind::constant;
+  Real mean = 0;  ///< of all values, those outside [min, max] too; not of uniform, power_law
+  Real standard_deviation = 0;  ///< normal, log_normal; > 0
+  Real exponent = 0;            ///< power law: density ∝ x^−exponent on [min, max]
+  Real min = -std::numeric_limits<Real>::infinity();
+  Real max = std::numeric_limits<Real>::infinity();
+};
+
+struct Parameter {
+  std::string key;  ///< as for --set
+  /// TOML texts, or what is drawn.
+  std::variant<std::vector<std::string>, Variable> values;
+};
+
+/// A number of the command's document.
+struct Result {
+  std::string name, path;  ///< "totals.support_force"; lists by number from 0 (−1 the last) or name
+};
+
+/// "force > 1e6": comparisons of results and parameters with numbers, joined by `and`, `or` (`and` first).
+struct Condition {
+  enum class Operator { more, at_least, less, at_most, equal, other };
+  struct Comparison {
+    std::string name;
+    Operator op;
+    Real number;
+  };
+  std::vector<std::vector<Comparison>> any_of_all;
+};
+
+struct Event {
+  std::string name, text;
+  Condition when;
+};
+
+enum class Sampling { all, latin_hypercube, monte_carlo };
+
+struct SweepSpec {
+  std::string path;   ///< of the SWEEP.toml
+  std::string model;  ///< path, from where the program runs
+  std::string command = "run";
+  Sampling sampling = Sampling::all;
+  Index runs = 0;  ///< of the latter two
+  std::uint64_t seed = 1;
+  Index workers = 0;      ///< 0: as many as cores
+  Real time_limit = 0;    ///< s of wall time of a run; 0: none
+  Real memory_limit = 0;  ///< bytes; 0: none
+  std::vector<Parameter> parameters;
+  std::vector<Result> results;
+  std::vector<Event> events;
+};
+
+/// Throws Error(io) where the file cannot be read, Error(model) with all that is wrong in it, by line.
+SweepSpec read_sweep(const std::string& path);
+
+/// Throws std::invalid_argument with what was found and expected.
+Condition parse_condition(const std::string& text);
+
+}  // namespace rockfold::sweep

@@ -1,0 +1,293 @@
+// The blocks on the screen: textures and uniforms of the shader, drawing when something has changed, and picking.
+import * as THREE from 'three';
+import { originColours } from '../fields';
+import type { PageData } from '../data';
+import { type Motion, placeAt } from '../motion';
+import type { ClipPlane } from '../section';
+import { radius, type Surface } from '../surface';
+import { rockTexture } from './rock';
+import { fragmentShader, Pass, vertexShader } from './shaders';
+import { floats, MotionTexture, numberTexture, pointTexture } from './textures';
+
+export interface Picked {
+  block: number; // 0 … N-1
+  at: THREE.Vector3;
+}
+
+export interface Palette {
+  background: string;
+  ink: string;
+  none: string;
+  accent: string;
+}
+
+/// Without a graphics card several samples a pixel take several times as long, and SwiftShader mixes in what lies behind edges of caps.
+function drawsInSoftware(): boolean {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const info = gl?.getExtension('WEBGL_debug_renderer_info');
+  const name = gl && info ? String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
+export class Scene {
+  readonly renderer: THREE.WebGLRenderer;
+  readonly camera = new THREE.PerspectiveCamera(35, 1, 0.1, 1000);
+  readonly radius: number;
+  readonly extras = new THREE.Group(); // bolts and other symbols
+  private readonly scene = new THREE.Scene();
+  private readonly pickScene = new THREE.Scene();
+  private readonly meshes: Record<'solid' | 'caps' | 'ghost' | 'joints' | 'pick' | 'pickCaps', THREE.Mesh<THREE.BufferGeometry, THREE.RawShaderMaterial>>;
+  private readonly uniforms: Record<string, THREE.IUniform>;
+  private readonly blockTexture: THREE.DataTexture;
+  private readonly motionTextures: [MotionTexture, MotionTexture];
+  private readonly values: Record<'block' | 'point' | 'origin', THREE.DataTexture>;
+  private readonly map: THREE.DataTexture;
+  private readonly target: THREE.WebGLRenderTarget;
+  private readonly sectionLines: THREE.LineSegments;
+  private readonly nearer = { value: 0 }; // of backs: shaders.ts
+  private waiting = false;
+  /// Called before each frame, with the size of the canvas in CSS pixels.
+  beforeFrame: () => void = () => {};
+  frames = 0;
+  /// m from the middle that anything drawn reaches.
+  reach: number;
+
+  constructor(readonly canvas: HTMLCanvasElement, data: PageData, private readonly surface: Surface, private readonly motion: Motion) {
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !drawsInSoftware(), preserveDrawingBuffer: false });
+    this.renderer.localClippingEnabled = true; // of bolts; the blocks' shader cuts by itself
+    this.radius = this.reach = radius(surface);
+    this.camera.up.set(0, 0, 1);
+    this.blockTexture = numberTexture((n) => new Float32Array(n), 4, surface.blockId.length);
+    const centroid = data.arrays.get('centroid');
+    for (let b = 0; b < surface.blockId.length; ++b)
+      for (let d = 0; d < 3; ++d) floats(this.blockTexture)[4 * b + d] = centroid[3 * b + d]! - data.document.origin[d]!;
+    this.values = {
+      block: numberTexture((n) => new Float32Array(n), 1, surface.blockId.length),
+      point: numberTexture((n) => new Float32Array(n), 1, motion.states > 0 ? surface.blockOfPoint.length : 1),
+      origin: numberTexture((n) => new Float32Array(n), 1, data.document.origins.length),
+    };
+    this.map = new THREE.DataTexture(new Uint8Array(4 * 256), 256, 1);
+    this.motionTextures = [new MotionTexture(motion, surface), new MotionTexture(motion, surface)];
+    this.uniforms = this.makeUniforms(data);
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('aCorner', new THREE.BufferAttribute(surface.corner, 1));
+    geometry.setAttribute('aOrigin', this.originAttribute());
+    geometry.setDrawRange(0, surface.corner.length);
+    // Two blocks have a face in common wherever they touch. Through a cut the back of the nearer one must win: backs are drawn a
+    // hair nearer, and fronts farther by some of the 1/256 pixel to which places on the screen are rounded.
+    const backs = { side: THREE.BackSide };
+    const fronts = { side: THREE.FrontSide, polygonOffset: true, polygonOffsetFactor: 1 / 32, polygonOffsetUnits: 2 };
+    this.meshes = {
+      solid: this.mesh(geometry, Pass.solid, fronts),
+      caps: this.mesh(geometry, Pass.solid, backs),
+      ghost: this.mesh(geometry, Pass.ghost, { side: THREE.FrontSide, transparent: true, depthWrite: false }),
+      joints: this.mesh(geometry, Pass.joints, { transparent: true, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 }),
+      pick: this.mesh(geometry, Pass.pick, { ...fronts, blending: THREE.NoBlending }),
+      pickCaps: this.mesh(geometry, Pass.pick, { ...backs, blending: THREE.NoBlending }),
+    };
+    this.meshes.ghost.renderOrder = 2;
+    this.meshes.joints.renderOrder = 1;
+    this.sectionLines = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x222222 }));
+    this.sectionLines.frustumCulled = false;
+    this.scene.add(this.meshes.solid, this.meshes.caps, this.meshes.ghost, this.meshes.joints, this.sectionLines, this.extras);
+    this.pickScene.add(this.meshes.pick, this.meshes.pickCaps);
+    this.target = new THREE.WebGLRenderTarget(1, 1, { type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter });
+  }
+
+  add(part: THREE.Object3D): void {
+    this.scene.add(part);
+  }
+
+  private originAttribute(): THREE.BufferAttribute {
+    const origins = new Uint16Array(this.surface.corner.length);
+    for (let i = 0; i < origins.length; ++i) origins[i] = this.surface.origin[(i / 3) | 0]!;
+    const attribute = new THREE.BufferAttribute(origins, 1);
+    attribute.gpuType = THREE.IntType;
+    return attribute;
+  }
+
+  private makeUniforms(data: PageData): Record<string, THREE.IUniform> {
+    const origins = numberTexture((n) => new Float32Array(n), 4, data.document.origins.length);
+    originColours(data).forEach((rgb, i) => floats(origins).set([...rgb, data.document.origins[i]!.kind], 4 * i));
+    const middle = numberTexture((n) => new Float32Array(n), 4, this.surface.blockId.length);
+    if (this.motion.middle)
+      for (let b = 0; b < this.surface.blockId.length; ++b)
+        floats(middle).set(this.motion.middle.subarray(3 * b, 3 * b + 3), 4 * b);
+    return {
+      uPoint: { value: pointTexture(this.surface) }, uBlock: { value: this.blockTexture }, uValue: { value: this.values.block },
+      uValueOf: { value: 0 }, uLow: { value: 0 }, uHigh: { value: 1 }, uJoint: { value: -1 }, uOrigin: { value: origins }, uMiddle: { value: middle },
+      uFrom: { value: this.motionTextures[0].texture }, uTo: { value: this.motionTextures[1].texture },
+      uUnitFrom: { value: 0 }, uUnitTo: { value: 0 }, uShare: { value: 0 }, uExplode: { value: 0 }, uMagnify: { value: 1 },
+      uClip: { value: [new THREE.Vector4(), new THREE.Vector4(), new THREE.Vector4()] }, uMap: { value: this.map },
+      uRock: { value: rockTexture() }, uEdges: { value: true }, uTexture: { value: true }, uGhost: { value: 0.1 }, uDepth: { value: 0.5 },
+      uGrain: { value: this.radius / 4 }, uEdgeWidth: { value: 0.9 }, uNone: { value: new THREE.Vector3(0.7, 0.7, 0.7) },
+      uInk: { value: new THREE.Vector3() }, uAccent: { value: new THREE.Vector3() },
+    };
+  }
+
+  private mesh(geometry: THREE.BufferGeometry, pass: number, parameters: THREE.ShaderMaterialParameters): THREE.Mesh<THREE.BufferGeometry, THREE.RawShaderMaterial> {
+    const material = new THREE.RawShaderMaterial({
+      glslVersion: THREE.GLSL3, vertexShader, fragmentShader, side: THREE.DoubleSide, forceSinglePass: true,
+      defines: { MOTION: this.motion.pointMotion ? 1 : this.motion.blockMotion ? 2 : 0 },
+      uniforms: { ...this.uniforms, uPass: { value: pass }, uBacks: { value: parameters.side === THREE.BackSide }, uNearer: parameters.side === THREE.BackSide ? this.nearer : { value: 0 } }, ...parameters,
+    });
+    const mesh = new THREE.Mesh(geometry, material);
+    mesh.frustumCulled = false;
+    mesh.matrixAutoUpdate = false;
+    return mesh;
+  }
+
+  /// [N] of shaders.ts.
+  setFlags(flags: Uint8Array): void {
+    const data = floats(this.blockTexture);
+    let ghosts = false;
+    for (let b = 0; b < flags.length; ++b) {
+      data[4 * b + 3] = flags[b]!;
+      ghosts ||= (flags[b]! & 3) === 2;
+    }
+    this.blockTexture.needsUpdate = true;
+    this.meshes.ghost.visible = ghosts;
+  }
+
+  /// Values along the map, 0 … 1; NaN: none.
+  setValues(of: 'block' | 'point' | 'origin', values: Float32Array, low: number, high: number): void {
+    const texture = this.values[of];
+    const data = floats(texture);
+    const scale = high > low ? 1 / (high - low) : 0;
+    for (let i = 0; i < values.length; ++i) {
+      const share = (values[i]! - low) * scale;
+      data[i] = Number.isNaN(share) ? -1 : Math.min(1, Math.max(0, share));
+    }
+    texture.needsUpdate = true;
+    this.uniforms.uValue!.value = texture;
+    this.uniforms.uValueOf!.value = ['block', 'point', 'origin'].indexOf(of);
+  }
+
+  /// Colours by the displacement itself, which the shader has anyway.
+  setDisplacementValues(which: number, low: number, high: number): void {
+    this.uniforms.uValueOf!.value = which;
+    this.uniforms.uLow!.value = low;
+    this.uniforms.uHigh!.value = high;
+  }
+
+  /// 256 colours; names have sharp limits between them.
+  setMap(bytes: Uint8Array, names: boolean): void {
+    (this.map.image.data as Uint8Array).set(bytes);
+    this.uniforms.uDepth!.value = names ? 0.5 : 0.22; // a texture must not hide what a scale says
+    this.map.minFilter = this.map.magFilter = names ? THREE.NearestFilter : THREE.LinearFilter;
+    this.map.needsUpdate = true;
+  }
+
+  setMotion(at: number, magnify: number): void {
+    this.uniforms.uMagnify!.value = magnify;
+    if (this.motion.states === 0) return;
+    const place = placeAt(at, this.motion.states);
+    // Going on by one state, what was the second becomes the first: one texture is uploaded, not two.
+    if (this.motionTextures[1].state === place.from) this.motionTextures.reverse();
+    const [from, to] = this.motionTextures;
+    from.show(place.from);
+    to.show(place.to);
+    this.uniforms.uFrom!.value = from.texture;
+    this.uniforms.uTo!.value = to.texture;
+    this.uniforms.uUnitFrom!.value = this.motion.unit[place.from] ?? 0;
+    this.uniforms.uUnitTo!.value = this.motion.unit[place.to] ?? 0;
+    this.uniforms.uShare!.value = place.share;
+  }
+
+  setClip(planes: ClipPlane[], lines: Float32Array): void {
+    const clip = this.uniforms.uClip!.value as THREE.Vector4[];
+    clip.forEach((v, i) => {
+      const plane = planes[i];
+      if (plane) v.set(...plane.normal, plane.distance);
+      else v.set(0, 0, 0, 0);
+    });
+    const cuts = planes.map((p) => new THREE.Plane(new THREE.Vector3(...p.normal).negate(), p.distance));
+    this.extras.traverse((part) => {
+      if (part instanceof THREE.Mesh) (part.material as THREE.Material).clippingPlanes = cuts;
+    });
+    this.sectionLines.geometry.dispose();
+    this.sectionLines.geometry = new THREE.BufferGeometry();
+    this.sectionLines.geometry.setAttribute('position', new THREE.BufferAttribute(lines, 3));
+    this.sectionLines.visible = lines.length > 0;
+  }
+
+  /// Backs of faces are seen through cuts, and from within the rock.
+  showBacks(shown: boolean): void {
+    this.meshes.caps.visible = this.meshes.pickCaps.visible = shown;
+  }
+
+  setLook(look: { explode: number; edges: boolean; texture: boolean; ghost: number; joint: number }): void {
+    this.uniforms.uExplode!.value = look.explode;
+    this.uniforms.uEdges!.value = look.edges;
+    this.uniforms.uTexture!.value = look.texture;
+    this.uniforms.uGhost!.value = look.ghost;
+    this.uniforms.uJoint!.value = look.joint;
+    this.meshes.joints.visible = look.joint !== -1;
+  }
+
+  setPalette(palette: Palette): void {
+    const put = (uniform: THREE.IUniform, hex: string): void => {
+      const n = parseInt(hex.slice(1), 16);
+      (uniform.value as THREE.Vector3).set((n >> 16) / 255, ((n >> 8) & 255) / 255, (n & 255) / 255);
+    };
+    put(this.uniforms.uInk!, palette.ink);
+    put(this.uniforms.uNone!, palette.none);
+    put(this.uniforms.uAccent!, palette.accent);
+    this.renderer.setClearColor(new THREE.Color().setStyle(palette.background, THREE.LinearSRGBColorSpace), 1);
+    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // colours are given as the screen shows them
+  }
+
+  resize(width: number, height: number, ratio: number): void {
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    this.uniforms.uEdgeWidth!.value = 0.55 + 0.35 * ratio;
+    this.camera.aspect = width / Math.max(1, height);
+    this.camera.updateProjectionMatrix();
+  }
+
+  /// Draws with the next frame of the browser, once however often it is asked.
+  request(): void {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      this.draw();
+    });
+  }
+
+  draw(): void {
+    this.beforeFrame();
+    this.fitDepth();
+    this.renderer.render(this.scene, this.camera);
+    ++this.frames;
+  }
+
+  /// The nearest and farthest distances that hold the model, exploded and moved.
+  private fitDepth(): void {
+    const reach = this.reach * (1.1 + 1.2 * (this.uniforms.uExplode!.value as number));
+    const distance = this.camera.position.length();
+    this.camera.near = Math.max(this.radius * 4e-4, distance - reach);
+    this.camera.far = distance + reach;
+    this.camera.updateProjectionMatrix();
+    // Some steps of a depth of 24 bits at the far end; the least was found by looking at cuts.
+    this.nearer.value = Math.max(4e-5, Math.min(1.5e-4, (4 * this.camera.far) / (this.camera.near * 2 ** 24)));
+  }
+
+  /// What is at a place of the canvas (CSS pixels): one pixel is drawn with numbers instead of colours.
+  pick(x: number, y: number): Picked | null {
+    const size = this.renderer.getSize(new THREE.Vector2());
+    this.camera.setViewOffset(size.x, size.y, x, y, 1, 1);
+    this.renderer.setRenderTarget(this.target);
+    const colour = this.renderer.getClearColor(new THREE.Color());
+    this.renderer.setClearColor(0, 0);
+    this.renderer.clear();
+    this.renderer.render(this.pickScene, this.camera);
+    const out = new Float32Array(4);
+    this.renderer.readRenderTargetPixels(this.target, 0, 0, 1, 1, out);
+    this.renderer.setRenderTarget(null);
+    this.renderer.setClearColor(colour, 1);
+    this.camera.clearViewOffset();
+    return out[3]! > 0 ? { block: Math.round(out[3]!) - 1, at: new THREE.Vector3(out[0], out[1], out[2]) } : null;
+  }
+}

@@ -1,0 +1,44 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { poles } from '../fields';
+import { sectionLines } from '../section';
+import { radius, readSurface } from '../surface';
+import { sampleData } from './sample';
+
+test('polygons become triangles whose diagonals are no edges', () => {
+  const s = readSurface(sampleData().arrays);
+  assert.deepEqual([...s.triangleBegin], [0, 4, 16]);
+  assert.equal(s.corner.length, 3 * 16);
+  assert.equal(s.corner[0]! & 7, 7); // a triangle's own sides
+  assert.equal(s.corner[3 * 4]! & 7, 3); // 0 3 2: the side from 2 back to 0 is a diagonal
+  assert.equal(s.corner[3 * 5]! & 7, 6); // 0 2 1: the side from 0 to 2 is one
+  assert.equal(s.corner[3 * 4]! >>> 3, 4); // points of the second block come after those of the first
+  assert.deepEqual(s.low, [0, 0, 0]);
+  assert.deepEqual(s.high, [5, 3, 4]);
+  assert.equal(radius(s), Math.hypot(5, 3, 4) / 2);
+});
+
+test('the section of a box is its outline, less what another plane cuts away', () => {
+  const s = readSurface(sampleData().arrays);
+  const plane = { normal: [0, 0, 1] as [number, number, number], distance: 2 };
+  const lengthOf = (lines: Float32Array): number => {
+    let sum = 0;
+    for (let i = 0; i < lines.length; i += 6) sum += Math.hypot(lines[i]! - lines[i + 3]!, lines[i + 1]! - lines[i + 4]!, lines[i + 2]! - lines[i + 5]!);
+    return sum;
+  };
+  const all = sectionLines(s, s.point, plane, [], () => true);
+  assert.ok(Math.abs(lengthOf(all) - 6) < 1e-6); // 2 × (2 + 1): the wedge is lower
+  for (let i = 2; i < all.length; i += 3) assert.equal(all[i], 2);
+  assert.equal(sectionLines(s, s.point, plane, [], (b) => b === 0).length, 0);
+  const half = sectionLines(s, s.point, plane, [{ normal: [1, 0, 0], distance: 2.5 }], () => true);
+  assert.equal(half.length, 0); // the slab lies beyond x = 2.5
+});
+
+test('poles are those of joints alone, upward, with their area', () => {
+  const data = sampleData();
+  const list = poles(readSurface(data.arrays), data);
+  assert.ok(list.every((p) => p.origin === 0 && p.normal[2] >= -1e-9));
+  // Joint faces: z = 0 (3 m²) and y = 0 (1 m²) of the wedge, x = 5 and y = 1 of the slab (4 and 8 m²); each side counts half.
+  const area = list.reduce((sum, p) => sum + p.area, 0);
+  assert.ok(Math.abs(area - (3 + 1 + 4 + 8) / 2) < 1e-6, `${area}`);
+});

@@ -1,0 +1,63 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { readSurface } from '../surface';
+import { digits, dipText, niceStep, quantity, ticks, unitFor } from '../ui/format';
+import { greatCircle, meanNormal, project } from '../ui/stereonet';
+import { thinned } from '../ui/plots';
+import { blockFlags } from '../visibility';
+import { decodeState, encodeState, initialState } from '../view_state';
+import { sampleData } from './sample';
+
+test('a view comes back from its address', () => {
+  const state = { ...initialState(), field: 'factor_of_safety', at: 2.5, selected: 12, hidden: [3, 4], edges: false, low: -1.5, fly: true,
+    camera: [1, -2.25, 3, 0, 0, 0.125], clip: [{ on: true, at: 0.25, flip: true }, { on: false, at: 0.5, flip: false }, { on: true, at: 1, flip: false }] } as ReturnType<typeof initialState>;
+  assert.deepEqual(decodeState('#' + encodeState(state)), state);
+  assert.equal(encodeState(initialState()), '');
+});
+
+test('nonsense in an address is passed over', () => {
+  const state = decodeState('#at=x&show=everything&clip=a_b&selected=7&__proto__=1&field=%E0%A4%A&camera=1_2&theme=dark');
+  assert.deepEqual(state, { ...initialState(), selected: 7, camera: [1, 2], theme: 'dark' });
+});
+
+test('flags: stages, filters, hidden and picked blocks', () => {
+  const data = sampleData();
+  const surface = readSurface(data.arrays);
+  const flags = (change: object): number[] => [...blockFlags({ ...initialState(), ...change }, surface, data.arrays)];
+  assert.deepEqual(flags({}), [0, 1]); // the second goes at stage 2
+  assert.deepEqual(flags({ stage: 1 }), [0, 0]);
+  assert.deepEqual(flags({ stage: 0, show: 'key' }), [0, 2]);
+  assert.deepEqual(flags({ stage: 0, show: 'key', rest: 'hidden' }), [0, 1]);
+  assert.deepEqual(flags({ stage: 0, opacity: 0.5, selected: 9 }), [2, 4]);
+  assert.deepEqual(flags({ stage: 0, hidden: [4] }), [1, 0]);
+  assert.deepEqual(flags({ stage: 0, show: 'chosen', chosen: [9] }), [2, 0]);
+});
+
+test('numbers and units', () => {
+  assert.deepEqual(unitFor(2.5e6, 'Pa'), [1e6, 'MPa']);
+  assert.deepEqual(unitFor(0.004, 'm'), [1e-3, 'mm']);
+  assert.deepEqual(unitFor(0, 'N'), [1, 'N']);
+  assert.equal(quantity(129700, 'N'), '129.7 kN');
+  assert.equal(quantity(null, 'N'), '–');
+  assert.equal(digits(-12345), '−12 345');
+  assert.equal(niceStep(10, 4), 5);
+  assert.deepEqual(ticks(0, 1, 5), [0, 0.2, 0.4, 0.6, 0.8, 1]);
+  assert.equal(dipText([Math.sin(0.5), 0, Math.cos(0.5)]), '29°/090°');
+});
+
+test('the net: vertical lines at the rim, the mean of a set, circles through its dip', () => {
+  assert.deepEqual(project([0, 1, 0]).map(Math.round), [0, -100]);
+  assert.deepEqual(project([0, 0, -1]).map((x) => Math.round(x) + 0), [0, 0]);
+  const mean = meanNormal([{ origin: 0, normal: [0.1, 0, 0.995], area: 1 }, { origin: 0, normal: [-0.1, 0, 0.995], area: 1 }]);
+  assert.ok(Math.abs(mean[0]) < 1e-9 && mean[2] > 0.999);
+  const circle = greatCircle([Math.SQRT1_2, 0, Math.SQRT1_2]); // dips 45° to the east
+  const [x, y] = circle[24]!;
+  assert.ok(Math.abs(y) < 1e-9 && Math.abs(x - 100 * Math.sqrt(2) * Math.sin(((90 - 45) / 2) * (Math.PI / 180))) < 1e-6);
+});
+
+test('long curves keep their peaks', () => {
+  const time = Array.from({ length: 10000 }, (_, i) => i);
+  const values = time.map((t) => (t === 4321 ? 50 : Math.sin(t)));
+  const thin = thinned(time, values, 0, 9999, 100);
+  assert.ok(thin.length <= 200 && thin.some(([t, v]) => t === 4321 && v === 50));
+});
