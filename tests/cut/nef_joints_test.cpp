@@ -68,14 +68,14 @@ void check_seeds(unsigned first, unsigned count, const Draw& draw) {
   }
 }
 
-TEST(RandomFiniteJoints, MakeTheBlocksOfNefPolyhedra) {
+TEST(LongRandomFiniteJoints, MakeTheBlocksOfNefPolyhedra) {
   check_seeds(0, 300, random_finite_joints);
 }
 TEST(SlowRandomFiniteJoints, MakeTheBlocksOfNefPolyhedra) {
   check_seeds(1000, 5000, random_finite_joints);
 }
 
-TEST(RandomFiniteJoints, OfAnyRealPositionToo) {
+TEST(LongRandomFiniteJoints, OfAnyRealPositionToo) {
   check_seeds(0, 150, random_discs);
 }
 TEST(SlowRandomFiniteJoints, OfAnyRealPositionToo) {

@@ -68,10 +68,10 @@ struct TurnedLattice {
 void PrintTo(const TurnedLattice& at, std::ostream* out) {
   *out << at.name;
 }
-class LargeMotionInATurnedLattice : public testing::TestWithParam<TurnedLattice> {};
+class LongMotionInATurnedLattice : public testing::TestWithParam<TurnedLattice> {};
 
 /// Soft rock that turns 3.6 degrees a step: strains vary within elements, and corners of elements hold little rock.
-TEST_P(LargeMotionInATurnedLattice, KeepsMomentumAndEnergy) {
+TEST_P(LongMotionInATurnedLattice, KeepsMomentumAndEnergy) {
   Lattice lattice =
       reference::turned_lattice({0.11, -0.23, 0.37}, 0.53, 0.7, 0.4, {0.5, 0.5, 0.5}, 0.9);
   lattice.kind = GetParam().kind;
@@ -96,7 +96,7 @@ TEST_P(LargeMotionInATurnedLattice, KeepsMomentumAndEnergy) {
   EXPECT_LT(norm(after.angular - before.angular) / norm(before.angular), 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LargeMotionInATurnedLattice,
+INSTANTIATE_TEST_SUITE_P(All, LongMotionInATurnedLattice,
                          testing::Values(TurnedLattice{LatticeKind::tet5, 1, 5, "tet5_linear"},
                                          TurnedLattice{LatticeKind::tet6, 2, 2, "tet6_quadratic"},
                                          TurnedLattice{LatticeKind::hex8, 0, 5, "hex8_constant"},

@@ -82,7 +82,7 @@ std::string message_of(const std::string& model, ModelAnswer& answer) {
   return "no error";
 }
 
-TEST(LargeKinematics, NeverAcceptRockTurnedInsideOut) {
+TEST(LongKinematics, NeverAcceptRockTurnedInsideOut) {
   // St. Venant and Kirchhoff's rock bears (λ+2μ)/√27 = 0.26 E: under more there is no equilibrium but those inside out.
   for (const Real share : {0.3, 1e4}) {
     ModelAnswer answer;

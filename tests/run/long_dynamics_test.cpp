@@ -131,7 +131,7 @@ TEST(Supports, ThatMoveCarryRockLikewiseWhereStepsAreTakenAgain) {
     }
 }
 
-TEST(QuadraticCovers, OnALatticeThatFitsNothingKeepTheEnergyOfABeam) {
+TEST(LongQuadraticCovers, OnALatticeThatFitsNothingKeepTheEnergyOfABeam) {
   const RunResult beam = run_model(R"(
 gravity = [0, 0, 0]
 [[material]]
@@ -164,7 +164,7 @@ steps = 12
 }
 
 /// Damped, on its base, pulled at a side: functions that all but depend on each other neither grow from step to step nor stop the solver.
-TEST(QuadraticCovers, OnObliqueHexahedraComeToRestWithTheirEnergyClosed) {
+TEST(LongQuadraticCovers, OnObliqueHexahedraComeToRestWithTheirEnergyClosed) {
   const RunResult rock = run_model(R"(
 gravity = [0, 0, -9.81]
 [[material]]

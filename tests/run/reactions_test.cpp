@@ -91,7 +91,7 @@ TEST(Supports, OfMorePointsThanABlockCanFollowLeaveItNearThem) {
   EXPECT_GT(answer.result.support_gap, 0.01);
 }
 
-TEST(Supports, OfABoxThatCutsElementsMoveRockAsFarAsTheyAreMoved) {
+TEST(LongSupports, OfABoxThatCutsElementsMoveRockAsFarAsTheyAreMoved) {
   const Vec3 moved{1e-3, -2e-3, 5e-4};
   for (const char* lattice : {"tet5", "tet6", "tet24", "hex8"})
     for (const int order : {0, 1, 2})

@@ -85,7 +85,7 @@ Real length(const Vec3& v) {
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-TEST(Start, StiffPenaltySupportsOnCoversOfSeveralFunctionsTakeFewIterations) {
+TEST(LongStart, StiffPenaltySupportsOnCoversOfSeveralFunctionsTakeFewIterations) {
   for (const char* cover : {"lattice = \"tet6\"\nspacing = 0.45\norder = 1",
                             "lattice = \"tet6\"\nspacing = 0.7\norder = 2"}) {
     const auto fall = [&](const char* method) {
@@ -148,7 +148,7 @@ TEST(Static, TheWorkOfLoadsWithATableIsThatOfConstantOnes) {
   }
 }
 
-TEST(Multigrid, OfQuadraticCoversOnSliversTakesNoMoreCyclesThanOnOthers) {
+TEST(LongMultigrid, OfQuadraticCoversOnSliversTakesNoMoreCyclesThanOnOthers) {
   // A prism cut by a mixed tet5 lattice so that coarse covers move slivers alone.
   const std::string text = R"(
 gravity = [0, 0, 0]

@@ -63,7 +63,7 @@ void expect_alike(const std::string& cover, const Vec3& normal, const Vec3& poin
   }
 }
 
-TEST(Kinematics, AreOneForTinyStrainsBesideSlivers) {
+TEST(LongKinematics, AreOneForTinyStrainsBesideSlivers) {
   const Vec3 across{-0.935, 0.481, -0.281}, amid{0.5, 0.5, 0.5};
   for (const char* lattice : {"tet6", "tet24"})
     for (const int order : {1, 2})
@@ -169,7 +169,7 @@ void expect_same_motion(const ModelAnswer& one, const ModelAnswer& other, Real s
   EXPECT_NEAR(b.strain, a.strain, 10 * share * std::max(a.strain, a.kinetic)) << what;
 }
 
-TEST(FreeRock, BesideSliversMovesAsUnderLargeKinematics) {
+TEST(LongFreeRock, BesideSliversMovesAsUnderLargeKinematics) {
   const std::string pull = "[[traction]]\nwhere = {face = 'r.zmax'}\nvalue = [0, 0, -10]",
                     thrown = "[[initial_velocity]]\nwhere = {all = true}\nvelocity = [1e-3, 0, 0]";
   const std::string average = "rayleigh = {alpha = 100, beta = 0}",

@@ -62,15 +62,15 @@ type = "static"
   return {-monitors[0].displacement.back()[2] / tip, -monitors[1].displacement.back()[2] / tip};
 }
 
-class ThinPlates : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(EveryLattice, ThinPlates, testing::Values("tet5", "tet6", "hex8"),
+class LongThinPlates : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(EveryLattice, LongThinPlates, testing::Values("tet5", "tet6", "hex8"),
                          [](const auto& at) { return std::string(at.param); });
 
 /// Its origin's x and z: the narrow face runs through nodes or between them, the plate through the middle of cells, along lattice
 /// planes, or 1e-6 m beyond one.
 constexpr std::array<std::array<Real, 2>, 4> origins{{{0, -0.2}, {0, 0}, {0, 1e-6}, {0.13, 1e-6}}};
 
-TEST_P(ThinPlates, ClampedAtTheirNarrowFaceBendAsBeams) {
+TEST_P(LongThinPlates, ClampedAtTheirNarrowFaceBendAsBeams) {
   for (const Real thickness : {0.1, 0.02, 0.002})
     for (const auto& [x, z] : origins)
       for (const char* method : {"augmented_lagrangian", "penalty"})
@@ -83,7 +83,7 @@ TEST_P(ThinPlates, ClampedAtTheirNarrowFaceBendAsBeams) {
         }
 }
 
-TEST_P(ThinPlates, AreClampedAlongAllOfTheirNarrowFace) {
+TEST_P(LongThinPlates, AreClampedAlongAllOfTheirNarrowFace) {
   // The shape that a force at a corner gives a thin plate does not depend on its thickness.
   for (const Real x : {0.0, 0.13}) {
     SCOPED_TRACE(x);
@@ -96,7 +96,7 @@ TEST_P(ThinPlates, AreClampedAlongAllOfTheirNarrowFace) {
   }
 }
 
-TEST_P(ThinPlates, AsNarrowAsThickAreClampedToo) {
+TEST_P(LongThinPlates, AsNarrowAsThickAreClampedToo) {
   for (const Real side : {0.05, 0.01})
     for (const Real x : {0.0, 0.13}) {
       SCOPED_TRACE(fmt::format("{} {}", side, x));

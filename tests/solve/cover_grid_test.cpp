@@ -50,7 +50,7 @@ void expect_same_motion(const SmallSystem& s, const std::vector<Vec3>& a,
   EXPECT_LE(reference::largest_difference(of_a, of_b), tolerance * reference::largest(of_b));
 }
 
-TEST(CoverGrid, FindsTheAnswerOfTheBlocksOnEveryLattice) {
+TEST(LongCoverGrid, FindsTheAnswerOfTheBlocksOnEveryLattice) {
   for (const LatticeKind kind : {LatticeKind::tet5, LatticeKind::tet5_mixed, LatticeKind::tet6,
                                  LatticeKind::tet6_kuhn, LatticeKind::tet24, LatticeKind::hex8})
     for (const int order : {1, 2}) {
@@ -64,7 +64,7 @@ TEST(CoverGrid, FindsTheAnswerOfTheBlocksOnEveryLattice) {
     }
 }
 
-TEST(CoverGrid, FindsTheAnswerOfTheBlocksInCutRock) {
+TEST(LongCoverGrid, FindsTheAnswerOfTheBlocksInCutRock) {
   const SmallSystem s = cut_system(LatticeKind::tet6, 1);
   const SystemCoefficients c{1, 3, 1};  // some mass holds the second body
   const auto b = forces(s, reference::scattered(s.covers().cover_count(), 3));
@@ -73,7 +73,7 @@ TEST(CoverGrid, FindsTheAnswerOfTheBlocksInCutRock) {
   expect_same_motion(s, grids.x, blocks.x, 1e-7);
 }
 
-TEST(CoverGrid, TakesAsManyIterationsAtAnySpacing) {
+TEST(LongCoverGrid, TakesAsManyIterationsAtAnySpacing) {
   Index blocks_before = 0;
   for (const Index n : {4, 8, 13}) {
     const SmallSystem s = cube_of_order(n, 1);
@@ -97,7 +97,7 @@ TEST(CoverGrid, SavesIterationsAtOrderTwo) {
   expect_same_motion(s, grids.x, blocks.x, 1e-5);
 }
 
-TEST(CoverGrid, FollowsOpenJoints) {
+TEST(LongCoverGrid, FollowsOpenJoints) {
   const Index n = 8;
   const SmallSystem s = cube_of_order(n, 1, [&](Index i, Index j, Index k) {
     return k % 2 == 0 && k > 0 && i > n / 4 && j < 3 * n / 4;

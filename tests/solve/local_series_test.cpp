@@ -141,8 +141,8 @@ Trial find_field(SmallSystem s, const HarmonicField& field, bool augmented) {
 
 constexpr HarmonicField field{3, 1e-4};
 
-class Harmonic : public testing::TestWithParam<LatticeKind> {};
-INSTANTIATE_TEST_SUITE_P(EveryLattice, Harmonic,
+class LongHarmonic : public testing::TestWithParam<LatticeKind> {};
+INSTANTIATE_TEST_SUITE_P(EveryLattice, LongHarmonic,
                          testing::Values(LatticeKind::tet5, LatticeKind::tet5_mixed,
                                          LatticeKind::tet6, LatticeKind::tet6_kuhn,
                                          LatticeKind::tet24, LatticeKind::hex8, LatticeKind::block),
@@ -153,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(EveryLattice, Harmonic,
                            return name;
                          });
 
-TEST_P(Harmonic, FieldsAreFoundByASeriesThatHoldsThemAndByNoPolynomial) {
+TEST_P(LongHarmonic, FieldsAreFoundByASeriesThatHoldsThemAndByNoPolynomial) {
   const LatticeKind kind = GetParam();
   const bool block = kind == LatticeKind::block;
   SmallSystem s = box_of(kind, block ? 1 : 0);
@@ -167,7 +167,7 @@ TEST_P(Harmonic, FieldsAreFoundByASeriesThatHoldsThemAndByNoPolynomial) {
     EXPECT_GE(find_field(box_of(kind, order), field, false).error, 1e-3) << order;
 }
 
-TEST(LocalSeries, LeavesOutOfTheIntegralsWhatItsDegreeSays) {
+TEST(LongLocalSeries, LeavesOutOfTheIntegralsWhatItsDegreeSays) {
   Real before = 1;
   for (const int degree : {2, 6, 10, 14}) {
     SmallSystem s = box_of(LatticeKind::tet6, 0);
@@ -179,7 +179,7 @@ TEST(LocalSeries, LeavesOutOfTheIntegralsWhatItsDegreeSays) {
 }
 
 /// Functions in half of the covers: the others' unknowns stay at rest, and the answer is better than without.
-TEST(LocalSeries, MayBeOfSomeCoversOnly) {
+TEST(LongLocalSeries, MayBeOfSomeCoversOnly) {
   SmallSystem s = box_of(LatticeKind::tet6, 0);
   const Real without = find_field(s, field, false).error;
   s.covered.arrays.series = std::make_shared<HarmonicSeries>(field.rate, 16, 0.5);

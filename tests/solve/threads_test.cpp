@@ -86,7 +86,7 @@ std::string results_with(int threads) {
   return text;
 }
 
-TEST(Threads, ChangeNoBitOfTheResults) {
+TEST(LongThreads, ChangeNoBitOfTheResults) {
   const std::string alone = results_with(1);
   EXPECT_EQ(alone.back(), '1') << "did not converge: " << alone;
   EXPECT_EQ(results_with(2), alone);
