@@ -56,6 +56,7 @@ class SurfaceWriter {
     measure();
     make_room();
     for_each_chunk([&](Index k, Index begin, Index end) { write_chunk(k, begin, end); });
+    if (!complex_.beams.empty()) index_shown_faces();
     write_interfaces();
   }
 
@@ -69,6 +70,15 @@ class SurfaceWriter {
   struct KeptSurface {
     Index rank;
     BlockSurface surface;
+  };
+  // Part of a block's face on a joint.
+  struct ShownFace {
+    std::array<Index, 4> key;  // block, origin, cell, face of the cell
+    Real area;
+    Index face;
+    bool operator<(const ShownFace& o) const {
+      return std::tie(key, area, face) < std::tie(o.key, o.area, o.face);
+    }
   };
   // Of one fragment; those of one pair of faces become one.
   struct KeyedInterface {
@@ -167,7 +177,8 @@ class SurfaceWriter {
         const Fragment& f = complex_.fragments[i / 2];
         const SideOfSliver side = side_of(i);
         const bool has_beams = side.begin < side.end && !is_as_cut(rank);
-        a = {f.cell[i % 2], f.face[i % 2], has_beams ? side.origin : f.joint, f.area, i / 2,
+        const Index joint = is_as_cut(rank) ? joint_between(f) : f.joint;
+        a = {f.cell[i % 2], f.face[i % 2], has_beams ? side.origin : joint, f.area, i / 2,
              none,          none};
       } else if (i < before_beams_) {
         const FreePart& f = complex_.free_parts[i - sides_];
@@ -211,11 +222,35 @@ class SurfaceWriter {
     return i < before_beams_ ? rank[complex_.free_parts[i - sides_].cell] : none;
   }
 
+  // Between a sliver of one block and another block may be no more than glue, with the joint on the sliver's other side.
+  Index joint_between(const Fragment& f) const {
+    for (const Index cell : f.cell)
+      if (f.joint == none && complex_.is_sliver[cell] != 0 && joint_of_sliver_[cell] != none)
+        return joint_of_sliver_[cell];
+    return f.joint;
+  }
+
+  // The joint of the largest beam between two blocks that passes each sliver.
+  void find_joints_of_slivers() {
+    joint_of_sliver_.assign(complex_.cells.size(), none);
+    std::vector<Real> largest(complex_.cells.size(), 0);
+    for (const Beam& b : complex_.beams) {
+      if (b.cell[1] == none || complex_.cell_block[b.cell[0]] == complex_.cell_block[b.cell[1]])
+        continue;
+      for (const Index s : b.slivers)
+        if (b.area > largest[s]) {
+          largest[s] = b.area;
+          joint_of_sliver_[s] = b.joint;
+        }
+    }
+  }
+
   void group_cut_areas() {
     std::vector<bool> any(chunks_, false);
     for (Index k = 0; k < chunks_; ++k)
       for (const KeptSurface& kept : kept_[k]) any[k] = any[k] || kept.surface.open_edges > 0;
     if (std::find(any.begin(), any.end(), true) == any.end()) return;
+    find_joints_of_slivers();
     as_cut_.assign(complex_.block_count, false);
     for (auto& chunk_surfaces : kept_)
       for (const KeptSurface& kept : chunk_surfaces)
@@ -404,35 +439,66 @@ class SurfaceWriter {
     });
   }
 
+  // What an area of a face leans on is told by what is before it alone: the other side, through slivers, may look past it.
   void find_interfaces(Index rank, std::vector<KeyedInterface>& keyed) const {
     keyed.clear();
     const Index b = order_.block[rank];
-    const auto is_cut = [&](Index cell) {
-      return !as_cut_.empty() && is_as_cut(order_.rank_of_cell[cell]);
-    };
-    const auto add = [&](Index cell, Index face, Index other, Real area, Index item) {
+    const auto add = [&](Index face, Index other, Index cell, Index cell_face, Real area,
+                         Index item) {
       const Index behind = complex_.cell_block[cell];
-      if (behind > b && face != none && other != none)
-        keyed.push_back({{{b, behind}, {face, other}, area}, item});
+      if (behind <= b || face == none || out_.face_origin[face] == none) return;
+      if (other == none) other = shown_face(behind, cell, cell_face, out_.face_origin[face]);
+      if (other != none) keyed.push_back({{{b, behind}, {face, other}, area}, item});
     };
     const auto add_beam = [&](Index i) {
       const Beam& beam = complex_.beams[i];
-      if (return_of_[i] != none && !is_cut(beam.cell[1]))
-        add(beam.cell[1], face_of_beam(i), face_of_beam(return_of_[i]), beam.area, i);
+      if (beam.cell[1] == none) return;
+      const bool returns = return_of_[i] != none && !is_as_cut(order_.rank_of_cell[beam.cell[1]]);
+      add(face_of_beam(i), returns ? face_of_beam(return_of_[i]) : none, beam.cell[1], beam.face[1],
+          beam.area, i);
     };
     for (const Index i : items_of(rank)) {
       if (i >= before_beams_) {
         add_beam(i - before_beams_);
       } else if (i < sides_) {
         const Fragment& f = complex_.fragments[i / 2];
-        const bool as_cut = is_as_cut(rank) || is_cut(f.cell[1 - i % 2]);
-        if ((as_cut || !complex_.touches_hidden(f)) && f.joint != none)
-          add(f.cell[1 - i % 2], face_of_item_[i], face_of_item_[i ^ 1], f.area, i / 2);
-        const SideOfSliver side = side_of(i);
-        for (Index k = side.begin; k < side.end && !as_cut; ++k) add_beam(k);
+        const SideOfSliver side = is_as_cut(rank) ? SideOfSliver{} : side_of(i);
+        for (Index k = side.begin; k < side.end; ++k) add_beam(k);
+        if (side.begin == side.end)
+          add(face_of_item_[i], face_of_item_[i ^ 1], f.cell[1 - i % 2], f.face[1 - i % 2], f.area,
+              i / 2);
       }
     }
     std::sort(keyed.begin(), keyed.end());
+  }
+
+  // Faces of joints by the faces of cells that they are made of, and by their blocks: where beams end.
+  void index_shown_faces() {
+    for (Index r = 0; r < complex_.block_count; ++r) {
+      std::vector<BoundaryArea> areas;
+      find_areas(r, areas);
+      const auto items = items_of(r);
+      for (std::size_t i = 0; i < items.size(); ++i)
+        if (const Index face = face_of_item_[items[i]]; face != none && areas[i].origin != none)
+          shown_faces_.push_back({{order_.block[r], areas[i].origin, areas[i].cell, areas[i].face},
+                                  areas[i].area,
+                                  face});
+    }
+    std::sort(shown_faces_.begin(), shown_faces_.end());
+  }
+
+  // The face of a block on an area of a joint: of the cell's face there, or else the largest that the joint has on the block.
+  Index shown_face(Index block, Index cell, Index face, Index joint) const {
+    const auto largest = [&](const std::array<Index, 4>& from, const std::array<Index, 4>& to) {
+      const auto begin = std::lower_bound(shown_faces_.begin(), shown_faces_.end(),
+                                          ShownFace{from, -1, none}),
+                 end = std::lower_bound(begin, shown_faces_.end(), ShownFace{to, -1, none});
+      const auto best = std::max_element(
+          begin, end, [](const ShownFace& a, const ShownFace& b) { return a.area < b.area; });
+      return best == end ? none : best->face;
+    };
+    const Index at = largest({block, joint, cell, face}, {block, joint, cell, face + 1});
+    return at != none ? at : largest({block, joint, none, none}, {block, joint + 1, none, none});
   }
 
   Index face_of_beam(Index i) const {
@@ -451,8 +517,10 @@ class SurfaceWriter {
   std::vector<Index> return_of_;                // [beams]
   std::vector<bool> as_cut_;                    // by rank; empty: none
   Grouping cut_areas_;                          // by rank, of those
+  std::vector<Index> joint_of_sliver_;          // [cells] into the origins; empty: none as cut
   std::vector<SideOfSliver> side_;              // [sides] of fragments; empty: no beams
   std::vector<Index> shown_;                    // [beams] origin_of(), or that of a larger one
+  std::vector<ShownFace> shown_faces_;          // ordered; empty: no beams
   std::set<std::pair<Index, Index>>
       before_gap_;  // faces of cells that beams leave into a narrow void
 };

@@ -174,6 +174,7 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
   const BlockArrays blocks =
       clock.measure("cut", "joining blocks", [&] { return flatten_blocks(cutting, model); });
   warn_of_cutting(cutting.totals.intent, terminal);
+  warn_of_lost_contact(blocks, terminal);
 
   std::optional<RockMeasures> measures;
   if (wants_measures(options, model))

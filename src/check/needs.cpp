@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "host/files/load_files.hpp"
+#include "host/flatten/lost_contact.hpp"
 #include "host/joints/missed_rock.hpp"
 #include "host/shapes/extents.hpp"
 #include "src/app/examples.hpp"
@@ -197,6 +198,20 @@ void warn_of_cutting(const IntentReport& intent, Terminal& terminal) {
       "narrower is no block and no connection. They lie between: {}; the narrowest, "
       "{:.2g} m wide, lies at ({:.6g}, {:.6g}, {:.6g})",
       what, names, intent.least_doubt, intent.doubt_at[0], intent.doubt_at[1], intent.doubt_at[2]));
+}
+
+void warn_of_lost_contact(const BlockArrays& blocks, Terminal& terminal) {
+  const std::vector<LostContact> list = lost_contact(blocks);
+  if (list.empty()) return;
+  const LostContact& worst =
+      *std::max_element(list.begin(), list.end(),
+                        [](const LostContact& a, const LostContact& b) { return a.lost < b.lost; });
+  terminal.warn(fmt::format(
+      "{:.4g} of {:.4g} m2 of joint {} on block {} are in contact with no other block, near "
+      "({:.6g}, {:.6g}, {:.6g}){}: factors of safety there are too low. Please report the model",
+      worst.lost, worst.area, blocks.origins[worst.origin].name, worst.block + 1, worst.place[0],
+      worst.place[1], worst.place[2],
+      list.size() > 1 ? fmt::format(", and so in {} other places", list.size() - 1) : ""));
 }
 
 void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& model,

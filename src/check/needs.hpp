@@ -35,6 +35,8 @@ std::vector<Vec3> monitor_points(const Model& model);
 void require_in_rock(const Model& model, const MaterialPoints& monitors);
 
 void warn_of_cutting(const IntentReport& intent, Terminal& terminal);
+/// Where a joint's face leans on no block: block theory would take it for free.
+void warn_of_lost_contact(const BlockArrays& blocks, Terminal& terminal);
 /// Blocks below cut.min_volume or above cut.max_aspect_ratio: they stay, but the user should look.
 void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& model,
                             Terminal& terminal);

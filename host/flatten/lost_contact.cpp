@@ -1,0 +1,58 @@
+#include "host/flatten/lost_contact.hpp"
+
+namespace rockfold {
+
+namespace {
+
+/// Share of a joint's area.
+constexpr Real explained = 1e-6;
+
+bool is_joint(const BlockArrays& blocks, Index face) {
+  const Index origin = blocks.face_origin[face];
+  return origin != none && blocks.origins[origin].kind == FaceOrigin::Kind::joint;
+}
+
+Vec3 corner_of(const BlockArrays& blocks, Index face) {
+  return blocks.vertex[blocks.corner_vertex[blocks.corner_begin[blocks.loop_begin[face]]]];
+}
+
+}  // namespace
+
+std::vector<LostContact> lost_contact(const BlockArrays& blocks) {
+  std::vector<Real> missing = blocks.face_area;  // [faces] m²
+  for (const auto& shared : blocks.interfaces)
+    for (const Index face : shared.face) missing[face] -= shared.area;
+  std::vector<Real> whole(blocks.origins.size(), 0);  // [origins] m², of one side
+  for (Index f = 0; f < blocks.face_begin.back(); ++f)
+    if (is_joint(blocks, f)) whole[blocks.face_origin[f]] += blocks.face_area[f] / 2;
+  std::vector<LostContact> list;
+  std::vector<std::size_t> entry(blocks.origins.size(), 0);  // [origins] of the block, from 1
+  for (Index b = 0; b < blocks.block_count(); ++b) {
+    // What one face has too much makes up for its neighbour on the same joint.
+    std::vector<LostContact> of_block;
+    std::vector<Real> most;
+    for (Index f = blocks.face_begin[b]; f < blocks.face_begin[b + 1]; ++f) {
+      if (!is_joint(blocks, f)) continue;
+      std::size_t& at = entry[blocks.face_origin[f]];
+      if (at == 0) {
+        of_block.push_back({.block = b, .origin = blocks.face_origin[f]});
+        most.push_back(0);
+        at = of_block.size();
+      }
+      LostContact& sum = of_block[at - 1];
+      sum.area += blocks.face_area[f];
+      sum.lost += missing[f];
+      if (missing[f] > most[at - 1]) {
+        most[at - 1] = missing[f];
+        sum.place = corner_of(blocks, f);
+      }
+    }
+    for (const LostContact& sum : of_block) {
+      entry[sum.origin] = 0;
+      if (sum.lost > explained * whole[sum.origin]) list.push_back(sum);
+    }
+  }
+  return list;
+}
+
+}  // namespace rockfold
