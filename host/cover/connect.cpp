@@ -111,8 +111,8 @@ class Connector {
       glue_.visit(f, [&](const GlueArea& c) { add_links(c); });
     }
     for (const Beam& b : complex_.beams)
-      if (b.cell[1] != none && (b.joint == none || welded) && complex_.stays(b.cell[0]) &&
-          complex_.stays(b.cell[1]))
+      if (b.cell[1] != none && (b.joint == none || welded) && !b.narrow &&
+          complex_.stays(b.cell[0]) && complex_.stays(b.cell[1]))
         add_beam_links(b);
   }
 
