@@ -295,7 +295,8 @@ UncutRock check_cutting(const Model& model, const std::vector<Vec3>& points) {
 StageKeys keys_of_cutting() {
   return {"blocks",
           {"title", "gravity", "material.name", "material.density", "joint_material.name", "solid",
-           "joint_set", "joint", "joint_mesh", "joint_table", "merge", "excavation", "cut"}};
+           "joint_set", "joint", "joint_mesh.name", "joint_mesh.file", "joint_mesh.material",
+           "joint_mesh.within", "joint_table", "merge", "excavation", "cut"}};
 }
 
 Cutting cut_blocks(const Model& model, Progress& progress) {

@@ -226,12 +226,14 @@ struct Joint {
   Place place = {};
 };
 
-/// Joints from a file of triangles: each triangle is a joint of its own plane.
+/// Joints from a file of triangles: each triangle is a joint of its own plane to cut along.
 struct JointMesh {
   std::string name;
   std::string file;  ///< OBJ, OFF, STL or PLY; resolved against the model's folder
   Index material = 0;
   Index within = none;
+  /// deg: connected facets on a block that lie within this of their mean plane are one plane in block theory
+  Real flatness = 5;
   std::shared_ptr<const TriangleSurface>
       surface;  ///< open or closed; filled after the model is read
   Place place = {};

@@ -210,6 +210,7 @@ name = "faults"
 file = ")" ROCKFOLD_SOURCE_DIR R"(/LICENSE"
 material = "filled"
 within = "rock"
+flatness = 7.5
 
 [[joint_table]]
 name = "mapped"

@@ -134,6 +134,7 @@ TEST_F(CompleteCutting, HasItsJointsFromFiles) {
   EXPECT_EQ(model.joint_meshes[0].file, ROCKFOLD_SOURCE_DIR "/LICENSE");
   EXPECT_EQ(model.joint_meshes[0].material, 1);
   EXPECT_EQ(model.joint_meshes[0].within, 0);
+  EXPECT_EQ(model.joint_meshes[0].flatness, 7.5);
   ASSERT_EQ(model.joint_tables.size(), 1u);
   EXPECT_EQ(model.joint_tables[0].name, "mapped");
   EXPECT_EQ(model.joint_tables[0].file, ROCKFOLD_SOURCE_DIR "/LICENSE");
@@ -237,6 +238,7 @@ TEST_F(ModelWithFiles, FindsThemFromItsOwnFolder) {
   const auto model = read_model(path);
   EXPECT_TRUE(std::filesystem::equivalent(model.joint_meshes[0].file, mesh));
   EXPECT_EQ(model.joint_meshes[0].name, "joint_mesh1");
+  EXPECT_EQ(model.joint_meshes[0].flatness, 5);
   EXPECT_EQ(model.joint_tables[0].file, mesh);
 }
 

@@ -99,6 +99,8 @@ TEST(WrongCutting, OfFiniteJoints) {
       {SET "spacing = 1\nwithin = 3", 10, 10, "joint_set[1].within", "found 3, must be a text in quotes"},
       {ROCK "[[joint_mesh]]\n", 6, 1, "joint_mesh[1].file", "is missing"},
       {ROCK "[[joint_mesh]]\nname = 'f'\nfile = 'f.obj'", 8, 8, "joint_mesh[1].file", "there is no file \"f.obj\"; names are relative to the model's folder (in \"f\")"},
+      {ROCK "[[joint_mesh]]\nflatness = 45\nfile = '" ROCKFOLD_SOURCE_DIR "/LICENSE'", 7, 12, "joint_mesh[1].flatness", "found 45, must be >= 0 and < 45 (deg)"},
+      {ROCK "[[joint_mesh]]\nflatness = -1\nfile = '" ROCKFOLD_SOURCE_DIR "/LICENSE'", 7, 12, "joint_mesh[1].flatness", "found -1, must be >= 0 and < 45 (deg)"},
       {ROCK "[[joint_table]]\nfile = '.'\n", 7, 8, "joint_table[1].file", "is a folder, must be a file"},
       {ROCK "[[joint_table]]\nfile = \"a\\u0000b\"\n", 7, 8, "joint_table[1].file", "must be the name of a file"},
       {JOINT "name = 'F'\n[[joint_mesh]]\nname = 'F'\nfile = '" ROCKFOLD_SOURCE_DIR "/LICENSE'", 11, 8, "joint_mesh[1].name", "already the name of joint[1] (line 6)"},

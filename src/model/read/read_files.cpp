@@ -53,6 +53,8 @@ void read_joint_meshes(Draft& draft) {
     if (auto file = read_file_name(in, draft.model.path)) mesh.file = std::move(*file);
     in.read_reference("material", draft.joint_materials, mesh.material);
     read_within(in, draft, mesh.within);
+    in.read("flatness", mesh.flatness,
+            Range{.low = 0, .high = 45, .high_open = true, .unit = "deg"}, Need::optional);
     draft.model.joint_meshes.push_back(std::move(mesh));
   });
 }
