@@ -37,6 +37,13 @@ Real normal_stress(const InitialStress& stress, const Vec3& x, const Vec3& n) {
   return sum > rounding * size ? sum : 0;
 }
 
+/// Along the normal, on the plane through their middle.
+void project_on_mean(const Vec3& normal, std::vector<Vec3>& points) {
+  Real mean = 0;
+  for (const Vec3& x : points) mean += dot(normal, x) / static_cast<Real>(points.size());
+  for (Vec3& x : points) x += (mean - dot(normal, x)) * normal;
+}
+
 }  // namespace
 
 Bodies::Bodies(const BlockArrays& blocks, const Model& model, const FaceTractions* tractions)
@@ -51,6 +58,7 @@ Bodies::Bodies(const BlockArrays& blocks, const Model& model, const SupportSpec&
       in_situ_(tractions),
       traction_(tractions ? &tractions->after(0) : nullptr),
       interfaces_(blocks),
+      mesh_planes_(blocks, model),
       tractions_(blocks, model),
       has_polygons_(has_polygons(blocks)) {
   for (const FaceOrigin& origin : blocks.origins) nature_.push_back(nature(origin, model, waters));
@@ -106,6 +114,9 @@ Body Bodies::body(std::vector<Index> members, const std::vector<Index>& batch) c
   body.load = body.mass * gravity_ + (body.mass * norm(gravity_)) * spec_.seismic_coefficient;
   add_point_loads(body);
   for (const Index block : body.members) add_block(body, block, batch);
+  flatten_meshes(body);
+  for (std::size_t f = 0; f < body.faces.size(); ++f)
+    if (body.faces[f].contact_area > 0) press(body.faces[f], body.face_id[f], body);
   return body;
 }
 
@@ -158,8 +169,21 @@ void Bodies::add_block(Body& body, Index block, const std::vector<Index>& batch)
                           .cohesion = nature.cohesion,
                           .continues = nature.continues});
     body.face_id.push_back(id);
-    if (contact > 0) press(body.faces.back(), id, body);
   }
+}
+
+/// Facets of a mesh that are one plane have its normal.
+void Bodies::flatten_meshes(Body& body) const {
+  if (!mesh_planes_.any()) return;
+  if (body.members.size() == 1) {
+    for (std::size_t f = 0; f < body.faces.size(); ++f)
+      body.faces[f].normal = mesh_planes_.normal(body.face_id[f]);
+    return;
+  }
+  std::vector<Real> area;
+  for (const BlockFace& face : body.faces) area.push_back(face.area);
+  const std::vector<Vec3> normals = mesh_planes_.normals(body.face_id, area);
+  for (std::size_t f = 0; f < body.faces.size(); ++f) body.faces[f].normal = normals[f];
 }
 
 /// Water and in-situ stress on the part in contact.
@@ -192,14 +216,24 @@ void Bodies::press_by_water(BlockFace& face, Index id, const FaceNature& nature,
                                ? linear_pressure(*nature.water, gravity_)
                                : LinearPressure{.at_origin = spec_.water_pressure, .gradient = {}};
   if (!has_polygons_) {
-    face.water = share * blocks_.face_area[at(id)] * p.at_origin;
+    face.water = (share * blocks_.face_area[at(id)] * p.at_origin) * blocks_.face_normal[at(id)];
     return;
   }
   if (p.at_origin == 0 && p.gradient == Vec3{}) return;
   const PressureForce push = pressure_force(blocks_, id, p);
-  face.water = share * push.force;
+  const Vec3& normal = blocks_.face_normal[at(id)];
+  face.water = (share * push.force) * normal;
   const Vec3 arm = push.first_moment - push.force * body.centroid;
-  body.moment -= share * cross(arm, face.normal);
+  body.moment -= share * cross(arm, normal);
+}
+
+/// Whether two faces are one plane for a turn: of one plane of the cutting, or of one plane of a mesh.
+bool Bodies::is_one_plane(const Body& body, std::size_t f, std::size_t g) const {
+  const auto plane = [&](std::size_t i) { return blocks_.face_plane[at(body.face_id[i])]; };
+  const auto origin = [&](std::size_t i) { return blocks_.face_origin[at(body.face_id[i])]; };
+  const Vec3 &n = body.faces[f].normal, &m = body.faces[g].normal;
+  return (plane(f) == plane(g) && dot(n, m) > 0) ||
+         (n == m && origin(f) == origin(g) && mesh_planes_.flatness(body.face_id[f]));
 }
 
 std::vector<ContactPatch> Bodies::patches(const Body& body, const std::vector<Index>& batch) const {
@@ -219,9 +253,7 @@ std::vector<ContactPatch> Bodies::patches(const Body& body, const std::vector<In
     }
     // Faces of one plane are one patch: the block cannot turn about an edge inside it.
     const auto same = std::find_if(patches.begin(), patches.end(), [&](const ContactPatch& p) {
-      const Index other = body.face_id[at(p.face)];
-      return blocks_.face_plane[at(other)] == blocks_.face_plane[at(id)] &&
-             dot(p.normal, face.normal) > 0;
+      return is_one_plane(body, at(p.face), f);
     });
     if (same == patches.end()) {
       patches.push_back({face.normal, {}, static_cast<Index>(f), face.friction});
@@ -231,8 +263,11 @@ std::vector<ContactPatch> Bodies::patches(const Body& body, const std::vector<In
       all.insert(all.end(), corners.begin(), corners.end());
     }
   }
-  for (std::size_t p = 0; p < patches.size(); ++p)
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    if (mesh_planes_.flatness(body.face_id[at(patches[p].face)]))
+      project_on_mean(patches[p].normal, points[p]);
     patches[p].corners = hull_in_plane(patches[p].normal, points[p]);
+  }
   return patches;
 }
 

@@ -7,6 +7,7 @@
 
 #include "host/keyblock/face_interfaces.hpp"
 #include "host/keyblock/face_shape.hpp"
+#include "host/keyblock/mesh_planes.hpp"
 #include "host/keyblock/single_block.hpp"
 #include "host/keyblock/surface_loads.hpp"
 #include "src/arrays/block_arrays.hpp"
@@ -56,6 +57,7 @@ class Bodies {
   bool is_encased(Index block, const std::vector<Index>& batch) const;
   bool looks_at_rotation() const { return spec_.rotation && has_polygons_; }
   const FaceInterfaces& interfaces() const { return interfaces_; }
+  const MeshPlanes& mesh_planes() const { return mesh_planes_; }
   const FaceOrigin& origin(Index face) const {
     return blocks_
         .origins[static_cast<std::size_t>(blocks_.face_origin[static_cast<std::size_t>(face)])];
@@ -83,8 +85,10 @@ class Bodies {
   FaceNature nature(const FaceOrigin& origin, const Model& model,
                     const std::vector<Water>& waters) const;
   void add_block(Body& body, Index block, const std::vector<Index>& batch) const;
+  void flatten_meshes(Body& body) const;
   void add_point_loads(Body& body) const;
   void add_traction(Body& body, Index face, Real share) const;
+  bool is_one_plane(const Body& body, std::size_t f, std::size_t g) const;
   void press(BlockFace& face, Index id, Body& body) const;
   void press_in_situ(BlockFace& face, Index id, const FaceNature& nature) const;
   void press_by_water(BlockFace& face, Index id, const FaceNature& nature, Real share,
@@ -97,6 +101,7 @@ class Bodies {
   const FaceTractions* in_situ_;
   const std::vector<Vec3>* traction_ = nullptr;  ///< [F] Pa of in_situ_, at this stage
   FaceInterfaces interfaces_;
+  MeshPlanes mesh_planes_;
   std::vector<FaceNature> nature_;  ///< [origins]
   std::vector<PointForce> forces_;  ///< ordered by block
   SurfaceLoads tractions_;

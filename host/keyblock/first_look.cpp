@@ -139,7 +139,8 @@ class FirstLooks {
         if (patch.face == static_cast<Index>(f)) add_patch(patch, count(looks_.origin));
       const Index id = body.face_id[f];
       looks_.origin.push_back(blocks_.face_origin[at(id)]);
-      looks_.normal.push_back(face.normal);
+      looks_.normal.push_back(blocks_.face_normal[at(id)]);
+      looks_.plane_normal.push_back(face.normal);
       looks_.contact_area.push_back(face.contact_area);
       looks_.share.push_back(std::min(1.0, face.contact_area / blocks_.face_area[at(id)]));
       add_loops(id);

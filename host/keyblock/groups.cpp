@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <utility>
@@ -25,6 +26,25 @@ void add_direction(std::vector<Vec3>& directions, const Vec3& u) {
 
 void add_driven(std::vector<Vec3>& directions, const Vec3& u, const Vec3& load) {
   if (dot(u, load) > direction_tolerance * norm(u) * norm(load)) add_direction(directions, u);
+}
+
+/// A plane that facets of a mesh are on a block.
+struct MeshPlane {
+  Index origin = none;
+  Vec3 normal{};
+};
+
+std::vector<MeshPlane> mesh_planes_of(const Body& body, const Bodies& bodies) {
+  std::vector<MeshPlane> found;
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    const Index origin = bodies.blocks().face_origin[static_cast<std::size_t>(body.face_id[f])];
+    const Vec3& n = body.faces[f].normal;
+    if (bodies.mesh_planes().flatness(body.face_id[f]) &&
+        std::none_of(found.begin(), found.end(),
+                     [&](const MeshPlane& p) { return p.origin == origin && p.normal == n; }))
+      found.push_back({origin, n});
+  }
+  return found;
 }
 
 /// Where the load may drive a body along its joints: itself, its projections, the meeting lines.
@@ -70,27 +90,41 @@ class GroupSearch {
     auto directions = driven_directions(contact_planes(body.faces), body.load);
     if (bodies_.looks_at_rotation())
       add_turns(directions, bodies_.patches(body, batch_), body.centroid);
+    const std::vector<MeshPlane> mesh_planes = mesh_planes_of(body, bodies_);
     for (const Vec3& u : directions)
-      if (auto members = closure(body, u); members.size() > 1) found.push_back(std::move(members));
+      if (auto members = closure(body, mesh_planes, u); members.size() > 1)
+        found.push_back(std::move(members));
     return found;
   }
 
  private:
   /// The blocks that a motion of the seed along u pushes on, with it; empty if rock is among them
   /// that stays, or if they are too many.
-  std::vector<Index> closure(const Body& seed, const Vec3& u) const {
+  std::vector<Index> closure(const Body& seed, const std::vector<MeshPlane>& mesh_planes,
+                             const Vec3& u) const {
     std::vector<Index> members = seed.members;
     const BlockArrays& blocks = bodies_.blocks();
     for (std::size_t next = 0; next < members.size(); ++next) {
       const auto b = static_cast<std::size_t>(members[next]);
-      for (Index face = blocks.face_begin[b]; face < blocks.face_begin[b + 1]; ++face) {
-        const Vec3& normal = blocks.face_normal[static_cast<std::size_t>(face)];
-        if (dot(normal, u) <= direction_tolerance) continue;
-        if (!push(face, members)) return {};
-      }
+      for (Index face = blocks.face_begin[b]; face < blocks.face_begin[b + 1]; ++face)
+        if (enters(face, mesh_planes, u) && !push(face, members)) return {};
     }
     std::sort(members.begin(), members.end());
     return members;
+  }
+
+  /// Whether a motion along u pushes a face on; not where it is one plane of a mesh with what the seed slides along or leaves.
+  bool enters(Index face, const std::vector<MeshPlane>& of_seed, const Vec3& u) const {
+    const Vec3& n = bodies_.mesh_planes().normal(face);
+    if (dot(n, u) <= direction_tolerance) return false;
+    const auto flatness = bodies_.mesh_planes().flatness(face);
+    if (!flatness) return true;
+    const Real least = std::cos(*flatness * std::numbers::pi / 180);
+    const Index origin = bodies_.blocks().face_origin[static_cast<std::size_t>(face)];
+    return std::none_of(of_seed.begin(), of_seed.end(), [&](const MeshPlane& p) {
+      return p.origin == origin && dot(p.normal, u) <= direction_tolerance &&
+             dot(p.normal, n) >= least;
+    });
   }
 
   /// Adds what a face pushes on; false if that stays or is too much.

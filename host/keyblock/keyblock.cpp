@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -60,6 +61,7 @@ class KeyblockSearch {
   void describe_rotation(Keyblock& key, const Body& body, const BlockVerdict& verdict) const;
   SupportForce support_of(const Body& body, const BlockVerdict& verdict) const;
   const std::string& plane_name(const Body& body, Index face) const;
+  std::vector<MeshPlaneCount> mesh_planes_of(const Body& body, const BlockVerdict& verdict) const;
   void start_batch();
 
   const BlockArrays& blocks_;
@@ -168,6 +170,24 @@ void KeyblockSearch::describe_rotation(Keyblock& key, const Body& body,
   key.factor_of_safety = rotation.factor_of_safety();
 }
 
+std::vector<MeshPlaneCount> KeyblockSearch::mesh_planes_of(const Body& body,
+                                                           const BlockVerdict& verdict) const {
+  std::map<std::string, std::set<const ContactPlane*>> planes;
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    if (!(body.faces[f].contact_area > 0) || !bodies_.mesh_planes().flatness(body.face_id[f]))
+      continue;
+    const auto plane =
+        std::find_if(verdict.planes.begin(), verdict.planes.end(), [&](const ContactPlane& p) {
+          return norm(p.normal - body.faces[f].normal) <= direction_tolerance;
+        });
+    if (plane != verdict.planes.end())
+      planes[plane_name(body, static_cast<Index>(f))].insert(&*plane);
+  }
+  std::vector<MeshPlaneCount> counts;
+  for (const auto& [mesh, its] : planes) counts.push_back({mesh, static_cast<Index>(its.size())});
+  return counts;
+}
+
 /// What brings each motion that the block can start to the target.
 SupportForce KeyblockSearch::support_of(const Body& body, const BlockVerdict& verdict) const {
   const Real target = spec_.target_factor_of_safety;
@@ -194,6 +214,7 @@ Keyblock KeyblockSearch::describe(const Body& body, const BlockVerdict& verdict)
   key.free_area = verdict.free_area;
   key.removable = removable_space(normals_of(verdict.planes));
   key.contact = verdict.planes;
+  key.mesh_planes = mesh_planes_of(body, verdict);
   key.movement = verdict.movement;
   key.rotations = verdict.rotations;
   key.resultant = verdict.resultant;
@@ -366,10 +387,10 @@ bool has_active_bolts(const Model& model) {
 }
 
 StageKeys keys_of_keyblocks(const Model& model) {
-  StageKeys stage{
-      "key blocks",
-      {"gravity", "material.density", "joint_material.friction_angle", "joint_material.cohesion",
-       "support", "water", "point_load", "traction", "bolt", "bolt_pattern", "shotcrete"}};
+  StageKeys stage{"key blocks",
+                  {"gravity", "material.density", "joint_material.friction_angle",
+                   "joint_material.cohesion", "joint_mesh.flatness", "support", "water",
+                   "point_load", "traction", "bolt", "bolt_pattern", "shotcrete"}};
   if (model.initial_stress.any)
     for (const char* key :
          {"initial_stress", "joint_material.normal_stiffness", "joint_material.shear_stiffness"})

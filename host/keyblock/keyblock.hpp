@@ -9,6 +9,7 @@
 //   rotation.hpp       rotation about an edge or a corner
 //   single_block.hpp   all of this for one block given by its faces
 //   face_shape.hpp     polygons of faces: water on them, where they touch, inertia
+//   mean_planes.hpp    rough surfaces as planes; mesh_planes.hpp: those of joint meshes on blocks
 //   bodies.hpp         blocks of a model as such blocks, alone or several as one
 //   groups.hpp         blocks that fail together where none can alone
 //   keyblock.hpp       the blocks of a model, stage by stage and batch by batch
@@ -28,6 +29,12 @@
 #include "src/model/model.hpp"
 
 namespace rockfold {
+
+/// How many planes a joint mesh is on a block.
+struct MeshPlaneCount {
+  std::string mesh;
+  Index planes = 0;
+};
 
 /// A block, or a group of blocks, that moves or would without friction and cohesion.
 struct Keyblock {
@@ -53,11 +60,12 @@ struct Keyblock {
   /// N for the target factor of safety, along support_direction, of translation and all rotations; infinite where no force
   /// along it suffices.
   Real support_force = 0;
-  Real support_pressure = 0;          ///< Pa = support_force / free_area
-  Vec3 support_direction{};           ///< unit
-  std::vector<ContactPlane> contact;  ///< the planes that it leans on
-  std::optional<Movement> movement;   ///< the translation, into `contact`, if there is one
-  Vec3 resultant{};                   ///< r, N
+  Real support_pressure = 0;                ///< Pa = support_force / free_area
+  Vec3 support_direction{};                 ///< unit
+  std::vector<ContactPlane> contact;        ///< the planes that it leans on
+  std::vector<MeshPlaneCount> mesh_planes;  ///< of each joint mesh that it leans on, by name
+  std::optional<Movement> movement;         ///< the translation, into `contact`, if there is one
+  Vec3 resultant{};                         ///< r, N
   /// What the rotations follow from. Both empty in models without active bolts, and where rotation is not looked at.
   std::vector<ContactPatch> patches;
   RigidBody body;

@@ -51,9 +51,9 @@ Vec3 resultant(std::span<const ContactPlane> planes, const Vec3& load, Real wate
   Vec3 r = load;
   Real size = norm(load);
   for (const ContactPlane& p : planes) {
-    const Real push = water_pressure * p.area + p.water;
-    r -= push * p.normal;
-    size += push;
+    const Vec3 push = (water_pressure * p.area) * p.normal + p.water;
+    r -= push;
+    size += norm(push);
   }
   return norm(r) <= 1e-12 * size ? Vec3{} : r;
 }

@@ -27,12 +27,12 @@ enum class BlockClass {
 
 /// A face of a block as block theory sees it.
 struct BlockFace {
-  Vec3 normal{};          ///< unit, outward
+  Vec3 normal{};          ///< unit, outward; of a mesh's facet that of the plane that it is part of
   Real area = 0;          ///< m²
   Real contact_area = 0;  ///< m², against rock that stays: 0 = a free face, otherwise ≤ area
   Real friction = 0;      ///< tan φ of the joint
   Real cohesion = 0;      ///< Pa
-  Real water = 0;         ///< N, of water on the part in contact, beside a uniform pressure
+  Vec3 water{};           ///< N, ∫ p n dA over the part in contact, beside a uniform pressure
   Real clamping = 0;      ///< N, in-situ normal force on the part in contact
   Vec3 in_situ_shear{};   ///< N, in-situ force of the rock on that part along the face
   bool clamping_holds = true;  ///< as of a contact plane

@@ -21,7 +21,7 @@ struct ContactPlane {
   Real area = 0;      ///< m², in contact
   Real friction = 0;  ///< tan φ; weighted by area where parallel faces have several joint materials
   Real cohesion = 0;  ///< N: Σ c A
-  Real water = 0;     ///< N: Σ ∫ p dA, that pushes the block off
+  Vec3 water{};       ///< N: Σ ∫ p n dA, which pushes the block the other way
   Real clamping = 0;  ///< N: Σ of the in-situ normal force, compression positive (in_situ.hpp)
   bool clamping_holds =
       true;              ///< false: the clamping counts only where it makes the block less safe

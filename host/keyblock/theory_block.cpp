@@ -79,7 +79,7 @@ TheoryBlock judge_theory_block(const std::vector<TheorySet>& sets, const std::st
                      .contact_area = shape.joint_area[i],
                      .friction = sets[used[i]].friction,
                      .cohesion = sets[used[i]].cohesion,
-                     .water = water_on(sets[used[i]], normals[i], shape, i, loads)});
+                     .water = water_on(sets[used[i]], normals[i], shape, i, loads) * normals[i]});
   faces.push_back({.normal = {}, .area = shape.free_area});
   const auto verdict = judge_block(faces, mass * loads.gravity + block.weight * loads.seismic, 0);
   block.movement = verdict.movement;

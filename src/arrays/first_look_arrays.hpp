@@ -36,9 +36,11 @@ struct FirstLookArrays {
   std::vector<Index> held_neighbour;        ///< blocks that it leans on, ascending
 
   // faces in contact, in the order in which their planes are found
-  std::vector<Index> face_begin;    ///< [L+1]
-  std::vector<Index> origin;        ///< [F] into BlockArrays::origins
-  std::vector<Vec3> normal;         ///< [F] unit, outward
+  std::vector<Index> face_begin;  ///< [L+1]
+  std::vector<Index> origin;      ///< [F] into BlockArrays::origins
+  std::vector<Vec3> normal;       ///< [F] unit, outward
+  std::vector<Vec3>
+      plane_normal;  ///< [F] of the plane of contact: of a facet of a mesh its mean plane's
   std::vector<Real> contact_area;   ///< [F] m²
   std::vector<Real> share;          ///< [F] of the face's area that is in contact, ≤ 1
   std::vector<Index> loop_begin;    ///< [F+1]

@@ -166,6 +166,7 @@ void write_first_looks(File& file, const FirstLookArrays& looks) {
   write("face_begin", looks.face_begin);
   write("origin", looks.origin);
   write("normal", looks.normal);
+  write("plane_normal", looks.plane_normal);
   write("contact_area", looks.contact_area);
   write("share", looks.share);
   write("loop_begin", looks.loop_begin);

@@ -114,6 +114,10 @@ void add_first_looks(const File& file, PageArrays& arrays) {
        {"volume", "mass", "free_area", "centroid", "load", "moment", "free_centre", "inertia",
         "normal", "contact_area", "share", "corner", "patch_normal", "patch_corner"})
     arrays.add(std::string("look_") + name, file.read_numbers(group + name));
+  // Of older programs, that had no joint meshes of several planes, faces are planes.
+  const bool has_planes = file.exists(group + "plane_normal");
+  arrays.add("look_plane_normal",
+             file.read_numbers(group + (has_planes ? "plane_normal" : "normal")));
 }
 
 Vec3 middle_of(const std::vector<Vec3>& points) {

@@ -41,7 +41,7 @@ Body body_under(const Model& model) {
 Real water_on(const Body& body, const Vec3& normal) {
   Real sum = 0;
   for (const BlockFace& face : body.faces)
-    if (norm(face.normal - normal) < 1e-12) sum += face.water;
+    if (norm(face.normal - normal) < 1e-12) sum += norm(face.water);
   return sum;
 }
 

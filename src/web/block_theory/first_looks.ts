@@ -47,6 +47,7 @@ export interface Outcome {
 interface Face {
   origin: number;
   normal: Vec3;
+  planeNormal: Vec3; // of a facet of a mesh that of its mean plane
   area: number; // m², in contact
   share: number;
   loops: Vec3[][];
@@ -71,7 +72,7 @@ interface Look extends Leaning {
   planes: { normal: Vec3; area: number; face: number }[];
   patches: ContactPatch[];
   rotations: RotationSearch;
-  water: { key: string; push: number[]; moment: Vec3 }; // as last computed: N on each plane, N m
+  water: { key: string; push: Vec3[]; moment: Vec3 }; // as last computed: N of each plane, against the block, N m
 }
 
 /// A block whose resistance and driving force differ by less than this share of |r| is stable.
@@ -176,7 +177,7 @@ export class FirstLooks {
   /// Pushes of water on the planes of a block, and their moment; kept until the water changes.
   private water(look: Look, { waters, waterPressure }: Settings, key: string): Look['water'] {
     if (look.water.key === key) return look.water;
-    const push = look.planes.map(() => 0);
+    const push = look.planes.map((): Vec3 => [0, 0, 0]);
     let moment: Vec3 = [0, 0, 0];
     for (const face of look.faces) {
       const origin = this.document.origins[face.origin]!;
@@ -184,7 +185,7 @@ export class FirstLooks {
       const p = water ? linearPressure(water, this.gravity) : { atOrigin: waterPressure, gradient: [0, 0, 0] as Vec3 };
       if (p.atOrigin === 0 && norm(p.gradient) === 0) continue;
       const { force, firstMoment } = pressureForce(face.loops, face.normal, p);
-      push[face.plane] = push[face.plane]! + face.share * force;
+      push[face.plane] = add(push[face.plane]!, scale(face.share * force, face.normal));
       moment = sub(moment, scale(face.share, cross(sub(firstMoment, scale(force, look.centroid)), face.normal)));
     }
     return (look.water = { key, push, moment });
@@ -197,10 +198,10 @@ export class FirstLooks {
     const load = add(look.load, scale(look.mass * norm(this.gravity), settings.seismic));
     let r = load;
     let size = norm(load);
-    look.planes.forEach((plane, k) => {
-      r = sub(r, scale(water.push[k]!, plane.normal));
-      size += water.push[k]!;
-    });
+    for (const push of water.push) {
+      r = sub(r, push);
+      size += norm(push);
+    }
     if (norm(r) <= 1e-12 * size) r = [0, 0, 0];
     const movement = findMovement(planes, r);
     const slides = !!movement && movement.driving - movement.resisting > equilibriumTolerance * norm(r);
@@ -254,8 +255,8 @@ export class FirstLooks {
 function planesOf(faces: Face[]): Look['planes'] {
   const planes: Look['planes'] = [];
   faces.forEach((face, f) => {
-    let k = planes.findIndex((p) => norm(sub(p.normal, face.normal)) <= directionTolerance);
-    if (k < 0) k = planes.push({ normal: face.normal, area: 0, face: -1 }) - 1;
+    let k = planes.findIndex((p) => norm(sub(p.normal, face.planeNormal)) <= directionTolerance);
+    if (k < 0) k = planes.push({ normal: face.planeNormal, area: 0, face: -1 }) - 1;
     const plane = planes[k]!;
     if (plane.face < 0 || face.area > faces[plane.face]!.area) plane.face = f;
     plane.area += face.area;
@@ -278,13 +279,14 @@ function readLooks(arrays: Arrays): Look[] {
   const range = (begin: ArrayLike<number>, i: number): number[] => Array.from({ length: begin[i + 1]! - begin[i]! }, (_, k) => begin[i]! + k);
   const [block, stage, volume, mass, freeArea] = [get('block'), get('stage'), get('volume'), get('mass'), get('free_area')];
   const [centroid, load, moment, freeCentre, inertia] = [vec('centroid'), vec('load'), vec('moment'), vec('free_centre'), vec('inertia')];
-  const [origin, area, share, normal, corner] = [get('origin'), get('contact_area'), get('share'), vec('normal'), vec('corner')];
+  const [origin, area, share, normal, planeNormal, corner] =
+    [get('origin'), get('contact_area'), get('share'), vec('normal'), vec('plane_normal'), vec('corner')];
   const [patchFace, patchNormal, patchCorner] = [get('patch_face'), vec('patch_normal'), vec('patch_corner')];
   const [faceBegin, loopBegin, cornerBegin, patchBegin, patchCornerBegin] =
     ['face_begin', 'loop_begin', 'corner_begin', 'patch_begin', 'patch_corner_begin'].map(get) as [ArrayLike<number>, ArrayLike<number>, ArrayLike<number>, ArrayLike<number>, ArrayLike<number>];
   const neighbours = get('neighbour');
   return Array.from(block, (b, i) => {
-    const faces: Face[] = range(faceBegin, i).map((f) => ({ origin: origin[f]!, normal: normal(f), area: area[f]!, share: share[f]!,
+    const faces: Face[] = range(faceBegin, i).map((f) => ({ origin: origin[f]!, normal: normal(f), planeNormal: planeNormal(f), area: area[f]!, share: share[f]!,
       loops: range(loopBegin, f).map((loop) => range(cornerBegin, loop).map(corner)), plane: 0 }));
     const patches = range(patchBegin, i).map((p) => ({ normal: patchNormal(p), corners: range(patchCornerBegin, p).map(patchCorner),
       face: patchFace[p]! - faceBegin[i]! }));
