@@ -48,6 +48,7 @@ Json keyblock_json(const Keyblock& key, const BlockArrays& blocks) {
       {"resisting_force", key.resisting_force},
       {"normal_forces", key.normal_forces},
       {"removable", {{"edges", key.removable.edges}, {"solid_angle", key.removable.solid_angle}}}};
+  for (const MeshPlaneCount& mesh : key.mesh_planes) json["mesh_planes"][mesh.mesh] = mesh.planes;
   if (key.mode == SlidingMode::rotation) json["rotation"] = rotation_json(key.rotations[0]);
   return json;
 }

@@ -1,6 +1,7 @@
 // The summary of key blocks: the first batch on top, then what moves behind it and what just stays.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -142,6 +143,24 @@ std::string later_batches(const KeyblockReport& report) {
   return text.empty() ? "" : "\n" + text;
 }
 
+/// How many planes each joint mesh is on the blocks that move or might.
+std::string mesh_fact(const KeyblockReport& report) {
+  std::map<std::string, std::pair<Index, Index>> planes;  // least, most
+  for (const auto* list : {&report.keyblocks, &report.stable})
+    for (const Keyblock& key : *list)
+      for (const MeshPlaneCount& mesh : key.mesh_planes) {
+        auto& [least, most] = planes.try_emplace(mesh.mesh, mesh.planes, mesh.planes).first->second;
+        least = std::min(least, mesh.planes);
+        most = std::max(most, mesh.planes);
+      }
+  std::string text;
+  for (const auto& [mesh, range] : planes)
+    text += (text.empty() ? "" : ", ") + mesh + " " +
+            (range.first == range.second ? fmt::format("{}", range.first)
+                                         : fmt::format("{} to {}", range.first, range.second));
+  return text.empty() ? "" : fact("planes of meshes", text + " on a block");
+}
+
 /// The least safe of the blocks that stay.
 std::string stable_table(const KeyblockReport& report) {
   constexpr std::size_t most = 10;
@@ -160,7 +179,7 @@ std::string support_summary(const KeyblockReport& report, const BlockArrays& blo
   if (report.keyblocks.empty())
     return fact("key blocks", any_removable(report) ? "none: no block moves under these loads"
                                                     : "none: no block can move") +
-           doubtful_summary(report) + stable_table(report);
+           doubtful_summary(report) + mesh_fact(report) + stable_table(report);
   std::vector<Keyblock> first;
   for (const Keyblock& key : report.keyblocks)
     if (key.batch == 1) first.push_back(key);
@@ -171,7 +190,7 @@ std::string support_summary(const KeyblockReport& report, const BlockArrays& blo
       fact("batches", fmt::format("{} ({})", report.batches.size(), batches_text(report.batches)));
   text += fact("first batch", sums_text(sums_of(first)));
   if (report.batches.size() > 1) text += fact("all batches", sums_text(sums_of(report.keyblocks)));
-  text += doubtful_summary(report);
+  text += doubtful_summary(report) + mesh_fact(report);
   return text + "\n" + keyblock_table(first, most) + later_batches(report) + stable_table(report);
 }
 

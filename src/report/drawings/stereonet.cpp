@@ -6,6 +6,7 @@
 #include <set>
 
 #include "host/bolting/wall.hpp"
+#include "host/keyblock/mesh_planes.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -24,19 +25,25 @@ std::vector<NetPlane> planes_of(const Model& model) {
   return planes;
 }
 
-/// One for each joint plane that bounds blocks.
-std::vector<NetContent::Pole> poles_of(const BlockArrays& blocks,
+/// One for each joint plane that bounds blocks; of a mesh, for each plane that it is on a block.
+std::vector<NetContent::Pole> poles_of(const BlockArrays& blocks, const Model& model,
                                        const std::vector<NetPlane>& planes) {
+  const MeshPlanes mesh_planes(blocks, model);
   std::vector<NetContent::Pole> poles;
   std::set<std::pair<Index, Index>> seen;
+  std::set<std::pair<Index, Vec3>> seen_on_mesh;
   for (std::size_t f = 0; f < blocks.face_origin.size(); ++f) {
     const FaceOrigin& origin = blocks.origins[blocks.face_origin[f]];
-    if (origin.kind != FaceOrigin::Kind::joint ||
-        !seen.insert({blocks.face_origin[f], blocks.face_plane[f]}).second)
-      continue;
+    if (origin.kind != FaceOrigin::Kind::joint) continue;
+    const Vec3& own = mesh_planes.normal(static_cast<Index>(f));
+    const Vec3 normal = own[2] < 0 ? -own : own;
+    const bool is_new = mesh_planes.flatness(static_cast<Index>(f))
+                            ? seen_on_mesh.insert({blocks.face_origin[f], normal}).second
+                            : seen.insert({blocks.face_origin[f], blocks.face_plane[f]}).second;
+    if (!is_new) continue;
     const auto plane = std::find_if(planes.begin(), planes.end(),
                                     [&](const NetPlane& p) { return p.name == origin.name; });
-    poles.push_back({blocks.face_normal[f], static_cast<std::size_t>(plane - planes.begin())});
+    poles.push_back({normal, static_cast<std::size_t>(plane - planes.begin())});
   }
   return poles;
 }
@@ -78,7 +85,7 @@ std::string stereonet(const BlockArrays& blocks, const Model& model, const Drawi
   content.title_of_document = "Stereonet of " + (model.title.empty() ? model.path : model.title);
   content.planes = planes_of(model);
   content.with_poles = drawing.poles;
-  if (drawing.poles) content.poles = poles_of(blocks, content.planes);
+  if (drawing.poles) content.poles = poles_of(blocks, model, content.planes);
   for (const JointMaterial& material : model.joint_materials)
     content.friction_angles.push_back(material.friction_angle);
   content.upper = drawing.upper;
