@@ -224,7 +224,8 @@ Model listric(const std::vector<Real>& dips, bool reversed) {
   const auto up = [](Real dip) { return Vec3{-std::cos(radians(dip)), 0, std::sin(radians(dip))}; };
   Vec3 x{0, 0, 0.5};
   add_line(x - 5.0 * up(dips.front()));
-  for (const Real dip : dips) add_line(x += (&dip == &dips.back() ? 40.0 : 5.0) * up(dip));
+  for (std::size_t i = 0; i < dips.size(); ++i)
+    add_line(x += (i + 1 < dips.size() ? 5.0 : 40.0) * up(dips[i]));
   for (Index i = 0; i + 3 < static_cast<Index>(surface.vertices.size()); i += 2) {
     surface.triangles.push_back({i, i + 1, i + 2});
     surface.triangles.push_back({i + 2, i + 1, i + 3});
