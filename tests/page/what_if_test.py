@@ -116,6 +116,44 @@ support_direction = [0, 0, 1]
 """
 
 
+ROUGH_FAULT = """
+title = "A block on a fault from a file in centimetres, which bends by 20 degrees, below a water table"
+[[material]]
+density = 2600.0
+[[joint_material]]
+name = "clean"
+friction_angle = 34.0
+cohesion = 2e3
+[[solid]]
+name = "rock"
+shape = "box"
+min = [0, 0, -8]
+max = [10, 10, 10]
+continues = ["zmin"]
+[[joint_mesh]]
+name = "fault"
+file = "rough_fault.obj"
+[[water]]
+table = {point = [0, 0, 4], dip = 8.0, dip_direction = 270.0}
+[support]
+target_factor_of_safety = 1.4
+"""
+
+
+def rough_fault():
+    """A surface that dips 30 degrees to the west, then 50; its corners, 4 m apart, are rounded to centimetres and off by some."""
+    vertices, triangles = [], []
+    for i in range(6):
+        x = 4 * i - 5
+        for j in range(6):
+            z = (0.577 if x < 5 else 1.19) * (x - 5) + 2 + 0.01 * ((7 * i + 3 * j * j) % 11 - 5)
+            vertices.append(f"v {x} {4 * j - 5} {z:.2f}")
+            if i < 5 and j < 5:
+                a = 6 * i + j + 1
+                triangles.append(f"f {a} {a + 6} {a + 7}\nf {a} {a + 7} {a + 1}")
+    return "\n".join(vertices + triangles)
+
+
 def case(name):
     return (SOURCE / "tests" / "cases" / name / "model.toml").read_text(encoding="utf-8")
 
@@ -173,12 +211,13 @@ def check(folder, name, setting, answer):
 
 def main():
     packages()
-    models = {"wedge": case("wedge"), "bench": WET_BENCH, "staged": STAGED}
+    models = {"wedge": case("wedge"), "bench": WET_BENCH, "staged": STAGED, "rough": ROUGH_FAULT}
     for extra in sys.argv[1:]:
         models[extra] = case(extra)
     faults, looked_at = [], 0
     with tempfile.TemporaryDirectory(prefix="rockfold-what-if-") as where:
         folder = Path(where)
+        (folder / "rough_fault.obj").write_text(rough_fault(), encoding="utf-8")
         for name, text in models.items():
             (folder / f"{name}.toml").write_text(text, encoding="utf-8")
             for file in (SOURCE / "tests" / "cases" / name).glob(f"{name}*"):
