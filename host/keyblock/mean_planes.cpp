@@ -23,7 +23,7 @@ constexpr int most_rounds = 20;
 
 class PlaneSearch {
  public:
-  PlaneSearch(std::span<const Facet> facets, Real flatness)
+  PlaneSearch(std::span<const SurfaceFacet> facets, Real flatness)
       : limit_((1 + rounding) * 2 * std::sin(0.5 * flatness * std::numbers::pi / 180)),
         least_(least_area(facets)),
         order_(facets.size()) {
@@ -36,7 +36,7 @@ class PlaneSearch {
     plane_.assign(weighty_.size(), 0);
   }
 
-  std::vector<Vec3> run(std::span<const Facet> facets) {
+  std::vector<Vec3> run(std::span<const SurfaceFacet> facets) {
     find_planes();
     std::vector<Vec3> normals(facets.size());
     std::size_t next = 0;
@@ -51,9 +51,9 @@ class PlaneSearch {
     Real distance = 0;
   };
 
-  static Real least_area(std::span<const Facet> facets) {
+  static Real least_area(std::span<const SurfaceFacet> facets) {
     std::vector<Real> areas;
-    for (const Facet& f : facets) areas.push_back(f.area);
+    for (const SurfaceFacet& f : facets) areas.push_back(f.area);
     std::sort(areas.begin(), areas.end());
     const Real most = least_share * std::accumulate(areas.begin(), areas.end(), Real{0});
     Real least = 0, sum = 0;
@@ -144,18 +144,18 @@ class PlaneSearch {
   Real limit_;                      ///< between the ends of unit normals that are `flatness` apart
   Real least_;                      ///< m²: facets of no more begin no plane
   std::vector<std::size_t> order_;  ///< [facets] by normal, then area
-  std::vector<Facet> weighty_;      ///< those that may begin a plane, in that order
-  std::vector<std::size_t> plane_;  ///< [weighty] into mean_
+  std::vector<SurfaceFacet> weighty_;  ///< those that may begin a plane, in that order
+  std::vector<std::size_t> plane_;     ///< [weighty] into mean_
   std::vector<Vec3> mean_;
 };
 
 }  // namespace
 
-std::vector<Vec3> mean_plane_normals(std::span<const Facet> facets, Real flatness) {
+std::vector<Vec3> mean_plane_normals(std::span<const SurfaceFacet> facets, Real flatness) {
   if (facets.empty()) return {};
   if (flatness > 0) return PlaneSearch(facets, flatness).run(facets);
   std::vector<Vec3> normals;
-  for (const Facet& f : facets) normals.push_back(f.normal);
+  for (const SurfaceFacet& f : facets) normals.push_back(f.normal);
   return normals;
 }
 

@@ -9,7 +9,7 @@
 
 namespace rockfold {
 
-struct Facet {
+struct SurfaceFacet {
   Vec3 normal{};  ///< unit, outward
   Real area = 0;  ///< m², > 0
 };
@@ -22,6 +22,6 @@ struct Facet {
 /// flatness apart, since no two of them can share a plane. Facets go to the nearest mean, means are taken anew until
 /// nothing changes (Lloyd 1982), and as long as a facet is too far from its mean, it begins another plane.
 /// Cost: O(F log F) for F facets, and F times the number of planes.
-std::vector<Vec3> mean_plane_normals(std::span<const Facet> facets, Real flatness);
+std::vector<Vec3> mean_plane_normals(std::span<const SurfaceFacet> facets, Real flatness);
 
 }  // namespace rockfold

@@ -47,7 +47,7 @@ class MeshOnBody {
     for (std::size_t k = 0; k < part.size(); ++k) of_part[at(part[k])].push_back(k);
     std::vector<Vec3> normals(faces_.size());
     for (const auto& members : of_part) {
-      std::vector<Facet> facets;
+      std::vector<SurfaceFacet> facets;
       for (const std::size_t k : members) facets.push_back({normal(k), area_[k]});
       const auto means = mean_plane_normals(facets, flatness_);
       for (std::size_t m = 0; m < members.size(); ++m) normals[members[m]] = means[m];

@@ -17,13 +17,13 @@ using test::radians;
 using test::upward;
 
 /// Facets that dip so to the east, of 1 m² each.
-std::vector<Facet> dipping(const std::vector<Real>& dips) {
-  std::vector<Facet> facets;
+std::vector<SurfaceFacet> dipping(const std::vector<Real>& dips) {
+  std::vector<SurfaceFacet> facets;
   for (const Real dip : dips) facets.push_back({upward(dip, 90), 1});
   return facets;
 }
 
-std::size_t planes_of(const std::vector<Facet>& facets, Real flatness) {
+std::size_t planes_of(const std::vector<SurfaceFacet>& facets, Real flatness) {
   const auto normals = mean_plane_normals(facets, flatness);
   return std::set<Vec3>(normals.begin(), normals.end()).size();
 }
@@ -33,7 +33,7 @@ TEST(MeanPlanes, OfFacetsWithinTheFlatnessOfTheirMeanAreOne) {
   EXPECT_EQ(planes_of(dipping({30, 35, 40}), 4.9), 2u);
   EXPECT_LT(norm(mean_plane_normals(dipping({30, 35, 40}), 5)[0] - upward(35, 90)), 1e-15);
   // By area: the mean dips 31, one of the facets 9 more.
-  std::vector<Facet> uneven = dipping({30, 40});
+  std::vector<SurfaceFacet> uneven = dipping({30, 40});
   uneven[0].area = 9;
   EXPECT_EQ(planes_of(uneven, 8.9), 2u);
   EXPECT_EQ(planes_of(uneven, 9.1), 1u);
@@ -62,7 +62,7 @@ TEST(MeanPlanes, WithoutFlatnessAreThoseOfTheFacets) {
 }
 
 TEST(MeanPlanes, AreNotBegunByLessThanATenThousandthOfTheArea) {
-  std::vector<Facet> facets = dipping({30, 30, 80, 85});
+  std::vector<SurfaceFacet> facets = dipping({30, 30, 80, 85});
   facets[2].area = facets[3].area = 0.9e-4;
   EXPECT_EQ(planes_of(facets, 5), 1u);
   EXPECT_LT(norm(mean_plane_normals(facets, 5)[3] - upward(30, 90)), 1e-15);
@@ -75,9 +75,9 @@ TEST(MeanPlanes, OfFacetsThatFaceEachOtherAreTwo) {
 }
 
 // Normals within `spread` (deg) of a fold's two limbs; areas over four decades.
-std::vector<Facet> random_facets(std::mt19937& random, Real spread) {
+std::vector<SurfaceFacet> random_facets(std::mt19937& random, Real spread) {
   std::uniform_real_distribution<Real> uniform(0, 1);
-  std::vector<Facet> facets;
+  std::vector<SurfaceFacet> facets;
   const auto count = 2 + static_cast<std::size_t>(100 * uniform(random));
   while (facets.size() < count) {
     const Real tilt = spread * std::sqrt(uniform(random)), about = 360 * uniform(random);
@@ -122,7 +122,7 @@ TEST(MeanPlanes, AreTheSameBitForBitWhateverTheOrder) {
       std::vector<std::size_t> order(facets.size());
       for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
       std::shuffle(order.begin(), order.end(), random);
-      std::vector<Facet> shuffled;
+      std::vector<SurfaceFacet> shuffled;
       for (const std::size_t k : order) shuffled.push_back(facets[k]);
       const auto again = mean_plane_normals(shuffled, 5);
       for (std::size_t k = 0; k < order.size(); ++k) EXPECT_EQ(again[k], normals[order[k]]);
