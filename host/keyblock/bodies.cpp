@@ -19,7 +19,7 @@ std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
 }
 
-bool is_member(const Body& body, Index block) {
+bool is_member(const RockBody& body, Index block) {
   return std::binary_search(body.members.begin(), body.members.end(), block);
 }
 
@@ -98,8 +98,8 @@ Bodies::FaceNature Bodies::nature(const FaceOrigin& origin, const Model& model,
   return nature;
 }
 
-Body Bodies::body(std::vector<Index> members, const std::vector<Index>& batch) const {
-  Body body;
+RockBody Bodies::body(std::vector<Index> members, const std::vector<Index>& batch) const {
+  RockBody body;
   body.members = std::move(members);
   for (const Index block : body.members) {
     const Real mass = blocks_.mass[at(block)];
@@ -131,7 +131,7 @@ bool Bodies::is_encased(Index block, const std::vector<Index>& batch) const {
   return true;
 }
 
-void Bodies::add_point_loads(Body& body) const {
+void Bodies::add_point_loads(RockBody& body) const {
   for (const Index block : body.members) {
     auto force = std::lower_bound(forces_.begin(), forces_.end(), block,
                                   [](const PointForce& f, Index b) { return f.block < b; });
@@ -143,13 +143,13 @@ void Bodies::add_point_loads(Body& body) const {
 }
 
 /// What presses on the free share of a face.
-void Bodies::add_traction(Body& body, Index face, Real share) const {
+void Bodies::add_traction(RockBody& body, Index face, Real share) const {
   const FaceLoad load = tractions_.on_face(face);
   body.load += share * load.force;
   body.moment += share * (load.moment - cross(body.centroid, load.force));
 }
 
-void Bodies::add_block(Body& body, Index block, const std::vector<Index>& batch) const {
+void Bodies::add_block(RockBody& body, Index block, const std::vector<Index>& batch) const {
   const bool alone = body.members.size() == 1;
   for (Index id = blocks_.face_begin[at(block)]; id < blocks_.face_begin[at(block) + 1]; ++id) {
     const FaceNature& nature = nature_[at(blocks_.face_origin[at(id)])];
@@ -173,7 +173,7 @@ void Bodies::add_block(Body& body, Index block, const std::vector<Index>& batch)
 }
 
 /// Facets of a mesh that are one plane have its normal.
-void Bodies::flatten_meshes(Body& body) const {
+void Bodies::flatten_meshes(RockBody& body) const {
   if (!mesh_planes_.any()) return;
   if (body.members.size() == 1) {
     for (std::size_t f = 0; f < body.faces.size(); ++f)
@@ -187,7 +187,7 @@ void Bodies::flatten_meshes(Body& body) const {
 }
 
 /// Water and in-situ stress on the part in contact.
-void Bodies::press(BlockFace& face, Index id, Body& body) const {
+void Bodies::press(BlockFace& face, Index id, RockBody& body) const {
   const FaceNature& nature = nature_[at(blocks_.face_origin[at(id)])];
   if (!nature.water && spec_.water_pressure == 0 && !stress_.any) return;
   const Real share = std::min(1.0, face.contact_area / blocks_.face_area[at(id)]);
@@ -211,7 +211,7 @@ void Bodies::press_in_situ(BlockFace& face, Index id, const FaceNature& nature) 
 }
 
 void Bodies::press_by_water(BlockFace& face, Index id, const FaceNature& nature, Real share,
-                            Body& body) const {
+                            RockBody& body) const {
   const LinearPressure p = nature.water
                                ? linear_pressure(*nature.water, gravity_)
                                : LinearPressure{.at_origin = spec_.water_pressure, .gradient = {}};
@@ -228,7 +228,7 @@ void Bodies::press_by_water(BlockFace& face, Index id, const FaceNature& nature,
 }
 
 /// Whether two faces are one plane for a turn: of one plane of the cutting, or of one plane of a mesh.
-bool Bodies::is_one_plane(const Body& body, std::size_t f, std::size_t g) const {
+bool Bodies::is_one_plane(const RockBody& body, std::size_t f, std::size_t g) const {
   const auto plane = [&](std::size_t i) { return blocks_.face_plane[at(body.face_id[i])]; };
   const auto origin = [&](std::size_t i) { return blocks_.face_origin[at(body.face_id[i])]; };
   const Vec3 &n = body.faces[f].normal, &m = body.faces[g].normal;
@@ -236,7 +236,8 @@ bool Bodies::is_one_plane(const Body& body, std::size_t f, std::size_t g) const 
          (n == m && origin(f) == origin(g) && mesh_planes_.flatness(body.face_id[f]));
 }
 
-std::vector<ContactPatch> Bodies::patches(const Body& body, const std::vector<Index>& batch) const {
+std::vector<ContactPatch> Bodies::patches(const RockBody& body,
+                                          const std::vector<Index>& batch) const {
   std::vector<ContactPatch> patches;
   std::vector<std::vector<Vec3>> points;
   for (std::size_t f = 0; f < body.faces.size(); ++f) {
@@ -271,7 +272,7 @@ std::vector<ContactPatch> Bodies::patches(const Body& body, const std::vector<In
   return patches;
 }
 
-Mat3 Bodies::inertia(const Body& body) const {
+Mat3 Bodies::inertia(const RockBody& body) const {
   Mat3 sum{};
   for (const Index block : body.members) {
     const Mat3 own = inertia_tensor(blocks_, block);
@@ -284,7 +285,7 @@ Mat3 Bodies::inertia(const Body& body) const {
   return sum;
 }
 
-BlockVerdict Bodies::judge(const Body& body, const std::vector<Index>& batch) const {
+BlockVerdict Bodies::judge(const RockBody& body, const std::vector<Index>& batch) const {
   BlockVerdict verdict;
   if (!body.finite) {
     verdict.block_class = BlockClass::infinite;
@@ -306,7 +307,7 @@ BlockVerdict Bodies::judge(const Body& body, const std::vector<Index>& batch) co
   return verdict;
 }
 
-Vec3 Bodies::free_centre(const Body& body) const {
+Vec3 Bodies::free_centre(const RockBody& body) const {
   Vec3 sum{};
   Real area = 0;
   if (has_polygons_)

@@ -17,7 +17,7 @@
 namespace rockfold {
 
 /// Some blocks as one body, with the faces between them left out.
-struct Body {
+struct RockBody {
   std::vector<Index> members;    ///< blocks, ascending
   std::vector<BlockFace> faces;  ///< not those without any area left
   std::vector<Index> face_id;    ///< [faces] into the arrays
@@ -45,12 +45,12 @@ class Bodies {
   }
 
   /// `batch`: of every block; those that are 0 are still there.
-  Body body(std::vector<Index> members, const std::vector<Index>& batch) const;
+  RockBody body(std::vector<Index> members, const std::vector<Index>& batch) const;
   /// Its class and motion.
-  BlockVerdict judge(const Body& body, const std::vector<Index>& batch) const;
+  BlockVerdict judge(const RockBody& body, const std::vector<Index>& batch) const;
 
   /// Its planes of contact with rock that is still there; none where no polygon is known.
-  std::vector<ContactPatch> patches(const Body& body, const std::vector<Index>& batch) const;
+  std::vector<ContactPatch> patches(const RockBody& body, const std::vector<Index>& batch) const;
 
   const BlockArrays& blocks() const { return blocks_; }
   /// Whether every face of a block leans on a block that is still there.
@@ -63,9 +63,9 @@ class Bodies {
         .origins[static_cast<std::size_t>(blocks_.face_origin[static_cast<std::size_t>(face)])];
   }
   /// Area-weighted centre of the free faces; the body's centroid where no polygon is known.
-  Vec3 free_centre(const Body& body) const;
+  Vec3 free_centre(const RockBody& body) const;
   /// kg m² about its centroid.
-  Mat3 inertia(const Body& body) const;
+  Mat3 inertia(const RockBody& body) const;
 
  private:
   /// What all faces of one origin have in common.
@@ -84,15 +84,15 @@ class Bodies {
 
   FaceNature nature(const FaceOrigin& origin, const Model& model,
                     const std::vector<Water>& waters) const;
-  void add_block(Body& body, Index block, const std::vector<Index>& batch) const;
-  void flatten_meshes(Body& body) const;
-  void add_point_loads(Body& body) const;
-  void add_traction(Body& body, Index face, Real share) const;
-  bool is_one_plane(const Body& body, std::size_t f, std::size_t g) const;
-  void press(BlockFace& face, Index id, Body& body) const;
+  void add_block(RockBody& body, Index block, const std::vector<Index>& batch) const;
+  void flatten_meshes(RockBody& body) const;
+  void add_point_loads(RockBody& body) const;
+  void add_traction(RockBody& body, Index face, Real share) const;
+  bool is_one_plane(const RockBody& body, std::size_t f, std::size_t g) const;
+  void press(BlockFace& face, Index id, RockBody& body) const;
   void press_in_situ(BlockFace& face, Index id, const FaceNature& nature) const;
   void press_by_water(BlockFace& face, Index id, const FaceNature& nature, Real share,
-                      Body& body) const;
+                      RockBody& body) const;
 
   const BlockArrays& blocks_;
   Vec3 gravity_;

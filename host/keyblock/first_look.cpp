@@ -58,7 +58,7 @@ class FirstLooks {
 
  private:
   struct Look {
-    Body body;
+    RockBody body;
     BlockVerdict verdict;
   };
 
@@ -110,7 +110,7 @@ class FirstLooks {
     looks_.held_neighbour_begin.push_back(count(looks_.held_neighbour));
   }
 
-  void add(Index stage, const Body& body, const BlockVerdict& verdict) {
+  void add(Index stage, const RockBody& body, const BlockVerdict& verdict) {
     const Index block = body.members[0];
     looks_.block.push_back(block);
     looks_.stage.push_back(stage);
@@ -129,7 +129,7 @@ class FirstLooks {
     looks_.patch_begin.push_back(count(looks_.patch_face));
   }
 
-  void add_faces(const Body& body) {
+  void add_faces(const RockBody& body) {
     const auto patches =
         bodies_.looks_at_rotation() ? bodies_.patches(body, batch_) : std::vector<ContactPatch>{};
     for (std::size_t f = 0; f < body.faces.size(); ++f) {

@@ -34,7 +34,7 @@ struct MeshPlane {
   Vec3 normal{};
 };
 
-std::vector<MeshPlane> mesh_planes_of(const Body& body, const Bodies& bodies) {
+std::vector<MeshPlane> mesh_planes_of(const RockBody& body, const Bodies& bodies) {
   std::vector<MeshPlane> found;
   for (std::size_t f = 0; f < body.faces.size(); ++f) {
     const Index origin = bodies.blocks().face_origin[static_cast<std::size_t>(body.face_id[f])];
@@ -84,7 +84,7 @@ class GroupSearch {
 
   /// The sets of blocks, two or more, that must move with the seed.
   std::vector<std::vector<Index>> pushed_with(Index seed) const {
-    const Body body = bodies_.body({seed}, batch_);
+    const RockBody body = bodies_.body({seed}, batch_);
     std::vector<std::vector<Index>> found;
     if (!body.finite) return found;
     auto directions = driven_directions(contact_planes(body.faces), body.load);
@@ -100,7 +100,7 @@ class GroupSearch {
  private:
   /// The blocks that a motion of the seed along u pushes on, with it; empty if rock is among them
   /// that stays, or if they are too many.
-  std::vector<Index> closure(const Body& seed, const std::vector<MeshPlane>& mesh_planes,
+  std::vector<Index> closure(const RockBody& seed, const std::vector<MeshPlane>& mesh_planes,
                              const Vec3& u) const {
     std::vector<Index> members = seed.members;
     const BlockArrays& blocks = bodies_.blocks();
@@ -215,7 +215,7 @@ std::vector<Group> find_groups(const Bodies& bodies, const std::vector<Index>& b
   std::vector<std::optional<Group>> judged(list.size());
   parallel_for(static_cast<std::int64_t>(list.size()), chunk, [&](std::int64_t i) {
     const auto k = static_cast<std::size_t>(i);
-    Body body = bodies.body(list[k], batch);
+    RockBody body = bodies.body(list[k], batch);
     BlockVerdict verdict = bodies.judge(body, batch);
     if (verdict.block_class == BlockClass::key)
       judged[k] = Group{std::move(body), std::move(verdict)};

@@ -10,7 +10,7 @@ namespace rockfold {
 
 /// Some blocks that move as one body.
 struct Group {
-  Body body;
+  RockBody body;
   BlockVerdict verdict;  ///< key
 };
 

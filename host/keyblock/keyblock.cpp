@@ -41,7 +41,7 @@ class KeyblockSearch {
 
  private:
   struct Judged {
-    Body body;
+    RockBody body;
     BlockVerdict verdict;
   };
   void excavate(Index stage);
@@ -56,12 +56,13 @@ class KeyblockSearch {
   std::vector<Index> left() const;
   bool stays(Index block) const;
   Index stage_of(Index block) const;
-  Keyblock describe(const Body& body, const BlockVerdict& verdict) const;
-  void describe_translation(Keyblock& key, const Body& body, const BlockVerdict& verdict) const;
-  void describe_rotation(Keyblock& key, const Body& body, const BlockVerdict& verdict) const;
-  SupportForce support_of(const Body& body, const BlockVerdict& verdict) const;
-  const std::string& plane_name(const Body& body, Index face) const;
-  std::vector<MeshPlaneCount> mesh_planes_of(const Body& body, const BlockVerdict& verdict) const;
+  Keyblock describe(const RockBody& body, const BlockVerdict& verdict) const;
+  void describe_translation(Keyblock& key, const RockBody& body, const BlockVerdict& verdict) const;
+  void describe_rotation(Keyblock& key, const RockBody& body, const BlockVerdict& verdict) const;
+  SupportForce support_of(const RockBody& body, const BlockVerdict& verdict) const;
+  const std::string& plane_name(const RockBody& body, Index face) const;
+  std::vector<MeshPlaneCount> mesh_planes_of(const RockBody& body,
+                                             const BlockVerdict& verdict) const;
   void start_batch();
 
   const BlockArrays& blocks_;
@@ -125,7 +126,7 @@ std::vector<KeyblockSearch::Judged> KeyblockSearch::judge(
     if (blocks_.finite[static_cast<std::size_t>(block)] != 0 &&
         bodies_.is_encased(block, report_.batch))
       return;
-    Body body = bodies_.body({block}, report_.batch);
+    RockBody body = bodies_.body({block}, report_.batch);
     one.verdict = bodies_.judge(body, report_.batch);
     if (is_described(one.verdict))
       one.body = std::move(body);  // what is not described needs no faces
@@ -136,11 +137,11 @@ std::vector<KeyblockSearch::Judged> KeyblockSearch::judge(
   return judged;
 }
 
-const std::string& KeyblockSearch::plane_name(const Body& body, Index face) const {
+const std::string& KeyblockSearch::plane_name(const RockBody& body, Index face) const {
   return bodies_.origin(body.face_id[static_cast<std::size_t>(face)]).name;
 }
 
-void KeyblockSearch::describe_translation(Keyblock& key, const Body& body,
+void KeyblockSearch::describe_translation(Keyblock& key, const RockBody& body,
                                           const BlockVerdict& verdict) const {
   const Movement& movement = *verdict.movement;
   key.mode = movement.mode;
@@ -157,7 +158,7 @@ void KeyblockSearch::describe_translation(Keyblock& key, const Body& body,
   key.factor_of_safety = movement.factor_of_safety();
 }
 
-void KeyblockSearch::describe_rotation(Keyblock& key, const Body& body,
+void KeyblockSearch::describe_rotation(Keyblock& key, const RockBody& body,
                                        const BlockVerdict& verdict) const {
   const Rotation& rotation = verdict.rotations[0];
   const Real arm = norm(rotation.velocity);
@@ -170,7 +171,7 @@ void KeyblockSearch::describe_rotation(Keyblock& key, const Body& body,
   key.factor_of_safety = rotation.factor_of_safety();
 }
 
-std::vector<MeshPlaneCount> KeyblockSearch::mesh_planes_of(const Body& body,
+std::vector<MeshPlaneCount> KeyblockSearch::mesh_planes_of(const RockBody& body,
                                                            const BlockVerdict& verdict) const {
   std::map<std::string, std::set<const ContactPlane*>> planes;
   for (std::size_t f = 0; f < body.faces.size(); ++f) {
@@ -189,7 +190,7 @@ std::vector<MeshPlaneCount> KeyblockSearch::mesh_planes_of(const Body& body,
 }
 
 /// What brings each motion that the block can start to the target.
-SupportForce KeyblockSearch::support_of(const Body& body, const BlockVerdict& verdict) const {
+SupportForce KeyblockSearch::support_of(const RockBody& body, const BlockVerdict& verdict) const {
   const Real target = spec_.target_factor_of_safety;
   std::vector<SupportCondition> conditions;
   if (verdict.movement) conditions = support_conditions(verdict.planes, *verdict.movement, target);
@@ -203,7 +204,7 @@ SupportForce KeyblockSearch::support_of(const Body& body, const BlockVerdict& ve
   return least_support(conditions);
 }
 
-Keyblock KeyblockSearch::describe(const Body& body, const BlockVerdict& verdict) const {
+Keyblock KeyblockSearch::describe(const RockBody& body, const BlockVerdict& verdict) const {
   Keyblock key;
   key.block = body.members.front();
   key.members = body.members;

@@ -32,13 +32,13 @@ BlockArrays leaning_box() {
   return builder.blocks;
 }
 
-Body body_under(const Model& model) {
+RockBody body_under(const Model& model) {
   const auto blocks = leaning_box();
   return Bodies(blocks, model).body({0}, {0, 0});
 }
 
 /// Water on the faces of a name.
-Real water_on(const Body& body, const Vec3& normal) {
+Real water_on(const RockBody& body, const Vec3& normal) {
   Real sum = 0;
   for (const BlockFace& face : body.faces)
     if (norm(face.normal - normal) < 1e-12) sum += norm(face.water);
@@ -54,7 +54,7 @@ Model wet_model(const Water& water) {
 TEST(Water, BelowATableIsHydrostatic) {
   Water water;
   water.level = WaterTable{{100, 100, 4}, {0, 0, 1}};  // 3 m deep at the base, 1 m of the back dry
-  const Body body = body_under(wet_model(water));
+  const RockBody body = body_under(wet_model(water));
   EXPECT_NEAR(water_on(body, {-1, 0, 0}), weight_of_water * 3 * 3 / 2 * 3, 1e-6);
   EXPECT_NEAR(water_on(body, {0, 0, -1}), weight_of_water * 3 * 6, 1e-6);
   // Moments about the centroid (1, 1.5, 3): the back's push acts 1 m above the base.
@@ -66,7 +66,7 @@ TEST(Water, ByItsHeadIsThatOfALevelTable) {
   Water head, table;
   head.level = WaterHead{4};
   table.level = WaterTable{{0, 0, 4}, {0, 0, 1}};
-  const Body a = body_under(wet_model(head)), b = body_under(wet_model(table));
+  const RockBody a = body_under(wet_model(head)), b = body_under(wet_model(table));
   EXPECT_NEAR(water_on(a, {-1, 0, 0}), water_on(b, {-1, 0, 0}), 1e-6);
   EXPECT_NEAR(water_on(a, {0, 0, -1}), water_on(b, {0, 0, -1}), 1e-6);
 }
@@ -161,7 +161,7 @@ Model pressed_model(const Traction& traction) {
 TEST(Tractions, OfABoxActOnWhatLiesInIt) {
   Traction strip = on_strip(2, 2.5);
   strip.value = {1e5, 0, 0};
-  const Body dry = body_under(model_with_joints(30)), body = body_under(pressed_model(strip));
+  const RockBody dry = body_under(model_with_joints(30)), body = body_under(pressed_model(strip));
   const Vec3 push = body.load - dry.load;
   EXPECT_NEAR(push[0], -1e5 * 1.5, 1e-6);
   EXPECT_NEAR(norm(push), 1e5 * 1.5, 1e-6);
@@ -174,7 +174,7 @@ TEST(Tractions, OfABoxActOnWhatLiesInIt) {
 TEST(Tractions, UpToAHeadAreHydrostatic) {
   Traction water = on_strip(0, 9);
   water.head = 4;
-  const Body dry = body_under(model_with_joints(30)), body = body_under(pressed_model(water));
+  const RockBody dry = body_under(model_with_joints(30)), body = body_under(pressed_model(water));
   EXPECT_NEAR((body.load - dry.load)[0], -weight_of_water * 3 * 3 / 2 * 3, 1e-6);
   EXPECT_NEAR(body.moment[1], -weight_of_water * 13.5 * (2 - 3), 1e-6);  // 1 m above the base
 }
@@ -183,7 +183,7 @@ TEST(Tractions, ThatAreVectorsActAsTheyAreGivenAndTablesAtOneSecond) {
   Traction shear;
   shear.where = PlaneRegion{{0, 0, 5}, {0, 0, 1}, 1e-9};
   shear.table = {{0, 1, 2}, {{0, 0, 0}, {100, -200, 300}, {9, 9, 9}}};
-  const Body dry = body_under(model_with_joints(30)), body = body_under(pressed_model(shear));
+  const RockBody dry = body_under(model_with_joints(30)), body = body_under(pressed_model(shear));
   EXPECT_NEAR(norm(body.load - dry.load - 6.0 * Vec3{100, -200, 300}), 0, 1e-8);
 }
 
