@@ -4,7 +4,7 @@ import resource
 import subprocess
 import unittest
 
-from program import BINARY, PRESSED, ProgramTest
+from program import BINARY, PRESSED, SANITIZED, ProgramTest
 
 DYNAMIC = 'type = "dynamic"\nkinematics = "small"\ntime_step = 0.01\nsteps = 5'
 
@@ -136,6 +136,7 @@ class Warnings(ProgramTest):
         self.write("still.toml", PRESSED)
         self.assertNotIn("warning", self.run_program("run", "still.toml").stderr)
 
+    @unittest.skipIf(SANITIZED, "a large model")
     def test_tell_where_factors_were_asked_for_but_are_out_of_reach(self):
         direct = PRESSED + '[solver]\npreconditioner = "direct"\n'
         self.write("small.toml", direct)

@@ -11,6 +11,7 @@ from pathlib import Path
 BINARY = os.environ["ROCKFOLD_BINARY"]
 SOURCE = Path(os.environ["ROCKFOLD_SOURCE_DIR"])
 CASES = SOURCE / "tests" / "cases"
+SANITIZED = os.environ.get("ROCKFOLD_SANITIZE") == "1"  # ten times as slow: fewer models do
 
 # A box of 2 m3 on rollers on three sides, pressed from above.
 PRESSED = """

@@ -174,7 +174,7 @@ def run(model, threads=1, more=()):
         path = Path(folder) / "scene.toml"
         path.write_text(model, encoding="utf-8")
         done = subprocess.run([os.environ["ROCKFOLD_BINARY"], "run", str(path), "--json", "-q", "--threads", str(threads), *more], cwd=folder, capture_output=True,
-                              text=True, timeout=600, check=False, env=dict(os.environ, OMP_PROC_BIND="false"))
+                              text=True, check=False, env=dict(os.environ, OMP_PROC_BIND="false"))
         if done.returncode == 1 and "does not settle" in done.stdout + done.stderr:
             raise NotSettled(next(line for line in (done.stdout + done.stderr).splitlines() if "does not settle" in line).strip()[:300])
         if done.returncode:

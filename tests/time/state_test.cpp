@@ -69,7 +69,7 @@ std::vector<std::byte> go_on(Motion& motion, const RandomMotion& m) {
 }
 
 TEST(State, RestoredInAnotherMotionGoesOnToTheSameBits) {
-  const unsigned count = reference::cases(100u, 8u);
+  const unsigned count = reference::cases(30u, 8u);
   unsigned moved = 0;
   for (unsigned seed = 0; seed < count; ++seed) {
     SCOPED_TRACE(seed);

@@ -69,7 +69,8 @@ def main():
         if options.store:  # read anew, so that several may run side by side
             stored = json.loads(STORE.read_text(encoding="utf-8")) if STORE.exists() else {}
             stored[name] = found.document()
-            STORE.write_text(json.dumps({key: stored[key] for key in CASES if key in stored}, indent=1) + "\n", encoding="utf-8")
+            lines = (f"{json.dumps(key)}: {json.dumps(stored[key])}" for key in CASES if key in stored)  # a case a line
+            STORE.write_text("{" + ",\n".join(lines) + "}\n", encoding="utf-8")
     return 1 if failed else 0
 
 
