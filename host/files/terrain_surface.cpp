@@ -25,6 +25,10 @@ using Delaunay =
 using Triangle = std::array<Index, 3>;
 using SizeT = std::size_t;
 
+/// Of the elevations: what differences that are equal as decimals may differ by as doubles. Decimals of up to fourteen digits that are not
+/// equal differ by more.
+constexpr Real tie = 4 * std::numeric_limits<Real>::epsilon();
+
 /// Height over length of border triangles that are taken for rounding of posts on one line.
 constexpr Real sliver = 1e-6;
 
@@ -134,9 +138,11 @@ void add_square(const std::array<Index, 4>& corners, TriangleSurface& ground) {
     ground.triangles.push_back(triangle);
     return;
   }
-  const auto at = [&](SizeT i) { return ground.vertices[static_cast<SizeT>(corners[i])]; };
-  const Vec3 north_east = at(2) - at(0), north_west = at(3) - at(1);
-  if (dot(north_west, north_west) < dot(north_east, north_east)) {
+  const auto z = [&](SizeT i) { return ground.vertices[static_cast<SizeT>(corners[i])][2]; };
+  // In plan the diagonals of a rectangle are equally long.
+  const Real north_east = std::abs(z(2) - z(0)), north_west = std::abs(z(3) - z(1));
+  const Real largest = std::max({std::abs(z(0)), std::abs(z(1)), std::abs(z(2)), std::abs(z(3))});
+  if (north_east - north_west > tie * largest) {
     ground.triangles.push_back({corners[0], corners[1], corners[3]});
     ground.triangles.push_back({corners[1], corners[2], corners[3]});
   } else {

@@ -18,7 +18,7 @@ struct PostGrid {
 Real least_post_distance(const Vec3& size);
 
 /// Squares of four posts become two triangles along the diagonal that is shorter in space (of equal ones
-/// the one towards north-east), those of three posts one triangle; counter-clockwise seen from above.
+/// the one towards north-east; elevations that are equal as decimals count as equal), those of three posts one triangle; counter-clockwise seen from above.
 /// Where parts of the ground touch at one post alone, the smaller side's triangles at that post are left
 /// out, so that the outlines of what remains are simple polygons.
 /// Throws Error(model) if no triangle remains or there are too many posts.

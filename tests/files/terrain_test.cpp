@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -54,6 +55,33 @@ TEST(AsciiGrid, HasItsPostsAtTheCellsCentresFromNorthToSouth) {
   EXPECT_EQ(ground.triangles.size(), 4u);
   EXPECT_EQ(double_plan_area(ground), 2 * 4 * 2);
   expect_sound(ground);
+}
+
+TEST(AsciiGrid, IsDividedAlongTheDiagonalThatItsDecimalsSay) {
+  std::mt19937 draw(7);
+  int ties = 0;
+  for (const int decimals : {1, 2, 3}) {
+    const int unit = decimals == 1 ? 10 : decimals == 2 ? 100 : 1000;
+    for (int n = 0; n < 500; ++n) {
+      std::array<int, 4> z{};  // north-west, north-east, south-west, south-east, in tenths and less
+      std::string rows;
+      for (int& post : z) {
+        post = 1234 * unit + std::uniform_int_distribution<int>(0, 40)(draw);
+        std::string rest = std::to_string(post % unit);
+        rest.insert(0, static_cast<std::size_t>(decimals) - rest.size(), '0');
+        rows += std::to_string(post / unit) + "." + rest + " ";
+      }
+      const int north_east = std::abs(z[1] - z[2]), north_west = std::abs(z[0] - z[3]);
+      ties += north_east == north_west;
+      const auto ground =
+          ground_of("ncols 2\nnrows 2\nxllcorner 0.1\nyllcorner 0.3\ncellsize 0.7\n" + rows);
+      const auto& first = ground.triangles.at(0);  // posts 0 south-west, 3 north-east
+      const bool along_north_east = std::count(first.begin(), first.end(), 3) == 1 &&
+                                    std::count(first.begin(), first.end(), 0) == 1;
+      EXPECT_EQ(along_north_east, north_east <= north_west) << rows;
+    }
+  }
+  EXPECT_GT(ties, 30);
 }
 
 TEST(AsciiGrid, MayBeRegisteredAtCentresInAnyCaseOrderAndLines) {
