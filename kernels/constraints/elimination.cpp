@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -190,6 +191,63 @@ void project(const Elimination& elimination, const Field& v) {
         for (Index i = e.begin(h); i < e.begin(h + 1); ++i)
           add_row(e, i, p, d, -along(e, i, p, d, v), v);
       });
+}
+
+namespace {
+
+/// Row i of C, of a component of a cover.
+struct HostRow {
+  int component = 0;
+  std::vector<Real> value;  ///< [functions]
+};
+
+std::vector<std::vector<HostRow>> rows_of_covers(const Elimination& e) {
+  const std::vector<Index> cover = device::to_host(e.cover),
+                           component = device::to_host(e.component),
+                           begin = device::to_host(e.begin);
+  const std::vector<Real> row = device::to_host(e.row);
+  std::vector<std::vector<HostRow>> rows(e.covers);
+  for (std::size_t h = 0; h < cover.size(); ++h)
+    for (Index i = begin[h]; i < begin[h + 1]; ++i) {
+      const auto first = row.begin() + static_cast<std::ptrdiff_t>(i) * e.functions;
+      rows[cover[h]].push_back({static_cast<int>(component[h]), {first, first + e.functions}});
+    }
+  return rows;
+}
+
+/// v ← v − c (c·v) of a column of a block (stride 1), or of a row of it (stride: its width).
+void take_off(const HostRow& c, Real* v, std::size_t stride) {
+  Real sum = 0;
+  for (std::size_t k = 0; k < c.value.size(); ++k)
+    sum += c.value[k] * v[(3 * k + c.component) * stride];
+  for (std::size_t k = 0; k < c.value.size(); ++k)
+    v[(3 * k + c.component) * stride] -= sum * c.value[k];
+}
+
+}  // namespace
+
+void constrain(const Elimination& e, BlockMatrix& a) {
+  if (!e.any()) return;
+  const auto rows = rows_of_covers(e);
+  const std::size_t width = a.width, size = width * width;
+  for (Index i = 0; i < a.rows(); ++i)
+    for (Index m = a.begin[i]; m < a.begin[i + 1]; ++m) {
+      Real* block = &a.value[m * size];
+      std::array<Real, 3> largest{};
+      for (std::size_t k = 0; k < width; ++k)
+        largest[k % 3] = std::max(largest[k % 3], block[k * width + k]);
+      for (const HostRow& c : rows[i])
+        for (std::size_t column = 0; column < width; ++column)
+          take_off(c, block + column * width, 1);
+      for (const HostRow& c : rows[a.column[m]])
+        for (std::size_t row = 0; row < width; ++row) take_off(c, block + row, width);
+      if (a.column[m] != i) continue;
+      for (const HostRow& c : rows[i])
+        for (std::size_t k = 0; k < c.value.size(); ++k)
+          for (std::size_t l = 0; l < c.value.size(); ++l)
+            block[(3 * l + c.component) * width + 3 * k + c.component] +=
+                largest[c.component] * c.value[k] * c.value[l];
+    }
 }
 
 void split(const Elimination& elimination, const Field& prescribed, const Field& x,

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "kernels/operator/point_terms_kernel.hpp"
+#include "src/arrays/direct_solver.hpp"
 
 namespace rockfold::solve {
 
@@ -33,6 +34,9 @@ EliminationOfPoints eliminate(const FixedPoints& fixed, Index covers, int functi
 
 /// v ← P v.
 void project(const Elimination& e, const Field& v);
+
+/// A ← P A P + (I − P) D with D each cover's largest diagonal entry of the component, so that A stays as definite as it is between what P allows.
+void constrain(const Elimination& e, BlockMatrix& a);
 
 /// `part` ← Cᵀ T prescribed; x ← P x.
 void split(const Elimination& e, const Field& prescribed, const Field& x, const Field& part);

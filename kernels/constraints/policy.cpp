@@ -94,12 +94,14 @@ PcgReport solve_with_present_factors(ConstrainedSystem& system, const Eliminatio
   return done;
 }
 
-/// Whether there are the factors of the matrix as it is, made with these pivots where they were not there.
-bool has_factors(ConstrainedSystem& system, Real pivot) {
+/// Whether there are the factors of the matrix as it is, between what `e` allows, made with these pivots where they were not there.
+bool has_factors(ConstrainedSystem& system, const Elimination& e, Real pivot) {
   Factors& factors = system.factors;
-  return (factors.current && factors.pivot == pivot) ||
-         (factors_fit(system) &&
-          factorise(factors, system.op, system.combination, terms_of(system), pivot));
+  if (factors.current && factors.pivot == pivot && factors.constrained == e.any()) return true;
+  FactorConstraints constraints;
+  if (e.any()) constraints = {system.springs.eliminated, [&e](BlockMatrix& a) { constrain(e, a); }};
+  return factors_fit(system) &&
+         factorise(factors, system.op, system.combination, terms_of(system), pivot, constraints);
 }
 
 const std::array<Real, 4>& pivots_of(const ConstrainedSystem& system) {
@@ -111,8 +113,8 @@ PcgReport solve_with_factors(ConstrainedSystem& system, const Field& load, const
                              const PcgOptions& pcg, PcgReport done) {
   PcgOptions how = pcg;
   Kokkos::deep_copy(system.start, x);
-  if (const Factors& f = system.factors;
-      system.has_contacts && f.of_this_step && f.analysed && !f.current) {
+  if (const Factors& f = system.factors; system.has_contacts && f.of_this_step && f.analysed &&
+                                         !f.current && f.constrained == system.eliminated.any()) {
     how.max_iterations = std::min(limit_of_earlier_factors, pcg.max_iterations - done.iterations);
     const Index before = done.iterations;
     done = solve_with_present_factors(system, system.eliminated, load, x, how);
@@ -121,7 +123,9 @@ PcgReport solve_with_factors(ConstrainedSystem& system, const Field& load, const
   }
   for (const Real pivot : pivots_of(system)) {
     how.max_iterations = pcg.max_iterations - done.iterations;
-    if (how.max_iterations <= 0 || interrupt_signal || !has_factors(system, pivot)) break;
+    if (how.max_iterations <= 0 || interrupt_signal ||
+        !has_factors(system, system.eliminated, pivot))
+      break;
     Kokkos::deep_copy(x, system.start);
     const Index before = done.iterations;
     done = solve_with_present_factors(system, system.eliminated, load, x, how);
@@ -229,7 +233,7 @@ PcgReport solve_if_easy(ConstrainedSystem& system, const Field& load, const Fiel
     if (small_enough(done, pcg) || !factors_fit(system)) return done;
     Kokkos::deep_copy(x, 0.0);
   }
-  if (!has_factors(system, pivots_of(system).front())) return done;
+  if (!has_factors(system, {}, pivots_of(system).front())) return done;
   used = Preconditioner::direct;
   return solve_with_present_factors(system, {}, load, x, pcg);
 }

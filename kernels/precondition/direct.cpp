@@ -49,6 +49,14 @@ struct HostPoints {
       for (int m = 0; m < 6; ++m) tangent[n][m] = host(n, m);
   }
 
+  /// Leaves out components of the first points.
+  void leave_out(const Field& components) {
+    const std::vector<Vec3> left_out = device::copy_to_host(components);
+    for (std::size_t n = 0; n < left_out.size() && n < tangent.size(); ++n)
+      for (int d = 0; d < 3; ++d)
+        if (left_out[n][d] > 0) tangent[n][d] = 0;
+  }
+
   /// f(point, entry, entry) for all pairs of entries of a point.
   template <class F>
   void for_each_pair(const F& f) const {
@@ -114,7 +122,8 @@ void add_terms(BlockMatrix& a, Index covers, const HostPoints& points) {
   });
 }
 
-void fill_values(BlockMatrix& a, const Operator& op, const Combination& c, const TermLists& terms) {
+void fill_values(BlockMatrix& a, const Operator& op, const Combination& c, const TermLists& terms,
+                 const FactorConstraints& constraints) {
   const std::size_t width = a.width, size = width * width;
   const OperatorRows rows = rows_of(op, c);
   const LoadedRows loaded = load_columns(rows, op.covers);
@@ -134,7 +143,12 @@ void fill_values(BlockMatrix& a, const Operator& op, const Combination& c, const
     for (Index m = begin[i]; m < begin[i + 1]; ++m)
       if (loaded.column[m] != none)
         std::copy_n(&of_rows[m * size], size, &a.value[find_block(a, i, loaded.column[m]) * size]);
-  for (const PointTerms* list : terms) add_terms(a, op.covers, HostPoints(*list));
+  for (std::size_t n = 0; n < terms.size(); ++n) {
+    HostPoints points(*terms[n]);
+    if (n == 0 && constraints.constrain) points.leave_out(constraints.eliminated);
+    add_terms(a, op.covers, points);
+  }
+  if (constraints.constrain) constraints.constrain(a);
 }
 
 Field diagonal_of(const BlockMatrix& a) {
@@ -175,21 +189,25 @@ bool analyse(Factors& factors, const Operator& op, const TermLists& terms) {
 }
 
 bool factorise(Factors& factors, const Operator& op, const Combination& c, const TermLists& terms,
-               Real no_pivot) {
+               Real no_pivot, const FactorConstraints& constraints) {
   factors.current = factors.of_this_step = false;
   if (interrupt_signal) return false;
   BlockMatrix a = factors.pattern;
-  fill_values(a, op, c, terms);
+  fill_values(a, op, c, terms, constraints);
   if (!factors.solver->factorise(a, no_pivot)) return false;
   factors.current = factors.of_this_step = true;
   factors.pivot = no_pivot;
+  factors.constrained = static_cast<bool>(constraints.constrain);
   factors.diagonal = diagonal_of(a);
   return !interrupt_signal;
 }
 
 Real rounding_of_product(const Factors& factors, const KrylovWork& work, const Field& x) {
-  // A row has some hundred entries, of which many may be as large as the diagonal's.
-  constexpr Real unit = 32 * std::numeric_limits<Real>::epsilon();
+  // A sum of n products, many of which may be as large as the diagonal's, is off by some n roundings of those, and
+  // its terms are sums themselves.
+  const Real entries = static_cast<Real>(factors.pattern.column.size()) /
+                       static_cast<Real>(factors.pattern.rows()) * factors.pattern.width;
+  const Real unit = 4 * entries * std::numeric_limits<Real>::epsilon();
   const Field d = factors.diagonal, q = work.q;
   device::for_each(
       "rockfold::solve::product_rounding", static_cast<Index>(x.extent(0)),
