@@ -246,7 +246,7 @@ def hollow_cylinder(program, full):
     orders = {0: (0.5, 0.25, 0.125, 0.0625), 1: (0.5, 0.25, 0.125), 2: (0.5, 0.25)} if full else {1: (0.5, 0.25)}
     falls = study(program, found, orders, {1: 0.125, 2: 0.25} if full else {1: 0.25}, quantities, lambda h: {"cover.spacing": [0.25, h, h]},
                   fields.lame_cylinder, in_quarter((1.1, 1.2, 1.35, 1.5, 1.65, 1.8), 40, 0.125), 0.01 if full else 0.03)
-    order_of_convergence(found, falls, {0: 1, 1: 2} if full else {})
+    order_of_convergence(found, falls, {0: 1, 1: 2} if full else {1: 2})
     return found
 
 
@@ -258,8 +258,8 @@ def hollow_sphere(program, full):
         "radial displacement at 1 m": ("m", 0.0008, lambda d: along(d, "inner", "displacement", third)),
         "radial displacement at 1.5 m": ("m", 131 / 315000, lambda d: along(d, "middle", "displacement", third)),
         "radial displacement at 2 m": ("m", 0.0003, lambda d: along(d, "outer", "displacement", outer))}
-    orders = {0: (0.5, 0.25, 0.125, 0.0625), 1: (0.5, 0.25, 0.125, 0.0833), 2: (1.0, 0.5, 0.25)} if full else {1: (0.25,)}
-    falls = study(program, found, orders, {1: 0.0833, 2: 0.25} if full else {1: 0.25}, quantities, lambda h: {"cover.spacing": h},
+    orders = {0: (0.5, 0.25, 0.125, 0.0625), 1: (0.5, 0.25, 0.125, 0.0833), 2: (1.0, 0.5, 0.25)} if full else {1: (0.25, 0.166)}
+    falls = study(program, found, orders, {1: 0.0833, 2: 0.25} if full else {1: 0.166}, quantities, lambda h: {"cover.spacing": h},
                   fields.lame_sphere, in_eighth((1.15, 1.25, 1.35, 1.45, 1.55, 1.65, 1.7), 60), 0.01 if full else 0.03)
     order_of_convergence(found, falls, {0: 1, 1: 2} if full else {1: 2})
     return found
