@@ -27,6 +27,7 @@ class Multifrontal : public DirectSolver {
 
   bool analyse(const BlockMatrix& a) override;
   double operations() const override { return tree_.operations; }
+  double entries() const override { return tree_.entries; }
   bool factorise(const BlockMatrix& a, Real least_pivot) override;
   void solve(std::vector<Real>& r) const override;
 

@@ -38,6 +38,9 @@ struct ConstrainedSystem {
   Multigrid grid;        ///< of one function; without levels where it is not wanted
   CoverGrid cover_grid;  ///< of several, likewise
   Factors factors;
+  bool steady = false;  ///< the matrix stays the same from solve to solve
+  bool begins_with_factors =
+      false;  ///< an earlier solve of this matrix, or of one like it, fell back on them
   bool blocks_current = false;      ///< the blocks of covers are those of the present combination
   bool grid_current = false;        ///< its values are those of the present combination
   Real stiffness_over_inertia = 0;  ///< Σ diag αK / Σ diag βM over functions 0

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "kernels/constraints/policy_kernel.hpp"
 #include "kernels/precondition/inverses_kernel.hpp"
@@ -9,23 +10,37 @@
 namespace rockfold::solve {
 namespace {
 
-/// With fewer covers a cycle costs more than the iterations that it saves (perf/records/2026-11-21-solver.md), of one function, of several.
+/// With fewer covers there are no levels worth a cycle, of one function, of several.
 constexpr Index least_for_multigrid = 2000, least_for_cover_grid = 100;
 
-/// Stiffness over inertia, Σ diag αK / Σ diag βM, from which a step is solved as statics: block Jacobi takes some 9 √ratio iterations to
-/// 1e-8 (half the root of the condition number times ln 2e8), multigrid 13 cycles of 12 iterations' cost each.
-constexpr Real long_step = 300;
+/// Rock of one function a cover that hangs together: beyond this its factors cost a hundred cycles, and to look at their pattern a few.
+constexpr Index most_to_look_at = 20000;
 
-/// Iterations of block Jacobi in a step in time and elsewhere, and cycles, that are far more than a system which they suit takes.
+/// Seconds of one core (perf/records/2026-11-26-preconditioners.md): a multiplication of a factorisation, an entry of the matrix that is
+/// assembled for it, an entry of the factors in a solve …
+constexpr double of_operation = 0.4e-9, of_assembly = 50e-9, of_factor_entry = 2e-9;
+/// … an entry of the matrix in an iteration of conjugate gradients, with one function and with several …
+constexpr double of_entry = 0.5e-9, of_entry_of_several = 1.7e-9;
+/// … and iterations that a cycle of multigrid costs.
+constexpr double iterations_of_cycle = 12;
+
+/// Iterations with factors, and cycles of multigrid to 1e-8 with 1, 4 and 10 functions a cover.
+constexpr double with_factors = 3, cycles[3] = {13, 60, 300};
+
+/// Iterations of blocks to 1e-8 over √κ, κ = Σ diag αK / Σ diag βM: half the root of the condition number times ln 2e8; and how many times as
+/// many where functions depend on each other all but exactly, or joints hold rock by springs.
+constexpr double of_condition = 9, slower = 5;
+
+/// Solves that a matrix serves which stays the same from step to step: at least.
+constexpr double solves_of_steady_matrix = 10;
+
+/// Iterations of block Jacobi in a step in time and elsewhere, cycles, and iterations with factors that are far more than a system which
+/// they suit takes.
 constexpr Index limit_in_time = 1000, limit_of_blocks = 500, limit_of_multigrid = 300,
                 limit_of_factors = 200;
 
 /// Iterations with the factors of an earlier Newton iteration of the step that cost about as much as new ones.
 constexpr Index limit_of_earlier_factors = 20;
-
-/// Multiplications of a factorisation that take some tenths of a second: covers of several functions, which are nearly dependent, begin with
-/// it where stiffness outweighs inertia.
-constexpr double few_operations = 1e9;
 
 /// Pivots of a matrix of unit diagonal that count as none, in the order in which they are tried. What is left of functions that depend on each
 /// other is rounding, and an answer to it does harm; of slivers, of thin plates, and of rock that is soft beside its springs it is all that
@@ -58,10 +73,40 @@ bool factors_fit(ConstrainedSystem& system) {
   return may_have_factors(system) && analyse(system.factors, system.op, terms_of(system));
 }
 
-bool factors_cost_little(ConstrainedSystem& system) {
-  return (system.op.functions > 1 || system.has_contacts) &&
-         system.op.covers <= least_for_multigrid && factors_fit(system) &&
-         system.factors.solver->operations() <= few_operations;
+/// Entries of the matrix, once analysed.
+double entries_of(const ConstrainedSystem& system) {
+  const BlockMatrix& pattern = system.factors.pattern;
+  return static_cast<double>(pattern.column.size()) * pattern.width * pattern.width;
+}
+
+double cost_of_iteration(const ConstrainedSystem& system) {
+  return entries_of(system) * (system.op.functions == 1 ? of_entry : of_entry_of_several);
+}
+
+/// s, of a solve with factors, its share of their making included.
+double cost_of_factors(const ConstrainedSystem& system) {
+  const DirectSolver& solver = *system.factors.solver;
+  const double make = of_operation * solver.operations() + of_assembly * entries_of(system);
+  return make / (system.steady ? solves_of_steady_matrix : 1) +
+         with_factors * 2 * of_factor_entry * solver.entries();
+}
+
+/// Iterations with blocks. Statics take as many as the lattice is wide, and more: levels are better where there are any.
+double iterations_of_blocks(const ConstrainedSystem& system) {
+  if (system.combination.mass == 0) return std::numeric_limits<double>::infinity();
+  const bool hard = system.op.functions > 1 || system.has_contacts;
+  return of_condition * std::sqrt(system.stiffness_over_inertia) * (hard ? slower : 1);
+}
+
+/// Likewise of multigrid's cycles.
+double iterations_of_levels(const ConstrainedSystem& system) {
+  const int functions = system.op.functions;
+  return cycles[functions == 1 ? 0 : functions <= 4 ? 1 : 2] * iterations_of_cycle;
+}
+
+bool may_begin_with_factors(ConstrainedSystem& system) {
+  const bool of_one_piece = system.op.functions == 1 && !system.has_contacts;
+  return !(of_one_piece && system.op.covers > most_to_look_at) && factors_fit(system);
 }
 
 /// P A, and P B: what is eliminated stays as it is.
@@ -148,18 +193,28 @@ bool has_levels(const ConstrainedSystem& system) {
 }
 
 Policy policy_of(ConstrainedSystem& system) {
-  const Preconditioner asked = system.preconditioner, blocks = block_kind(system);
-  if (asked == Preconditioner::direct && factors_fit(system))
-    return {Preconditioner::direct, limit_of_factors};
-  if (asked == Preconditioner::automatic && is_stiffer_than(system, 1) &&
-      factors_cost_little(system))
-    return {Preconditioner::direct, limit_of_factors};
-  const bool stiff = is_stiffer_than(system, long_step);
-  if (has_levels(system) && system.largest_diagonal > 0 &&
-      (stiff || asked == Preconditioner::multigrid))
-    return {Preconditioner::multigrid, limit_of_multigrid};
+  const Preconditioner asked = system.preconditioner;
+  const bool levels = has_levels(system) && system.largest_diagonal > 0;
   const bool in_time = system.combination.mass != 0 && system.combination.stiffness != 0;
-  return {blocks, in_time ? limit_in_time : limit_of_blocks};
+  const Policy by_factors{Preconditioner::direct, limit_of_factors},
+      by_levels{Preconditioner::multigrid, limit_of_multigrid},
+      by_blocks{block_kind(system), in_time ? limit_in_time : limit_of_blocks};
+  if (asked == Preconditioner::multigrid) return levels ? by_levels : by_blocks;
+  if (asked == Preconditioner::block_jacobi || asked == Preconditioner::node_block_jacobi)
+    return by_blocks;
+  if (asked == Preconditioner::direct && factors_fit(system)) return by_factors;
+  if (system.begins_with_factors && system.combination.stiffness != 0 && factors_fit(system))
+    return by_factors;
+  // In short steps blocks leave functions that depend on each other where they are; factors do not, and energy is lost.
+  const bool stiff = is_stiffer_than(system, 1);
+  const double blocks = stiff ? iterations_of_blocks(system) : 0;
+  const bool cycles_are_cheaper = levels && stiff && iterations_of_levels(system) < blocks;
+  const double iterations =
+      cycles_are_cheaper ? iterations_of_levels(system) : std::min<double>(blocks, by_blocks.limit);
+  if (stiff && may_begin_with_factors(system) &&
+      cost_of_factors(system) < iterations * cost_of_iteration(system))
+    return by_factors;
+  return cycles_are_cheaper ? by_levels : by_blocks;
 }
 
 ApplyInverse make_inverse(ConstrainedSystem& system, Preconditioner kind) {
@@ -219,6 +274,7 @@ PcgReport solve_by_policy(ConstrainedSystem& system, const Field& load, const Fi
   Kokkos::deep_copy(x, system.start);
   report.preconditioner = Preconditioner::direct;
   ++report.fallbacks;
+  if (system.combination.stiffness != 0) system.begins_with_factors = true;
   return solve_with_factors(system, load, x, pcg, done);
 }
 

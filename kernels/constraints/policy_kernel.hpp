@@ -1,5 +1,6 @@
-// Which preconditioner a system is solved with. One table decides, by what the matrix is and how large, and one fallback: where its
-// limit of iterations is passed the solve begins again with a direct factorisation, if that is within reach. Nothing is remembered.
+// Which preconditioner a system is solved with: the one that costs least, by the iterations that it is expected to take and the operations of
+// each, and by those of the factors. There is one fallback: where a limit of iterations is passed the solve begins again with a direct
+// factorisation, if that is within reach, and the solves after it begin with that (`begins_with_factors`, a part of the state).
 #pragma once
 
 #include "kernels/constraints/constrained_system_kernel.hpp"

@@ -79,6 +79,7 @@ PcgReport solve_bicgstab(const KrylovWork& work, const BicgstabWork& more, const
     report.reference = std::max(std::sqrt(dot(work, b, b)), options.reference);
   if (report.reference == 0) {
     Kokkos::deep_copy(x, 0.0);
+    report.residual = 0;
     report.converged = true;
     return report;
   }

@@ -136,6 +136,7 @@ PcgReport solve_pcg(const KrylovWork& work, const Apply& a, const ApplyInverse& 
     report.reference = std::max(std::sqrt(dot(work, b, b)), options.reference);
   if (report.reference == 0) {  // nothing pulls: the answer is rest
     Kokkos::deep_copy(x, 0.0);
+    report.residual = 0;
     report.converged = true;
     return report;
   }

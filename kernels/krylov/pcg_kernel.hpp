@@ -4,6 +4,8 @@
 // 24: 264 in all. One transfer of two scalars to the host.
 #pragma once
 
+#include <limits>
+
 #include "kernels/krylov/krylov_work_kernel.hpp"
 
 namespace rockfold::solve {
@@ -20,7 +22,8 @@ struct PcgOptions {
 
 struct PcgReport {
   Index iterations = 0;
-  Real residual = 0;  ///< true ‖b − A x‖ / `reference` at the end; NaN if the solve broke down
+  Real residual = std::numeric_limits<Real>::
+      infinity();  ///< true ‖b − A x‖ / `reference` at the end; NaN if the solve broke down, infinite before it
   Real reference = 0;      ///< max(‖b‖, reference), or that asked for
   bool converged = false;  ///< the tolerance, or the reduction asked for, was reached
 };

@@ -30,6 +30,8 @@ struct StateNumbers {
   Real dynamic_ratio = 1;   ///< share of the velocity that steps hand on
   Work work;
   std::int64_t steps = 0;  ///< done since the stage began
+  std::int64_t begins_with_factors =
+      0;  ///< 1: a solve of the stage fell back on them, and its matrices are alike
 };
 
 /// Everything that a step changes. What is added here is copied, saved and restored by StateNumbers and fields(), and belongs into

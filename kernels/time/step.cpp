@@ -85,6 +85,8 @@ void carry_rate(Motion::Data& m, const Step& step) {
 
 void begin(Motion::Data& m, const Step& step) {
   const bool linear = m.rock->linear();
+  m.system.begins_with_factors = m.now.begins_with_factors != 0;
+  m.system.steady = linear;
   m.rock->begin_step(m.now.displacement, force_rule(m, step));
   if (m.contact) {
     begin_contact(m);
@@ -273,6 +275,7 @@ SolveReport take_step(Motion::Data& m, Real dt) {
   count_following_work(m);
   count_work(m, dt);
   if (m.contact && report.converged) end_contact(m, step);
+  m.now.begins_with_factors = m.system.begins_with_factors ? 1 : 0;
   ++m.now.steps;
   return report;
 }
@@ -281,6 +284,7 @@ SolveReport solve_equilibrium(Motion::Data& m) {
   constexpr Real smallest = 1.0 / 4096;  // of the load
   m.now.time += 1;
   set_time(m, m.now.time);
+  m.system.begins_with_factors = m.system.steady = false;
   m.rock->begin_step(m.now.displacement, {});
   Kokkos::deep_copy(m.increment, 0.0);
   const Field start = device::make_field("motion::start", m.unknowns);
@@ -344,6 +348,7 @@ void begin_stage(Motion::Data& m, Real dynamic_ratio) {
   }
   m.now.dynamic_ratio = dynamic_ratio;
   m.now.steps = 0;
+  m.now.begins_with_factors = 0;
   m.step_length = 0;
 }
 

@@ -31,8 +31,9 @@ class DirectSolver {
   /// Looks at where the blocks stand; values may be missing. False where factors would take more memory or operations than is
   /// sensible: then there is nothing to solve with.
   virtual bool analyse(const BlockMatrix& a) = 0;
-  /// Multiplications of a factorisation, once analysed.
+  /// Multiplications of a factorisation, and entries of the factors, once analysed.
   virtual double operations() const = 0;
+  virtual double entries() const = 0;
   /// The factors of A, which is as analysed, scaled to a unit diagonal. Pivots up to `least_pivot` count as none: what they stand for
   /// gets no answer. False where a signal came before the end.
   virtual bool factorise(const BlockMatrix& a, Real least_pivot) = 0;

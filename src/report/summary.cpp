@@ -205,9 +205,14 @@ std::string energy_text(const Energy& energy) {
   return text.empty() ? "0 J" : text;
 }
 
-std::string fallbacks_text(std::int64_t count) {
-  if (count == 0) return "";
-  return fmt::format(", as fallback in {} solve{}", grouped(count), count == 1 ? "" : "s");
+/// The preconditioner of the last solve, and the fallback by its name where one was taken.
+std::string preconditioner_text(const RunResult& run) {
+  const std::int64_t count = run.iterations.fallbacks;
+  const std::string name = preconditioner_name(run.preconditioner),
+                    fallback = preconditioner_name(Preconditioner::direct);
+  if (count == 0) return name;
+  return fmt::format("{}, {}as fallback in {} solve{}", name,
+                     name == fallback ? "" : fallback + " ", grouped(count), count == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -222,10 +227,9 @@ std::string run_summary(const RunReport& report) {
                                 ? fmt::format("{} of {} (interrupted)", grouped(run.steps),
                                               grouped(report.model.analysis->steps()))
                                 : grouped(run.steps);
-  text += fact("steps",
-               fmt::format("{} to t = {:.6g} s, {} solver iterations ({}{})", steps, run.time,
-                           grouped(run.iterations.pcg), preconditioner_name(run.preconditioner),
-                           fallbacks_text(run.iterations.fallbacks)));
+  text +=
+      fact("steps", fmt::format("{} to t = {:.6g} s, {} solver iterations ({})", steps, run.time,
+                                grouped(run.iterations.pcg), preconditioner_text(run)));
   const LargestDisplacement& largest = run.largest_displacement;
   if (largest.block != none)
     text += fact("largest displacement", fmt::format("{:.4g} m, in block {} at {}", largest.length,

@@ -25,6 +25,7 @@ class DenseSolver : public DirectSolver {
     return fits_;
   }
   double operations() const override { return 1e30; }
+  double entries() const override { return 1e15; }
   bool factorise(const BlockMatrix& a, Real least_pivot) override {
     ++asked_.factorised;
     std::vector<Real> left = scaled(a);
@@ -181,12 +182,14 @@ TEST(DirectWay, ComesInWhereBlocksTakeLong) {
   EXPECT_TRUE(first.converged);
   EXPECT_EQ(first.preconditioner, Preconditioner::direct);
   EXPECT_GE(first.iterations, 200);
-  // Nothing is remembered: the same solve again goes the same way.
+  EXPECT_EQ(first.fallbacks, 1);
+  // The limit is paid once: solves of matrices like it begin with the factors.
   const std::vector<Vec3> expected = x;
   std::fill(x.begin(), x.end(), Vec3{});
   const SolveReport second = system.solve(some_mass, l.b, x, options);
-  EXPECT_EQ(second.iterations, first.iterations);
-  EXPECT_EQ(x, expected);
+  EXPECT_LE(second.iterations, 3);
+  EXPECT_EQ(second.fallbacks, 0);
+  EXPECT_LE(reference::largest_difference(x, expected), 1e-7 * reference::largest(expected));
 }
 
 TEST(DirectWay, LeavesWhatIsTooLargeToTheOthers) {

@@ -12,7 +12,7 @@ const browser = await chromium.launch({
   executablePath,
   args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
 });
-const slow = 60_000; // ms, on a busy machine that draws without a graphics card
+const slow = 3_000_000; // ms: a net for what hangs; a busy machine that draws without a graphics card takes minutes
 
 /// A page without a network, when it has drawn what it shows (or, not `whole`, when it has been read); errors of the console and requests beyond its own file are failures.
 async function open(name, address = '', whole = true) {
