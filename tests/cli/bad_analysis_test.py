@@ -95,7 +95,7 @@ class NoConvergence(ProgramTest):
         return self.json_of("info", "slow.vtkhdf")["states"]["step"]
 
     def test_of_a_static_analysis_says_how_far_it_came(self):
-        self.write("slow.toml", PRESSED + "[solver]\nmax_iterations = 2\n")
+        self.write("slow.toml", PRESSED + "[solver]\npreconditioner = 'node_block_jacobi'\nmax_iterations = 2\n")
         done = self.run_program("run", "slow.toml", status=1)
         self.assertRegex(done.stderr, r"step 1, time \S+ s: the solver did not converge: residual [\d.e-]+ after 2 iterations")
         self.assertIn("slow.vtkhdf holds the state before it did", done.stderr)
@@ -104,7 +104,7 @@ class NoConvergence(ProgramTest):
     def test_keeps_the_last_good_state(self):
         """Nothing moves until 0.025 s, so that the third step is the first that has to be solved."""
         text = PRESSED.replace('type = "static"', DYNAMIC).replace("pressure = 10e6", "pressure_table = [[0, 0], [0.025, 0], [0.03, 1e7]]")
-        self.write("slow.toml", text + "[solver]\nmax_iterations = 2\n[output]\nevery = 0\n")
+        self.write("slow.toml", text + "[solver]\npreconditioner = 'node_block_jacobi'\nmax_iterations = 2\n[output]\nevery = 0\n")
         done = self.run_program("run", "slow.toml", status=1)
         self.assertIn("step 3, time 0.03 s: the solver did not converge", done.stderr)
         self.assertIn("slow.vtkhdf holds the 2 states before it did", done.stderr)
@@ -123,7 +123,7 @@ class NoConvergence(ProgramTest):
         self.assertRegex(done.stderr, r"no more results could be written; \S*slow\.vtkhdf holds the (state|\d+ states) before that")
 
     def test_of_the_first_acceleration_keeps_the_start(self):
-        self.write("slow.toml", PRESSED.replace('type = "static"', DYNAMIC) + "[solver]\nmax_iterations = 1\n")
+        self.write("slow.toml", PRESSED.replace('type = "static"', DYNAMIC) + "[solver]\npreconditioner = 'node_block_jacobi'\nmax_iterations = 1\n")
         self.assertIn("step 0, time 0 s: the solver did not converge", self.run_program("run", "slow.toml", status=1).stderr)
         self.assertEqual(self.states(), [0])
 
