@@ -69,6 +69,13 @@ def turned(model, away=(0, 0, 0)):
     return re.sub(r"(point|block_at) = \[(.*?)\]", lambda m: f"{m[1]} = {text(turn @ numbers(m[2]) + away)}", model)
 
 
+def moved(model, away):
+    """The model at another place."""
+    def text(match):
+        return f"{match[1]} = {[float(x) + a for x, a in zip(match[2].split(','), away)]}"
+    return re.sub(r"^((?:where = \{)?(?:min|max|point|block_at)) = \[(.*?)\]", text, model, flags=re.M)
+
+
 def sliding_block(program, full):
     """Case D1, D1b, D4: it slides as friction lets it, stays, tips."""
     found = Findings("sliding_block", "Block on an inclined plane")
@@ -82,7 +89,7 @@ def sliding_block(program, full):
         panel.lines.append(Line(f"ours, {angle}°, {friction}°", time.tolist(), u[:, 0].tolist(), "curve"))
         panel.lines.append(Line("_", time.tolist(), (0.5 * a * time**2).tolist(), "reference"))
     found.panels.append(panel)
-    threshold(program, found)
+    threshold(program, found, full)
     thrown(program, found, full)
     modes(program, found, full)
     if full:
@@ -90,7 +97,7 @@ def sliding_block(program, full):
     return found
 
 
-def threshold(program, found):
+def threshold(program, found, full):
     slowly = {"analysis.type": "quasi_static", "analysis.time_step": 0.1, "analysis.end_time": 3.0}
     for friction in (30.05, 29.95):
         document = program.run("sliding_block", {**slowly, "joint_material.1.friction_angle": friction})
@@ -101,6 +108,11 @@ def threshold(program, found):
             found.row(f"motion in the last quasi-static step on 30°, friction {friction}°", "m", 0, step, 1e-12, "statics")
         else:  # without velocities each step begins at rest
             found.row(f"motion in the last quasi-static step on 30°, friction {friction}°", "m", 0.25 * a * 0.01, step, 1e-3, "beta a dt²")
+    if full:
+        document = program.run("sliding_block", {"joint_material.1.friction_angle": 30.05, "analysis.end_time": 2.0})
+        _, u = path(document, "centre")
+        step = float(np.linalg.norm(u[-1] - u[-2]))
+        found.row("motion in the last dynamic step on 30°, friction 30.05°, gravity put on at once", "m", 0, step, 1e-12, "rest")
 
 
 def thrown(program, found, full):
@@ -148,6 +160,12 @@ def same_anywhere(program, found):
     for away, tolerance in (((0, 0, 0), 1e-9), ((3500.0, -7200.0, 1250.0), 1e-5)):  # there a gap is rounded to 1e-7 of a closure
         there = np.linalg.norm(end(program.run("sliding_block", exactly, lambda model, away=away: turned(settled(model), away)), "centre"))
         found.row("way of the turned model" + (", moved by 8 km" if any(away) else ""), "m", float(here), float(there), tolerance, "as it was")
+    for far in (5e5, 5e6):  # map coordinates: there the turned corners are rounded to 6e-11 and 9e-10 m
+        away = (far, far, 1250.0)
+        for name, move in (("model", moved), ("turned model", turned)):
+            document = program.run("sliding_block", exactly, lambda model, away=away, move=move: move(settled(model), away))
+            off = float(abs(np.linalg.norm(end(document, "centre")) - here))
+            found.row(f"way of the {name} at map coordinates of {far / 1e3:g} km, off its way here", "m", 0, off, 1e-6, "as it was")
     soft = program.run("sliding_block", {"joint_material.1.normal_stiffness": 1e9, "joint_material.1.shear_stiffness": 1e8}, settled)
     time, u = from_there(soft, "centre")
     a = G * (0.5 - math.sqrt(0.75) * math.tan(radians(20)))

@@ -71,6 +71,81 @@ def jointed_bar(program, full):
     return found
 
 
+PILE = {"mass": 2500.0 * 4 * 2, "joint": 1e9 * 4, "rock": 2e9 * 4 / 2}  # of a block, of the joint below it, of its own shortening
+PILE_PERIOD, PILE_TOP, PILE_PIECES = 0.1, 1e-4, 20
+
+
+def pile_wave():
+    """Wave number (rad a block) and height of the steady wave in a long pile, by Bloch's theorem: the foot moves the first joint's lower side.
+
+    A block moves by u and its ends by u ± s. With w = mass ω² / 4k and v = (4 rock − mass ω²/3) / 4k: sin²(q/2) = w (v + 1) / (v + w),
+    s = ± i u w / (v tan(q/2)). Without the give of the blocks (v → ∞) that is ω = 2 √(k/m) sin(q/2).
+    """
+    inertia = PILE["mass"] * (2 * math.pi / PILE_PERIOD)**2
+    w, v = inertia / (4 * PILE["joint"]), (4 * PILE["rock"] - inertia / 3) / (4 * PILE["joint"])
+    q = 2 * math.asin(math.sqrt(w * (v + 1) / (v + w)))
+    pieces = (math.sin(math.pi / PILE_PIECES) / (math.pi / PILE_PIECES))**2  # what a sine keeps that is drawn in straight pieces
+    return q, PILE_TOP * pieces / math.hypot(1, w / (v * math.tan(q / 2)))
+
+
+def pile_motion(blocks, end, watched, lag=0.0):
+    """Times and displacement of a block's centre by central differences of the chain, in steps far below what it needs.
+
+    `lag`: joints bear what their closure is so much later, as of contact forces of a step's end, half a step.
+    """
+    m, k, r = PILE["mass"], PILE["joint"], PILE["rock"]
+    step, u, s = 5e-5, np.zeros(blocks), np.zeros(blocks)
+    u_before, s_before = u.copy(), s.copy()
+    corner_times = np.arange(int(end / PILE_PERIOD * PILE_PIECES) + 2) * PILE_PERIOD / PILE_PIECES
+    corners = PILE_TOP * np.sin(2 * math.pi / PILE_PERIOD * corner_times)
+    motion, gap = [0.0], np.zeros(blocks - 1)
+    for i in range(round(end / step)):
+        u[0], s[0] = np.interp(i * step, corner_times, corners), 0
+        before, gap = gap, u[1:] - s[1:] - u[:-1] - s[:-1]
+        force = k * (gap + lag * (gap - before) / step)
+        pull_u, pull_s = np.zeros(blocks), -4 * r * s
+        pull_u[1:] -= force
+        pull_u[:-1] += force
+        pull_s[1:] += force
+        pull_s[:-1] += force
+        u, u_before = 2 * u - u_before + step**2 / m * pull_u, u
+        s, s_before = 2 * s - s_before + step**2 / (m / 3) * pull_s, s
+        motion.append(u[watched - 1])
+    return np.arange(len(motion)) * step, np.array(motion)
+
+
+def block_pile(program, full):
+    """A sine put in at the foot of a pile of blocks: the speed and height of the wave that runs up."""
+    found = Findings("block_pile", "Wave in a pile of blocks")
+    near, far, blocks, end = (20, 60, 100, 0.36) if full else (10, 20, 40, 0.19)
+    smaller = {"solid.1.max": [2, 2, 2 * blocks], "analysis.time_step": 4e-4, "analysis.end_time": end,
+               "monitor.1.point": [1, 1, 2 * near - 1], "monitor.2.point": [1, 1, 2 * far - 1]}
+    document = program.run("block_pile", {} if full else smaller)
+    time, lower = history(document, "block 20", "displacement", "z")
+    _, upper = history(document, "block 60", "displacement", "z")
+    q, height = pile_wave()
+    omega = 2 * math.pi / PILE_PERIOD
+    there = time >= end - PILE_PERIOD - 1e-9
+    basis = np.stack([np.sin(omega * time[there]), np.cos(omega * time[there])], 1)
+    first, second = (complex(*np.linalg.lstsq(basis, u[there], rcond=None)[0]) for u in (lower, upper))
+    behind = float(-np.angle(second / first)) % (2 * math.pi)
+    behind += 2 * math.pi * round((q * (far - near) - behind) / (2 * math.pi))
+    found.row(f"speed of the wave, from block {near} to block {far}", "m/s", 2 * omega / q, 2 * omega * (far - near) / behind, 2e-2, "closed form")
+    found.row(f"its height at block {near}", "mm", 1e3 * height, 1e3 * abs(first), 2e-2, "closed form")
+    found.row(f"its height at block {far}", "mm", 1e3 * height, 1e3 * abs(second), 2e-2, "closed form")
+    exact_time, exact = pile_motion(blocks, end, far)
+    late = pile_motion(blocks, end, far, (time[1] - time[0]) / 2)[1]
+    off = np.abs(upper - np.interp(time, exact_time, late)).max() / PILE_TOP
+    found.row(f"motion of block {far} at any time, off a chain whose joints lag by half a step, over the height", "relative", 0, float(off), 5e-3,
+              "central differences")
+    panel = Panel("Motion of the blocks", "time, s", "displacement, mm")
+    panel.lines.append(Line(f"block {near}", time.tolist(), (1e3 * lower).tolist(), "curve"))
+    panel.lines.append(Line(f"block {far}", time.tolist(), (1e3 * upper).tolist(), "curve"))
+    panel.lines.append(Line(f"block {far}, springs and masses", exact_time[::20].tolist(), (1e3 * exact[::20]).tolist(), "reference"))
+    found.panels.append(panel)
+    return found
+
+
 OFF_NODES = "spacing = 0.5\norigin = [0.1, 0.2, 0.15]"
 LATTICES = (("block covers", 'lattice = "block"'), ("hex8, order 0", f'lattice = "hex8"\n{OFF_NODES}'), 
             ("tet6, order 0", f'lattice = "tet6"\n{OFF_NODES}'), ("tet6, order 1", f'lattice = "tet6"\norder = 1\n{OFF_NODES}'))

@@ -20,8 +20,10 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import contact  # noqa: E402
 import dynamics  # noqa: E402
+import impacts  # noqa: E402
 import jointed  # noqa: E402
 import random_blocks  # noqa: E402
+import rest  # noqa: E402
 import statics  # noqa: E402
 import supports  # noqa: E402
 from runner import ROOT, Rockfold  # noqa: E402
@@ -31,8 +33,9 @@ CASES = {case.__name__: case for case in (
     statics.hollow_cylinder, statics.hollow_sphere, statics.spherical_cavity, statics.plate, statics.plate_large,
     dynamics.plate_peak, dynamics.wave, dynamics.vibration, dynamics.simply_supported, dynamics.oscillator, dynamics.quasi_static,
     contact.sliding_block, contact.cohesive_block, contact.sliding_wedge, contact.stacked_blocks, contact.overhang, contact.rocking_block,
-    contact.falling_block, contact.colliding_bars, contact.rolling_prism, contact.spinning_box, jointed.jointed_bar,
-    random_blocks.random_prisms, random_blocks.random_wedges, supports.stressed_tunnel, supports.stressed_wedge, supports.anchored_block)}
+    contact.falling_block, contact.colliding_bars, contact.rolling_prism, contact.spinning_box, jointed.jointed_bar, jointed.block_pile,
+    random_blocks.random_prisms, random_blocks.random_wedges, rest.brick_wall, rest.jointed_slope, impacts.crossing_beams, impacts.dropped_cube,
+    supports.stressed_tunnel, supports.stressed_wedge, supports.anchored_block)}
 STORE = ROOT / "docs" / "verification.json"
 
 
