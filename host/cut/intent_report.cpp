@@ -63,7 +63,9 @@ bool doubts_decide(const Complex& complex, const std::vector<CellMeasure>& measu
   for (std::size_t i = 0; i < complex.fragments.size(); ++i) {
     const Fragment& f = complex.fragments[i];
     if (f.joint != none) continue;
-    if (block[f.cell[0]] == block[f.cell[1]]) glued[f.cell[0]] = glued[f.cell[1]] = 1;
+    // As wide as a cell of rock it would hold on to that, whichever block owns it now.
+    const bool one_sliver = complex.is_sliver[f.cell[0]] != complex.is_sliver[f.cell[1]];
+    if (one_sliver || block[f.cell[0]] == block[f.cell[1]]) glued[f.cell[0]] = glued[f.cell[1]] = 1;
     if (!f.narrow && doubtful[i] == 0 && !complex.touches_sliver(f))
       parts.join(f.cell[0], f.cell[1]);
   }

@@ -76,14 +76,18 @@ class Cutter {
       }
       node = at.child[side == CellSide::above ? 1 : 0];
     }
+    put_off_.clear();
     for (std::size_t i = 0; i < list.size(); ++i) {
       const Patch& patch = *job_.surfaces[list[i]].patch;
       if (!may_meet(extent, patch)) continue;
       if (splitter_.classify(cell, patch.plane) != CellSide::split) continue;
-      if (!section_meets(cell, job_.surfaces[list[i]])) continue;
+      const Cut cut = how_cuts(cell, job_.surfaces[list[i]]);
+      if (cut == Cut::narrow) put_off_.push_back(list[i]);
+      if (cut != Cut::wide) continue;
       splitter_.split(cell, patch.plane, &below, &above);
       child_node[0] = child_node[1] = node;
       keep_near(cell, extent, list, i + 1, rest);
+      rest.insert(rest.end(), put_off_.begin(), put_off_.end());
       return true;
     }
     return false;
@@ -192,19 +196,29 @@ class Cutter {
     }
   }
 
-  // Whether the polygon's interior meets the section.
-  bool section_meets(const CellView& cell, const CuttingSurface& surface) {
+  // `narrow`: not (rule 7), but what others leave of the cell may be cut.
+  enum class Cut { none, narrow, wide };
+
+  Cut how_cuts(const CellView& cell, const CuttingSurface& surface) {
     const Patch& patch = *surface.patch;
-    if (!patch.bounded()) return true;
+    if (!patch.bounded()) return Cut::wide;
     splitter_.section(cell, patch.plane, section_);
     const Vec3 centre = middle_of(section_);
-    if (holds_widely(patch, centre)) return true;
-    if (lies_beyond_an_edge(patch, centre)) return false;
+    if (holds_widely(patch, centre)) return Cut::wide;
+    if (lies_beyond_an_edge(patch, centre)) return Cut::none;
     const Polygon common = clipper_.intersection(section_, patch.edges);
-    if (common.empty() || surface.least_width == 0) return !common.empty();
+    if (common.empty()) return Cut::none;
+    if (surface.least_width == 0 || width_of(common) >= surface.least_width) return Cut::wide;
+    // Where the cell itself is as narrow, as a wedge of a folded joint is near its edge, nothing wide is left beside the polygon:
+    // without the cut the cell would join what it touches on the two sides.
+    const Real beside = planes_.width_tolerance() + surface.least_width;
+    return width_of(section_) < beside ? Cut::wide : Cut::narrow;
+  }
+
+  Real width_of(const Polygon& polygon) {
     corners_.clear();
-    for (const Vertex& v : common.corner) corners_.push_back(v.x);
-    return width_in_plane(corners_, planes_.normal(patch.plane)) >= surface.least_width;
+    for (const Vertex& v : polygon.corner) corners_.push_back(v.x);
+    return width_in_plane(corners_, planes_.normal(polygon.plane));
   }
 
   static Vec3 middle_of(const Polygon& polygon) {
@@ -274,6 +288,7 @@ class Cutter {
   PolygonClipper clipper_;
   Polygon section_;
   std::vector<Vec3> corners_;
+  SurfaceList put_off_;  // surfaces whose part in the cell is narrow
   std::vector<std::unique_ptr<Level>> levels_;
 };
 

@@ -142,8 +142,8 @@ class SurfaceMerger {
     edges_ = std::move(left);
   }
 
-  // Glue beside slivers is on the surface where it is narrow, but has no name of its own: that of what is next to it, if it has
-  // not vanished.
+  // Glue beside slivers is on the surface where it is narrow, but has no name of its own: that of the area beside it that it
+  // goes on with, the most nearly parallel one, if it has not vanished. Those that have only such strips beside them come later.
   void name_strips() {
     for (const BoundaryArea& area : areas_) origin_.push_back(area.origin);
     if (std::find(origin_.begin(), origin_.end(), none) == origin_.end()) return;
@@ -152,10 +152,20 @@ class SurfaceMerger {
     Index any = none;
     for (const Index origin : origin_)
       if (any == none) any = origin;
-    for (const DirectedEdge& e : edges_)
-      if (const auto next = area_at.find({e.to, e.from});
-          origin_[e.area] == none && next != area_at.end())
-        origin_[e.area] = areas_[next->second].origin;
+    for (bool named = true; named;) {
+      const std::vector<Index> before = origin_;
+      std::vector<Real> best(areas_.size(), -2);  // cosine
+      for (const DirectedEdge& e : edges_) {
+        const auto next = area_at.find({e.to, e.from});
+        if (before[e.area] != none || next == area_at.end() || before[next->second] == none)
+          continue;
+        const Real parallel = dot(outward(inside(e.area)), outward(inside(next->second)));
+        if (parallel <= best[e.area]) continue;
+        best[e.area] = parallel;
+        origin_[e.area] = before[next->second];
+      }
+      named = origin_ != before;
+    }
     std::replace(origin_.begin(), origin_.end(), Index{none}, any);
   }
 

@@ -1,5 +1,7 @@
 #include "host/flatten/lost_contact.hpp"
 
+#include "src/base/vector.hpp"
+
 namespace rockfold {
 
 namespace {
@@ -12,6 +14,16 @@ bool is_joint(const BlockArrays& blocks, Index face) {
   return origin != none && blocks.origins[origin].kind == FaceOrigin::Kind::joint;
 }
 
+// A joint leans on a joint's face that looks at it. A free face, or one that looks away, belongs to another place.
+bool is_contact(const BlockArrays& blocks, const BlockArrays::Interface& shared) {
+  const auto is_free = [&](Index face) {
+    const Index origin = blocks.face_origin[face];
+    return origin != none && blocks.origins[origin].kind == FaceOrigin::Kind::solid_face;
+  };
+  return !is_free(shared.face[0]) && !is_free(shared.face[1]) &&
+         dot(blocks.face_normal[shared.face[0]], blocks.face_normal[shared.face[1]]) < 0;
+}
+
 Vec3 corner_of(const BlockArrays& blocks, Index face) {
   return blocks.vertex[blocks.corner_vertex[blocks.corner_begin[blocks.loop_begin[face]]]];
 }
@@ -21,7 +33,8 @@ Vec3 corner_of(const BlockArrays& blocks, Index face) {
 std::vector<LostContact> lost_contact(const BlockArrays& blocks) {
   std::vector<Real> missing = blocks.face_area;  // [faces] m²
   for (const auto& shared : blocks.interfaces)
-    for (const Index face : shared.face) missing[face] -= shared.area;
+    if (is_contact(blocks, shared))
+      for (const Index face : shared.face) missing[face] -= shared.area;
   std::vector<Real> whole(blocks.origins.size(), 0);  // [origins] m², of one side
   for (Index f = 0; f < blocks.face_begin.back(); ++f)
     if (is_joint(blocks, f)) whole[blocks.face_origin[f]] += blocks.face_area[f] / 2;

@@ -16,8 +16,9 @@ struct LostContact {
   Vec3 place{};         ///< m, a corner of the face that lacks most
 };
 
-/// Joints have rock on both sides, so that their faces' areas equal those of their interfaces. Lists where more than 1e-6 of a
-/// joint's area is missing; what is less, slivers of 1e-9 of the model's size explain. O(faces + interfaces).
+/// Joints have rock on both sides, so that their faces' areas equal those of their interfaces with faces that look at them and
+/// are not free. Lists where more than 1e-6 of a joint's area is missing; what is less, slivers of 1e-9 of the model's size
+/// explain. O(faces + interfaces).
 std::vector<LostContact> lost_contact(const BlockArrays& blocks);
 
 }  // namespace rockfold

@@ -11,10 +11,6 @@
 namespace rockfold {
 namespace {
 
-/// Facets that together are less than this share of the surface begin no plane. One that had to carry a block alone would
-/// bear 10⁴ times the mean stress: under a metre of rock (27 kPa) 270 MPa, which crushes granite.
-constexpr Real least_share = 1e-4;
-
 /// Of angles between doubles that ought to be equal.
 constexpr Real rounding = 1e-9;
 
@@ -55,7 +51,7 @@ class PlaneSearch {
     std::vector<Real> areas;
     for (const SurfaceFacet& f : facets) areas.push_back(f.area);
     std::sort(areas.begin(), areas.end());
-    const Real most = least_share * std::accumulate(areas.begin(), areas.end(), Real{0});
+    const Real most = least_plane_share * std::accumulate(areas.begin(), areas.end(), Real{0});
     Real least = 0, sum = 0;
     for (std::size_t i = 0; i < areas.size(); ++i) {
       sum += areas[i];

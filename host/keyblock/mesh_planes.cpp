@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "host/cut/union_find.hpp"
@@ -40,7 +41,7 @@ class MeshOnBody {
 
   std::vector<Vec3> normals() {
     join_touching();
-    join_windows();
+    join_pieces();
     const std::vector<Index> part = touching_.components();
     std::vector<std::vector<std::size_t>> of_part(at(*std::max_element(part.begin(), part.end())) +
                                                   1);
@@ -74,18 +75,21 @@ class MeshOnBody {
         touching_.join(corners[i].second, corners[i - 1].second);
   }
 
-  /// A body with a gap in it shows one surface in several pieces: those whose centres lie in one plane with both.
-  void join_windows() {
+  /// A body with a gap in it shows one surface in several pieces: those whose centres lie in one plane with both. Specks, as where
+  /// another joint crosses, begin no plane: they go with the largest piece.
+  void join_pieces() {
     const std::vector<Index> piece_of = touching_.components();
     if (*std::max_element(piece_of.begin(), piece_of.end()) == 0) return;
     std::map<Index, Piece> pieces;
     std::vector<Index> first;
+    Real area = 0;
     for (std::size_t k = 0; k < faces_.size(); ++k) {
       const auto [found, fresh] = pieces.try_emplace(piece_of[k]);
       if (fresh) first.push_back(static_cast<Index>(k));
       Piece& piece = found->second;
       piece.vector_area += area_[k] * normal(k);
       piece.area += area_[k];
+      area += area_[k];
       piece.centre += area_[k] * face_centre(blocks_, faces_[k]);
     }
     for (auto& [number, piece] : pieces) piece.centre = (1 / piece.area) * piece.centre;
@@ -93,6 +97,15 @@ class MeshOnBody {
       for (auto b = std::next(a); b != pieces.end(); ++b)
         if (is_one_plane(a->second, b->second))
           touching_.join(first[at(a->first)], first[at(b->first)]);
+    const auto size = [](const auto& piece) {
+      return std::tie(piece.second.area, piece.second.centre);
+    };
+    const auto largest =
+        std::max_element(pieces.begin(), pieces.end(),
+                         [&](const auto& a, const auto& b) { return size(a) < size(b); });
+    for (const auto& [number, piece] : pieces)
+      if (piece.area < least_plane_share * area)
+        touching_.join(first[at(number)], first[at(largest->first)]);
   }
 
   bool is_one_plane(const Piece& a, const Piece& b) const {
