@@ -14,7 +14,7 @@ struct Policy {
 };
 Policy policy_of(ConstrainedSystem& system);
 
-/// Whether the table may want multigrid of this many covers, each with so many functions.
+/// Whether a solve may want multigrid of this many covers, each with so many functions.
 bool may_want_multigrid(Preconditioner asked, Index covers, int functions);
 
 /// Whether there is a multigrid to use.

@@ -196,7 +196,8 @@ void warn_of_cutting(const IntentReport& intent, Terminal& terminal) {
   terminal.warn(fmt::format(
       "{} about as wide as 1e-9 of the model's size, and blocks depend on it: what is "
       "narrower is no block and no connection. They lie between: {}; the narrowest, "
-      "{:.2g} m wide, lies at ({:.6g}, {:.6g}, {:.6g})",
+      "{:.2g} m wide, lies at ({:.6g}, {:.6g}, {:.6g}). A joint that ends on another surface should "
+      "reach past it",
       what, names, intent.least_doubt, intent.doubt_at[0], intent.doubt_at[1], intent.doubt_at[2]));
 }
 
@@ -208,7 +209,7 @@ void warn_of_lost_contact(const BlockArrays& blocks, Terminal& terminal) {
                         [](const LostContact& a, const LostContact& b) { return a.lost < b.lost; });
   terminal.warn(fmt::format(
       "{:.4g} of {:.4g} m2 of joint {} on block {} are in contact with no other block, near "
-      "({:.6g}, {:.6g}, {:.6g}){}: factors of safety there are too low. Please report the model",
+      "({:.6g}, {:.6g}, {:.6g}){}: factors of safety there are wrong. Please report the model",
       worst.lost, worst.area, blocks.origins[worst.origin].name, worst.block + 1, worst.place[0],
       worst.place[1], worst.place[2],
       list.size() > 1 ? fmt::format(", and so in {} other places", list.size() - 1) : ""));

@@ -52,6 +52,39 @@ TEST(Factors, MayBeAskedForByName) {
   EXPECT_LE(norm(top_of(direct) - top_of(plain)), 1e-6 * norm(top_of(plain)));
 }
 
+/// A block of quadratic covers on a turned lattice, pulled at one point: blocks pass their limit in steps in which inertia outweighs stiffness.
+Rock pulled_block() {
+  Lattice lattice =
+      reference::turned_lattice({0.11, -0.23, 0.37}, 0.8, 0.4, 0.3, {0.5, 0.4, 0.75}, 1.2);
+  lattice.kind = LatticeKind::hex8;
+  reference::CoveredRegions made =
+      reference::cover_regions(lattice, {reference::box({0, 0, 0}, {1, 0.8, 1.5})});
+  made.arrays.order = 2;
+  return Rock(std::move(made));
+}
+
+TEST(Factors, BeginTheSolvesAfterAFallbackInAResumedMotionToo) {
+  const Rock rock = pulled_block();
+  MotionSetup setup = rock.setup();
+  setup.loads = forces_at(rock, {{0.5, 0.4, 1.4}}, {{1e4, 0, 0}});
+  setup.large = true;
+  setup.direct = [] { return host::make_direct_solver(); };
+  const Real dt = 1e-3;
+  Motion first(setup);
+  ASSERT_TRUE(first.start(dt).converged);
+  const SolveReport fell_back = first.step(dt);
+  ASSERT_TRUE(fell_back.converged);
+  ASSERT_GT(fell_back.fallbacks, 0);
+  Motion second(setup);
+  second.restore(first.bytes());
+  const SolveReport on = first.step(dt), resumed = second.step(dt);
+  EXPECT_EQ(on.fallbacks, 0);
+  EXPECT_EQ(on.preconditioner, Preconditioner::direct);
+  EXPECT_LT(on.iterations, fell_back.iterations / 10);
+  EXPECT_EQ(resumed.iterations, on.iterations);
+  EXPECT_EQ(second.bytes(), first.bytes());
+}
+
 /// Dashpots stiff beside the rock in a step: what the preconditioner does not know of them, iterations pay for.
 TEST(Dashpots, AreInTheFactorsAndOnTheLevels) {
   for (const Preconditioner by : {Preconditioner::direct, Preconditioner::multigrid}) {
