@@ -17,10 +17,6 @@ constexpr Real equilibrium_tolerance = 1e-9;
 /// An uncovered part of a face smaller than this share of it is the rounding of areas.
 constexpr Real area_rounding = 1e-12;
 
-/// Share of a block's contact area. What is less is no face but a trace of rounding, as narrow as 1e-9 of the block: on the line in
-/// which two meshes cross, strips of one may bear the other's name and direction.
-constexpr Real speck = 1e-9;
-
 bool has_direction(const BlockFace& face) {
   return std::abs(norm(face.normal) - 1) < 1e-6;
 }
@@ -67,11 +63,9 @@ Vec3 resultant(std::span<const ContactPlane> planes, const Vec3& load, Real wate
 std::vector<ContactPlane> contact_planes(std::span<const BlockFace> faces) {
   std::vector<ContactPlane> planes;
   planes.reserve(faces.size());
-  Real whole = 0;
-  for (const BlockFace& face : faces) whole += face.contact_area;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const BlockFace& face = faces[f];
-    if (!(face.contact_area > speck * whole) || !has_direction(face)) continue;
+    if (!(face.contact_area > 0) || !has_direction(face)) continue;
     ContactPlane& plane = plane_of(planes, face.normal);
     if (plane.face == none ||
         face.contact_area > faces[static_cast<std::size_t>(plane.face)].contact_area)

@@ -67,8 +67,7 @@ void add_rotations(BlockVerdict& verdict, std::vector<Rotation> rotations);
 BlockVerdict judge_block(std::span<const BlockFace> faces, const Vec3& load, Real water_pressure);
 
 /// The faces in contact, those with one outward normal (to direction_tolerance) together. A face
-/// whose normal is not a unit vector (a face that rounded to nothing) is left out, and so is one of no more than 1e-9 of the
-/// contact.
+/// whose normal is not a unit vector (a face that rounded to nothing) is left out.
 std::vector<ContactPlane> contact_planes(std::span<const BlockFace> faces);
 
 }  // namespace rockfold
