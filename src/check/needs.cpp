@@ -196,7 +196,8 @@ void warn_of_cutting(const IntentReport& intent, Terminal& terminal) {
   terminal.warn(fmt::format(
       "{} about as wide as 1e-9 of the model's size, and blocks depend on it: what is "
       "narrower is no block and no connection. They lie between: {}; the narrowest, "
-      "{:.2g} m wide, lies at ({:.6g}, {:.6g}, {:.6g}). A joint that ends on another surface should "
+      "{:.2g} m wide, lies at ({:.6g}, {:.6g}, {:.6g}). A joint that ends on another surface "
+      "should "
       "reach past it",
       what, names, intent.least_doubt, intent.doubt_at[0], intent.doubt_at[1], intent.doubt_at[2]));
 }
