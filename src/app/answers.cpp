@@ -96,7 +96,7 @@ std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
   if (answer.design) text += design_summary(answer.model, *answer.keyblocks, *answer.design);
   if (answer.run) text.append("\n").append(run_summary(run_report(answer)));
   if (answer.run && answer.run->rest && answer.keyblocks)
-    text.append("\n").append(keyblock_motion_summary(run_report(answer), most));
+    text.append("\n").append(confirmed_summary(run_report(answer), most));
   text.append("\n").append(fact("result", answer.path + "  (rockfold info, or ParaView 5.13)"));
   text += fact("", xdmf_path(answer.path) + "  (ParaView 5.11 and 5.12)");
   const Made made{answer.design != nullptr, answer.run != nullptr};

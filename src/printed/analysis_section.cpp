@@ -177,21 +177,30 @@ void add_monitor_table(Html& html, const Json& monitors) {
 }
 
 /// What block theory says of key blocks, and what they did.
-void add_keyblock_motion(Html& html, const Json& motions) {
+void add_confirmed(Html& html, const Json& confirmed) {
   std::vector<Json> moved;
-  std::copy_if(motions.begin(), motions.end(), std::back_inserter(moved),
-               [](const Json& m) { return m.at("moved").get<bool>(); });
+  std::size_t keys = 0, others = 0, agreed = 0;
+  for (const Json& c : confirmed) {
+    const bool key = !c.at("predicted").is_null();
+    keys += key;
+    others += !key;
+    agreed += c.at("agree").get<bool>();
+    if (key && c.at("seen").at("mode") != "none") moved.push_back(c);
+  }
   html.heading(3, "Key blocks in the analysis");
-  html.paragraph(fmt::format("{} of {} key blocks moved by more than a hundredth of their size.",
-                             moved.size(), motions.size()));
+  html.paragraph(fmt::format(
+      "{} of {} key blocks moved by more than a hundredth of their size, {} as predicted. "
+      "Blocks that moved without being key blocks: {}.",
+      moved.size(), keys, agreed, others));
   Rows rows;
   for (std::size_t i = 0; i < std::min(moved.size(), most_rows); ++i) {
     const Json& m = moved[i];
+    const Json &predicted = m.at("predicted"), &seen = m.at("seen");
     rows.push_back({fmt::format("{}", m.at("block").get<Index>()),
-                    fmt::format("{}", m.at("batch").get<Index>()), mode_words(m),
-                    trend_text(m.at("direction")),
-                    digits(lengths(Json::array({m.at("displacement")})).front()),
-                    digits(m.at("off_direction"), 3), digits(m.at("rotation"), 3)});
+                    fmt::format("{}", m.at("batch").get<Index>()), mode_words(predicted),
+                    trend_text(predicted.at("direction")), seen.at("mode"),
+                    digits(seen.at("moved")), digits(seen.at("off_direction"), 3),
+                    digits(seen.at("rotation"), 3)});
   }
   if (!rows.empty())
     html.table(
@@ -200,6 +209,7 @@ void add_keyblock_motion(Html& html, const Json& motions) {
          {"batch"},
          {"predicted", "", true},
          {"predicted direction", "trend/plunge"},
+         {"seen", "", true},
          {"moved", "m"},
          {"off the direction", "°"},
          {"turned", "°"}},
@@ -226,7 +236,7 @@ void add_analysis(Html& html, const ReportSource& source) {
                       "Pa");
     add_monitor_plots(html, monitors, "shear_stress", "Shear stress of joints", "Pa");
   }
-  if (answer.contains("keyblock_motion")) add_keyblock_motion(html, answer.at("keyblock_motion"));
+  if (answer.contains("confirmed")) add_confirmed(html, answer.at("confirmed"));
   html.heading(3, answer.contains("rest") ? "Energies and contact" : "Energies");
   add_energy_plot(html, answer.at("energy_history"));
   if (answer.contains("contacts_history")) add_contact_plot(html, answer.at("contacts_history"));

@@ -12,9 +12,9 @@ void add_support(Json& document, const Model& model, const BlockArrays& blocks,
                  const KeyblockReport& report, const SupportDesign& design,
                  BlockList list = BlockList::whole);
 
+/// What block theory says of each key block and what it did, and what else moved; with contact and key blocks.
+Json confirmed_json(const RunReport& report);
 /// "bolts", "mobilisation" and what else its bolts and shotcrete mean for a key block.
-/// What block theory says of each key block, and what it did; with contact and key blocks.
-Json keyblock_motion_json(const RunReport& report);
 void add_block_support(Json& keyblock, const BoltingReport& bolting, const BlockSupport& support);
 /// How many bolts of each type in the catalogue the force on a key block asks for.
 void add_spot_bolts(Json& keyblock, const Keyblock& key, const Model& model);

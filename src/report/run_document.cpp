@@ -203,7 +203,7 @@ Json run_document(const DocumentHead& head, const RunReport& report, BlockList l
     add_support(document["support"] = Json::object(), report.model, report.blocks,
                 *report.keyblocks, *report.design, list);
   if (report.keyblocks && report.run.rest)
-    document["keyblock_motion"] = keyblock_motion_json(report);
+    document["confirmed"] = confirmed_json(report);
   document["iterations"] = {{"pcg", report.run.iterations.pcg},
                             {"open_close", report.run.iterations.open_close},
                             {"fallbacks", report.run.iterations.fallbacks},

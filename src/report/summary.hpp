@@ -27,8 +27,8 @@ std::string support_summary(const KeyblockReport& report, const BlockArrays& blo
 /// Joint pyramids, the largest blocks of tunnels and slopes, scans, probabilities.
 std::string theory_summary(const TheoryReport& report);
 std::string run_summary(const RunReport& report);
-/// What block theory says of each key block, `most` of them, and what it did; with contact and key blocks.
-std::string keyblock_motion_summary(const RunReport& report, std::size_t most = most_keyblocks);
+/// What block theory says of each key block, `most` of them, and what it did, and what else moved; with contact and key blocks.
+std::string confirmed_summary(const RunReport& report, std::size_t most = most_keyblocks);
 std::string info_summary(const ResultInfo& info, const std::string& path);
 
 /// "  blocks        512  …": a fact and its value, aligned with the others.

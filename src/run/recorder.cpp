@@ -36,6 +36,7 @@ Recorder::Recorder(const RunInput& input, const PieceMoments& moments, const Sto
   if (!input.contact) return;
   laws_ = contact_options(input.model, input.blocks).laws;
   joints_.emplace(input, laws_, result.joint_monitors);
+  courses_.emplace(input, moments, laws_, result.courses);
 }
 
 void Recorder::count_from(std::vector<Vec3> displacement) {
@@ -54,6 +55,7 @@ void Recorder::record(const Motion& motion, Index step, bool last) {
   const Timer timer;
   record_monitors(motion);
   if (joints_) joints_->record(motion);
+  if (courses_) courses_->look(motion);
   result_.energy_time.push_back(motion.time());
   result_.energies.push_back(motion.energy());
   result_.seconds.output += timer.seconds();
@@ -86,6 +88,7 @@ void Recorder::pass(Archive& archive) {
   archive.all(stored_, states_, zero_);
   if (!archive.packs() && !zero_.empty()) count_from(std::move(zero_));
   if (joints_) joints_->pass(archive);
+  if (courses_) courses_->pass(archive);
 }
 
 void Recorder::record_monitors(const Motion& motion) {

@@ -7,6 +7,7 @@
 #include "src/base/archive.hpp"
 #include "src/base/timer.hpp"
 #include "src/run/base_motion.hpp"
+#include "src/run/block_courses.hpp"
 #include "src/run/joint_monitors.hpp"
 #include "src/run/run_analysis.hpp"
 
@@ -45,6 +46,7 @@ class Recorder {
   TrackedPoints monitors_;
   std::vector<JointLaw> laws_;           ///< with contact
   std::optional<JointMonitors> joints_;  ///< likewise
+  std::optional<BlockCourses> courses_;  ///< likewise
   BaseRecord base_;
   Index every_;
   Index stored_ = none;                 ///< step stored last

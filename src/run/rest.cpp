@@ -35,7 +35,7 @@ Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
   Rest rest;
   const auto& volume = input.blocks.volume;
   for (std::size_t b = 0; b < counted.size(); ++b) {
-    rest.moved += norm(counted[b].displacement) > share_that_is_motion * std::cbrt(volume[b]);
+    rest.moved += has_moved(counted[b].displacement, volume[b]);
     rest.speed = std::max(rest.speed, norm(velocity[b].displacement));
   }
   const auto& block_of = input.contact->surfaces.vertex_block;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -102,6 +104,22 @@ struct LargestAtJoint {
 
 /// Of a block's size, the cube root of its volume: a block displaced by more has moved.
 inline constexpr Real share_that_is_motion = 0.01;
+/// Whether a block of `volume` m³ has, displaced by `displacement` m.
+inline bool has_moved(const Vec3& displacement, Real volume) {
+  const Real way = std::hypot(displacement[0], displacement[1], displacement[2]);
+  return way > share_that_is_motion * std::cbrt(volume);
+}
+
+/// What a block has done since t = 0, whatever `reset_displacement` counts from.
+struct BlockCourse {
+  Vec3 displacement{};  ///< m, at the end
+  Vec3 rotation{};      ///< rad, at the end
+  /// s, of the first step after which it had moved by share_that_is_motion of its size; NaN: none.
+  Real began = std::numeric_limits<Real>::quiet_NaN();
+  Vec3 first_displacement{};  ///< m, then
+  Vec3 first_rotation{};      ///< rad, then
+  Real first_pressing = 0;    ///< N, then, of blocks that it leaves behind
+};
 
 /// What has become of the blocks.
 struct Rest {
@@ -129,6 +147,7 @@ struct RunResult {
   ContactCount contacts;             ///< at the end
   ContactHistory contact_history;    ///< at the times of the energies; empty without contact
   std::optional<Rest> rest;          ///< with contact
+  std::vector<BlockCourse> courses;  ///< [B] with contact
   std::vector<JointHistory>
       joint_monitors;  ///< in the order of those of Model::monitors that have a joint
   Real support_gap =

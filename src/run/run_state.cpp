@@ -9,7 +9,7 @@ namespace rockfold {
 namespace {
 
 /// Of what follows: changed with it.
-constexpr std::uint64_t format = 0x0001'504b'4843'4652;  // "RFCHKP", 1
+constexpr std::uint64_t format = 0x0002'504b'4843'4652;  // "RFCHKP", 2
 
 struct StageLength {
   std::int64_t steps = 0;

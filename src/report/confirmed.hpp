@@ -1,0 +1,44 @@
+// Block theory beside motion: what it says of each key block, and what the block did in an analysis with contact.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "src/report/documents.hpp"
+
+namespace rockfold {
+
+/// How a block began to move.
+enum class SeenMode { stays, sliding, falling, rotation };
+
+/// A key block, a group that fails together, or a finite block that moved without being one.
+struct Confirmed {
+  const Keyblock* key = nullptr;  ///< what was predicted; null: that it stays
+  std::vector<Index> members;     ///< ascending
+  Vec3 displacement{};            ///< m, from t = 0 to the end, mean of the volume
+  Real rotation = 0;              ///< deg, likewise, of the member that has turned most
+  SeenMode seen = SeenMode::stays;
+  Vec3 direction{};  ///< unit, in which it began to move; 0 of what stays
+  Real began = 0;    ///< s; NaN of what stays
+  Real off = 0;  ///< deg between that direction and the one predicted; NaN where there are not both
+  bool agrees = false;  ///< as predicted: the mode, and the direction within 5°
+};
+
+/// Key blocks in their order, then the others that moved, by id. The whole run counts, whatever displacements are reset.
+std::vector<Confirmed> confirmed_motion(const RunReport& report);
+
+constexpr const char* seen_name(SeenMode mode) {
+  switch (mode) {
+    case SeenMode::stays:
+      return "none";
+    case SeenMode::sliding:
+      return "sliding";
+    case SeenMode::falling:
+      return "falling";
+    case SeenMode::rotation:
+      return "rotation";
+  }
+  return "";
+}
+
+}  // namespace rockfold

@@ -1,0 +1,194 @@
+"""Block theory meets motion: beside each key block how it began to move, and which blocks moved without being one."""
+import json
+import math
+import unittest
+
+from program import ProgramTest
+
+# Two blocks: rock that is held, and what is in or on it, parted by the joint around the solid.
+HEAD = """
+[[material]]
+density = 2500
+young_modulus = 1e10
+poisson_ratio = 0.25
+[[joint_material]]
+name = "clean"
+friction_angle = {friction}
+[support]
+[cover]
+lattice = "block"
+"""
+DYNAMIC = '[analysis]\ntype = "dynamic"\ntime_step = 0.002\nend_time = {}\n'
+ROOF = """
+[[solid]]
+name = "rock"
+shape = "box"
+min = [-4, -4, -1]
+max = [4, 4, 4]
+continues = ["xmin", "xmax", "ymin", "ymax", "zmax"]
+[[solid]]
+name = "roof"
+shape = "pyramid"
+base = [[-1, -1, -1], [1, -1, -1], [1.2, 1, -1], [-1, 1, -1]]
+apex = [0.1, 0.2, 1.5]
+interface = "clean"
+[[fixed]]
+where = {face = "rock.zmax"}
+"""
+FLOOR = """
+[[solid]]
+name = "floor"
+shape = "box"
+min = [-2, -2, -1]
+max = [4, 3, 0]
+continues = ["zmin"]
+[[fixed]]
+where = {face = "floor.zmin"}
+[[solid]]
+name = "leaning"
+shape = "prism"
+base = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+interface = "clean"
+"""
+STEPS = """
+[[step]]
+type = "quasi_static"
+time_step = 0.1
+steps = {}
+[[step]]
+type = "dynamic"
+time_step = 0.002
+end_time = {}
+reset_displacement = true
+"""
+G = 9.81
+
+
+def length(vector):
+    return math.sqrt(sum(x * x for x in vector))
+
+
+def degrees_between(a, b):
+    return math.degrees(math.acos(min(1, sum(x * y for x, y in zip(a, b)) / length(a) / length(b))))
+
+
+class ConfirmedTest(ProgramTest):
+    def run_text(self, text):
+        self.write("model.toml", text)
+        done = self.run_program("run", "model.toml", "--force", "--json-file", "model.json")
+        return done.stdout, json.loads((self.folder / "model.json").read_text(encoding="utf-8"))
+
+    def run_wedge(self, friction, edit=lambda text: text):
+        self.copy_case("sliding_wedge")
+        text = edit((self.folder / "sliding_wedge.toml").read_text(encoding="utf-8"))
+        return self.run_text(text.replace("friction_angle = 20.0", f"friction_angle = {friction}"))
+
+
+class KeyBlocks(ConfirmedTest):
+    def test_slide_down_the_line_of_two_joints(self):
+        text, document = self.run_wedge(20)
+        wedge, = document["confirmed"]
+        key, = document["support"]["keyblocks"]
+        self.assertEqual((wedge["block"], wedge["blocks"], wedge["batch"]), (key["block"], [4], 1))
+        self.assertEqual(wedge["predicted"], {"mode": "two_planes", "direction": key["direction"]})
+        seen = wedge["seen"]
+        self.assertEqual(seen["mode"], "sliding")
+        self.assertTrue(wedge["agree"])
+        self.assertLess(degrees_between(seen["direction"], key["direction"]), 0.1)
+        self.assertAlmostEqual(seen["off_direction"], degrees_between(seen["direction"], key["direction"]), 4)
+        self.assertAlmostEqual(length(seen["direction"]), 1, 12)
+        a, t = 2.643227, 0.3  # REFERENCES D8
+        self.assertAlmostEqual(seen["moved"] / (0.5 * a * t * t), 1, 2)
+        self.assertEqual(seen["displacement"], document["blocks"][3]["displacement"])
+        # After the first step of 2 ms that has moved it by a hundredth of its size.
+        began = math.sqrt(2 * 0.01 * key["volume"]**(1 / 3) / a)
+        self.assertTrue(began < seen["began"] < began + 0.003, (began, seen["began"]))
+        self.assertRegex(text, r"key blocks that move +1 of 1 .*, 1 as predicted")
+
+    def test_fall_from_a_roof(self):
+        _, document = self.run_text(HEAD.format(friction=10) + ROOF + DYNAMIC.format(0.2))
+        block, = document["confirmed"]
+        self.assertEqual(block["predicted"]["mode"], "lifting")
+        self.assertEqual(block["seen"]["mode"], "falling")
+        self.assertTrue(block["agree"])
+        self.assertAlmostEqual(block["seen"]["moved"], 0.5 * G * 0.2**2, 6)
+
+    def test_turn_about_an_edge(self):
+        _, document = self.run_text(HEAD.format(friction=30) + FLOOR + "extrude = [1.5, 0.2, 2]\n" + DYNAMIC.format(0.4))
+        block, = document["confirmed"]
+        self.assertEqual(block["predicted"]["mode"], "rotation")
+        self.assertEqual(block["seen"]["mode"], "rotation")
+        self.assertTrue(block["agree"])
+        self.assertGreater(block["seen"]["rotation"], 0.5)
+
+    def test_that_slide_on_a_plane_are_no_longer_agreed_with_where_they_are_pushed_aside(self):
+        # From 2 m/s along the strike of joint one, 40 degrees towards 130: both joints take part no more, or it goes another way.
+        push = '[[initial_velocity]]\nwhere = {block_at = [2.5, -2.5, 2.5]}\nvelocity = [0, 0, 3]\n'
+        _, document = self.run_wedge(20, lambda text: text + push)
+        wedge, = document["confirmed"]
+        self.assertFalse(wedge["agree"])
+        self.assertGreater(wedge["seen"]["off_direction"], 90)
+
+    def test_that_stay_are_listed(self):
+        hold = '[[fixed]]\nwhere = {block_at = [2.5, -2.5, 2.5]}\n'
+        text, document = self.run_wedge(20, lambda text: text + hold)
+        wedge, = document["confirmed"]
+        self.assertEqual(wedge["predicted"]["mode"], "two_planes")
+        self.assertEqual((wedge["seen"]["mode"], wedge["seen"]["direction"], wedge["seen"]["began"]), ("none", [0, 0, 0], None))
+        self.assertFalse(wedge["agree"])
+        self.assertRegex(text, r"slides on two +two, one +0.55 +stays")
+
+
+class OtherBlocks(ConfirmedTest):
+    def test_that_friction_holds_are_not_listed(self):
+        _, document = self.run_wedge(35)
+        self.assertEqual(document["confirmed"], [])
+        self.assertEqual(document["rest"]["moved_blocks"], 0)
+
+    def test_that_move_without_being_key_have_no_prediction(self):
+        push = '[[initial_velocity]]\nwhere = {block_at = [2.5, -2.5, 2.5]}\nvelocity = [0, 0, 3]\n'
+        text, document = self.run_wedge(35, lambda text: text + push)
+        self.assertEqual(document["support"]["keyblocks"], [])
+        wedge, = document["confirmed"]
+        self.assertEqual((wedge["block"], wedge["batch"], wedge["predicted"], wedge["agree"]), (4, None, None, False))
+        self.assertIsNone(wedge["seen"]["off_direction"])
+        self.assertNotEqual(wedge["seen"]["mode"], "none")
+        self.assertRegex(text, r"others that move +4 ")
+
+    def test_that_are_not_finite_are_not_listed(self):
+        _, document = self.run_text(HEAD.format(friction=10) + ROOF[:ROOF.index("[[fixed]]")] + DYNAMIC.format(0.2))
+        self.assertEqual([entry["block"] for entry in document["confirmed"]], [1])
+        self.assertEqual(document["rest"]["moved_blocks"], 2)
+
+
+class Resetting(ConfirmedTest):
+    def test_of_displacements_leaves_what_has_moved(self):
+        """What slid while gravity was put on has moved, though the last step is too short to move it again."""
+        steps = STEPS.format(10, 0.02)
+        _, document = self.run_wedge(20, lambda text: text[:text.index("[analysis]")] + steps)
+        wedge, = document["confirmed"]
+        a, dt = 2.643227, 0.1  # quasi-static steps begin at rest
+        self.assertGreater(wedge["seen"]["moved"], 10 * 0.25 * a * dt * dt)
+        self.assertTrue(wedge["agree"])
+        self.assertLess(length(document["blocks"][3]["displacement"]), 0.01)
+        self.assertEqual(document["rest"]["moved_blocks"], 0)
+
+
+class Resuming(ConfirmedTest):
+    def test_gives_the_same(self):
+        _, whole = self.run_wedge(20)
+        self.run_program("run", "model.toml", "--force", "--max-time", "0.05", status=1)
+        resumed = self.json_of("resume", "model.vtkhdf")
+        self.assertEqual(resumed["confirmed"], whole["confirmed"])
+
+
+class WithoutContactOrBlockTheory(ConfirmedTest):
+    def test_there_is_nothing_to_confirm(self):
+        _, document = self.run_wedge(20, lambda text: text.replace("[support]", ""))
+        self.assertNotIn("confirmed", document)
+        _, document = self.run_wedge(20, lambda text: text.replace('lattice = "block"', 'joints = "welded"\nspacing = 3'))
+        self.assertNotIn("confirmed", document)
+
+
+if __name__ == "__main__":
+    unittest.main()
