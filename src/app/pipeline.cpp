@@ -209,6 +209,7 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
   if (wants_run(options)) {
     check_contact(model, blocks, terminal);
     warn_of_contact(model, blocks, terminal);
+    warn_of_unbalanced_start(model, !blocks.interfaces.empty(), terminal);
     warn_of_keys_without_use(model, terminal);
     warn_of_conditional_stability(model, terminal);
     rock = clock.measure("cover", [&] { return cover_rock(cutting, model, blocks, terminal); });
@@ -335,6 +336,7 @@ int check_model(const Options& options, Terminal& terminal) {
   warn_of_model(model, terminal);
   if (!model.solids.empty()) warn_of_joints_beside_rock(model, terminal);
   if (model.support) warn_of_free_rock(model, terminal);
+  warn_of_unbalanced_start(model, has_joints(model), terminal);
   std::optional<Estimate> estimate;
   if (options.estimate) estimate = estimate_model(options, model, terminal);
   print_check(options, model, named_extents(model), estimate ? &*estimate : nullptr, terminal);

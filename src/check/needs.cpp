@@ -125,14 +125,18 @@ void warn_of_joints_beside_rock(const Model& model, Terminal& terminal) {
     terminal.warn(diagnostic_line(warning));
 }
 
+bool has_joints(const Model& model) {
+  return !model.joints.empty() || !model.joint_sets.empty() || !model.joint_meshes.empty() ||
+         !model.joint_tables.empty();
+}
+
 void warn_of_free_rock(const Model& model, Terminal& terminal) {
   const SupportSpec spec = model.support.value_or(SupportSpec{});
-  const bool has_joints = !model.joints.empty() || !model.joint_sets.empty() ||
-                          !model.joint_meshes.empty() || !model.joint_tables.empty();
   const auto continues = [](const Solid& solid) {
     return std::find(solid.continues.begin(), solid.continues.end(), true) != solid.continues.end();
   };
-  if (!has_joints || model.solids.empty() || (!spec.joint_faces_only && !model.fixed.empty()) ||
+  if (!has_joints(model) || model.solids.empty() ||
+      (!spec.joint_faces_only && !model.fixed.empty()) ||
       std::any_of(model.solids.begin(), model.solids.end(), continues))
     return;
   Place place = model.solids.front().place;
@@ -323,6 +327,19 @@ void warn_of_contact(const Model& model, const BlockArrays& blocks, Terminal& te
   const Real size = size_of(blocks);
   warn_of_contact_steps(model, size, terminal);
   warn_of_stiff_joints(model, size, terminal);
+}
+
+void warn_of_unbalanced_start(const Model& model, bool meet, Terminal& terminal) {
+  if (!meet || !has_contact(model) || model.gravity == Vec3{} || model.initial_stress.any) return;
+  const AnalysisStage& first = model.analysis->stages.front();
+  if (first.share_handed_on() == 0) return;
+  Place place = first.place;
+  place.key += ".type";
+  terminal.warn(diagnostic_line(
+      {place,
+       "is \"dynamic\" from the start, which is no equilibrium: gravity comes on at once, the "
+       "joints bear nothing yet, blocks bounce on them and those near their limit may slip. A "
+       "[[step]] of type = \"quasi_static\" before it brings the rock to rest under its weight"}));
 }
 
 void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal) {

@@ -47,6 +47,10 @@ void warn_of_immobile_blocks(const BlockArrays& blocks, Terminal& terminal);
 void check_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal);
 /// Blocks that touch each other: time steps in which they move far, and joints so stiff that they cost many iterations.
 void warn_of_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal);
+/// Blocks that `meet` at joints and whose weight a dynamic analysis puts on at once, though the joints do not bear it yet.
+void warn_of_unbalanced_start(const Model& model, bool meet, Terminal& terminal);
+/// Whether the model has joints, known before the rock is cut.
+bool has_joints(const Model& model);
 /// Strains are linear in the displacement yet, which is right for small rotations only.
 void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal);
 /// Average acceleration keeps the energy: where it does not, the solver has not found the motion.

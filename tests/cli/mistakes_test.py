@@ -214,6 +214,22 @@ class Implausible(ProgramTest):
         # A P-wave crosses 5 m in 1.37 ms.
         self.warned(motion.replace("'dynamic'", "'dynamic'\ntime_step = 2\nend_time = 10") + held, "is 2 s, 1461 times the travel time")
 
+    def test_gravity_put_on_at_once_where_blocks_come_apart(self):
+        joint = "[[joint]]\ndip = 50\ndip_direction = 90\n" + POINT
+        held = ROCK + joint + "[[fixed]]\nwhere = {face = 'rock.zmin'}\n[cover]\nlattice = 'block'\n"
+        dynamic, slow = "[[step]]\ntype = 'dynamic'\nsteps = 2\n", "[[step]]\ntype = 'quasi_static'\nsteps = 2\n"
+        line = held.count("\n") + 1
+        for command in ("check", "run"):
+            self.warned(held + "[analysis]\ntype = 'dynamic'\nsteps = 2\n", f"m.toml:{line}:1: analysis.type: ", "no equilibrium", "[[step]]", "quasi_static",
+                        command=command)
+            (self.folder / "m.vtkhdf").unlink(missing_ok=True)
+        self.warned(held + dynamic, f"m.toml:{line}:1: step[1].type: ")
+        stress = "[initial_stress]\nvalue = [[0, 0, 0], [0, 0, 0], [0, 0, -1e5]]\n"
+        welded = held.replace("lattice = 'block'", "spacing = 5\njoints = 'welded'")
+        for text in (held + slow + dynamic, held + dynamic + "dynamic_ratio = 0\n", held + stress + dynamic, welded + dynamic,
+                     held.replace(joint, "") + dynamic):
+            self.assertEqual(self.warnings(text), [])
+
     def test_statics_that_only_contact_could_hold(self):
         joint = "[[joint]]\ndip = 50\ndip_direction = 90\n" + POINT
         self.warned(ROCK + STATIC + joint, "analysis.type", "welded", "quasi_static")
