@@ -118,9 +118,11 @@ void add_totals(Html& html, const Json& answer) {
     const Json& rest = answer.at("rest");
     facts.emplace_back(
         "Blocks that moved",
-        fmt::format("{} of {}, by more than a hundredth of their size; the fastest moves at {}",
+        fmt::format("{} of {}, by more than a hundredth of their size; {}",
                     rest.at("moved_blocks").get<Index>(), totals.at("blocks").get<Index>(),
-                    quantity(rest.at("speed"), "m/s")));
+                    rest.at("at_rest").get<bool>()
+                        ? "all at rest since t = " + quantity(rest.at("since"), "s")
+                        : "the fastest moves at " + quantity(rest.at("speed"), "m/s")));
     facts.emplace_back("Largest slip", largest_text(rest.at("largest_slip")));
     facts.emplace_back("Largest opening", largest_text(rest.at("largest_opening")));
     const Json& c = answer.at("contacts");

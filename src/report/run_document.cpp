@@ -96,7 +96,8 @@ Json rest_json(const RunReport& report) {
           {"largest_slip", largest_json(rest.slip, report)},
           {"largest_opening", largest_json(rest.opening, report)},
           {"speed", rest.speed},
-          {"at_rest", rest.at_rest}};
+          {"at_rest", rest.at_rest},
+          {"since", rest.since}};
 }
 
 Json blocks_json(const RunReport& report) {

@@ -162,7 +162,7 @@ std::string rest_facts(const RunReport& report) {
       fact("moved",
            fmt::format("{} of {} blocks by more than a hundredth of their size; {}",
                        grouped(rest.moved), grouped(blocks),
-                       rest.at_rest ? "all have come to rest"
+                       rest.at_rest ? fmt::format("all at rest since t = {:.4g} s", rest.since)
                                     : fmt::format("the fastest moves at {:.3g} m/s", rest.speed)));
   for (const auto& [what, largest] :
        {std::pair{"largest slip", rest.slip}, {"largest opening", rest.opening}})

@@ -6,12 +6,17 @@
 #include "src/base/vector.hpp"
 #include "src/run/block_motion.hpp"
 #include "src/run/contact_samples.hpp"
+#include "src/run/rest.hpp"
 
 namespace rockfold {
 
 BlockCourses::BlockCourses(const RunInput& input, const PieceMoments& moments,
                            const std::vector<JointLaw>& laws, std::vector<BlockCourse>& out)
-    : input_(input), moments_(moments), laws_(laws), out_(out) {
+    : input_(input),
+      moments_(moments),
+      laws_(laws),
+      out_(out),
+      resting_speed_(resting_speed(input)) {
   out_.resize(input.blocks.block_count());
 }
 
@@ -20,6 +25,12 @@ void BlockCourses::look(const Motion& motion) {
   const auto moved =
       average_block_motion(input_.covers, moments_, state.displacement, input_.blocks.block_count(),
                            input_.model.analysis->large());
+  const auto velocity =
+      average_block_motion(input_.covers, moments_, state.velocity, input_.blocks.block_count());
+  if (!(largest_speed(velocity) <= resting_speed_))
+    at_rest_since_ = std::numeric_limits<Real>::quiet_NaN();
+  else if (std::isnan(at_rest_since_))
+    at_rest_since_ = state.time;
   std::vector<std::size_t> begin;
   for (std::size_t b = 0; b < out_.size(); ++b) {
     BlockCourse& course = out_[b];

@@ -27,6 +27,8 @@ class Recorder {
   void record(const Motion& motion, Index step, bool last);
   /// What has been displaced since.
   std::vector<Vec3> counted(std::vector<Vec3> displacement) const;
+  /// BlockCourses::at_rest_since(); only with contact.
+  Real at_rest_since() const { return courses_->at_rest_since(); }
   /// Contact points as they are now; only with contact.
   std::vector<ContactSample> contacts(const Motion& motion) const;
   /// Stores the state unless that has been done.

@@ -29,6 +29,19 @@ Vec3 rotated(const Vec3& v, const Vec3& rotation) {
 
 }  // namespace
 
+Real resting_speed(const RunInput& input) {
+  const auto& volume = input.blocks.volume;
+  const Real rock = std::accumulate(volume.begin(), volume.end(), Real{0});
+  const Real size = std::cbrt(rock / static_cast<Real>(volume.size()));
+  return resting * std::sqrt(norm(input.model.gravity) * size);
+}
+
+Real largest_speed(const std::vector<BlockMotion>& velocity) {
+  Real largest = 0;
+  for (const BlockMotion& block : velocity) largest = std::max(largest, norm(block.displacement));
+  return largest;
+}
+
 Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
                const std::vector<BlockMotion>& whole, const std::vector<BlockMotion>& velocity,
                const std::vector<ContactPoint>& start, const std::vector<Vec3>& covers) {
@@ -36,7 +49,6 @@ Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
   const auto& volume = input.blocks.volume;
   for (std::size_t b = 0; b < counted.size(); ++b) {
     rest.moved += has_moved(counted[b].displacement, volume[b]);
-    rest.speed = std::max(rest.speed, norm(velocity[b].displacement));
   }
   const auto& block_of = input.contact->surfaces.vertex_block;
   for (const ContactPoint& p : start) {
@@ -48,9 +60,8 @@ Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
     take_larger(opening, p.joint, block, rest.opening);
     take_larger(norm(apart - opening * normal), p.joint, block, rest.slip);
   }
-  const Real rock = std::accumulate(volume.begin(), volume.end(), Real{0});
-  const Real size = std::cbrt(rock / static_cast<Real>(volume.size()));
-  rest.at_rest = rest.speed <= resting * std::sqrt(norm(input.model.gravity) * size);
+  rest.speed = largest_speed(velocity);
+  rest.at_rest = rest.speed <= resting_speed(input);
   return rest;
 }
 

@@ -5,6 +5,12 @@
 
 namespace rockfold {
 
+/// m/s: a thousandth of √(g h), h the blocks' mean size; blocks that are slower are at rest.
+Real resting_speed(const RunInput& input);
+
+/// Of the fastest block.
+Real largest_speed(const std::vector<BlockMotion>& velocity);
+
 /// [B] `counted` displacements say what moved, `whole` ones how the blocks have turned; `velocity`: averages of the velocity likewise, m/s. `start`: the contact points of step 0; those of joints say how far
 /// what lay opposite each other has gone apart (opening) and along the joint (slip), under `covers` m of the unknowns.
 Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,

@@ -479,11 +479,13 @@ void Run::summarise() {
   const std::vector<Stress> stress = motion_.element_stress();
   result.block_stress = average_block_stress(input_.covers, moments_, stress, blocks);
   result.strength = find_strength(input_.covers, moments_, stress, model.materials);
-  if (input_.contact)
+  if (input_.contact) {
     result.rest =
         find_rest(input_, result.blocks, in_all,
                   average_block_motion(input_.covers, moments_, motion_.state().velocity, blocks),
                   start_, whole);
+    result.rest->since = recorder_.at_rest_since();
+  }
   result.largest_displacement = find_largest_displacement(input_.covers, moments_, counted);
 }
 

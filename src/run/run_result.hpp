@@ -126,6 +126,8 @@ struct Rest {
   Index moved = 0;  ///< displaced by more than share_that_is_motion
   LargestAtJoint slip, opening;
   Real speed = 0;  ///< m/s, of the fastest block
+  Real since = std::numeric_limits<
+      Real>::quiet_NaN();  ///< s, of the first step after which it stayed at rest; NaN: it is not
   bool at_rest =
       false;  ///< all blocks slower than a thousandth of √(g h), h the mean size: what falls by h/2 takes √(h/g)
 };
