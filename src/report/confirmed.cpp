@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "src/base/vector.hpp"
+#include "src/report/confirmed_reasons.hpp"
 #include "src/report/document_parts.hpp"
 #include "src/report/names.hpp"
 
@@ -78,7 +79,9 @@ bool agrees(const Confirmed& c, const Beginning& first) {
 
 Confirmed confirm(const Keyblock* key, std::vector<Index> members, const RunReport& report) {
   const BlockArrays& blocks = report.blocks;
-  Confirmed c{key, std::move(members)};
+  Confirmed c;
+  c.key = key;
+  c.members = std::move(members);
   c.began = c.off = nan;
   Beginning first;
   Real volume = 0;
@@ -123,6 +126,9 @@ std::vector<Confirmed> confirmed_motion(const RunReport& report) {
     Confirmed other = confirm(nullptr, {b}, report);
     if (other.seen != SeenMode::stays) list.push_back(std::move(other));
   }
+  const Reasons reasons(report);
+  for (Confirmed& c : list)
+    if (!c.agrees) c.reason = reason_name(reasons.of(c));
   return list;
 }
 
@@ -139,6 +145,7 @@ Json confirmed_json(const RunReport& report) {
                      {"rotation", c.rotation},    {"began", c.began},
                      {"off_direction", c.off}};
     entry["agree"] = c.agrees;
+    entry["reason"] = c.reason.empty() ? Json(nullptr) : Json(c.reason);
     list.push_back(std::move(entry));
   }
   return list;

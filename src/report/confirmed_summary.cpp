@@ -40,10 +40,10 @@ std::vector<std::string> keyblock_row(const Confirmed& c) {
           joined_names(c.key->planes),
           number_or_dash(c.key->factor_of_safety, 2),
           seen_words(c.seen),
-          moved ? fmt::format("{:.3g}", norm(c.displacement)) : "0",
+          fmt::format("{:.3g}", norm(c.displacement)),
           number_or_dash(c.off, 1),
           moved ? fmt::format("{:.1f}", c.rotation) : "-",
-          c.agrees ? "yes" : "no"};
+          c.agrees ? "yes" : "no: " + c.reason};
 }
 
 std::string keyblock_table(std::vector<Confirmed> keys, std::size_t most) {
@@ -97,7 +97,8 @@ std::string confirmed_summary(const RunReport& report, std::size_t most) {
       continue;
     }
     if (++other_count <= most)
-      others += (others.empty() ? "" : ", ") + block_ids(c.members) + " " + seen_words(c.seen);
+      others += (others.empty() ? "" : ", ") + block_ids(c.members) + " " + seen_words(c.seen) +
+                " (" + c.reason + ")";
   }
   if (other_count > most) others += fmt::format(" and {} more", other_count - most);
   std::string text;

@@ -485,6 +485,8 @@ void Run::summarise() {
                   average_block_motion(input_.covers, moments_, motion_.state().velocity, blocks),
                   start_, whole);
     result.rest->since = recorder_.at_rest_since();
+    for (const Index e : input_.fixed.points.element)
+      if (e != none) result.courses[block_of(input_.covers, e)].held = 1;
   }
   result.largest_displacement = find_largest_displacement(input_.covers, moments_, counted);
 }

@@ -119,6 +119,7 @@ struct BlockCourse {
   Vec3 first_displacement{};  ///< m, then
   Vec3 first_rotation{};      ///< rad, then
   Real first_pressing = 0;    ///< N, then, of blocks that it leaves behind
+  std::uint8_t held = 0;      ///< 1: a [[fixed]] holds a point of it
 };
 
 /// What has become of the blocks.

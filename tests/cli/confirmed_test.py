@@ -94,6 +94,7 @@ class KeyBlocks(ConfirmedTest):
         seen = wedge["seen"]
         self.assertEqual(seen["mode"], "sliding")
         self.assertTrue(wedge["agree"])
+        self.assertIsNone(wedge["reason"])
         self.assertLess(degrees_between(seen["direction"], key["direction"]), 0.1)
         self.assertAlmostEqual(seen["off_direction"], degrees_between(seen["direction"], key["direction"]), 4)
         self.assertAlmostEqual(length(seen["direction"]), 1, 12)
@@ -121,12 +122,12 @@ class KeyBlocks(ConfirmedTest):
         self.assertTrue(block["agree"])
         self.assertGreater(block["seen"]["rotation"], 0.5)
 
-    def test_that_slide_on_a_plane_are_no_longer_agreed_with_where_they_are_pushed_aside(self):
-        # From 2 m/s along the strike of joint one, 40 degrees towards 130: both joints take part no more, or it goes another way.
+    def test_that_are_thrown_upwards_do_not_agree(self):
         push = '[[initial_velocity]]\nwhere = {block_at = [2.5, -2.5, 2.5]}\nvelocity = [0, 0, 3]\n'
         _, document = self.run_wedge(20, lambda text: text + push)
         wedge, = document["confirmed"]
         self.assertFalse(wedge["agree"])
+        self.assertEqual(wedge["reason"], "loads")
         self.assertGreater(wedge["seen"]["off_direction"], 90)
 
     def test_that_stay_are_listed(self):
@@ -136,7 +137,22 @@ class KeyBlocks(ConfirmedTest):
         self.assertEqual(wedge["predicted"]["mode"], "two_planes")
         self.assertEqual((wedge["seen"]["mode"], wedge["seen"]["direction"], wedge["seen"]["began"]), ("none", [0, 0, 0], None))
         self.assertFalse(wedge["agree"])
-        self.assertRegex(text, r"slides on two +two, one +0.55 +stays")
+        self.assertEqual(wedge["reason"], "held")
+        self.assertRegex(text, r"slides on two +two, one +0.55 +stays .* no: held")
+
+    def test_that_had_no_time_to_move(self):
+        """A hundredth of 66.6 m3 ** 1/3 takes 0.175 s; quasi-static steps of 20 ms begin at rest."""
+        short = [lambda text: text.replace("end_time = 0.3", "end_time = 0.15"),
+                 lambda text: text.replace('"dynamic"', '"quasi_static"').replace("time_step = 0.002", "time_step = 0.02")]
+        for edit in short:
+            _, document = self.run_wedge(20, edit)
+            wedge, = document["confirmed"]
+            self.assertEqual((wedge["seen"]["mode"], wedge["reason"]), ("none", "time"))
+
+    def test_that_an_earthquake_of_block_theory_alone_would_move(self):
+        _, document = self.run_wedge(35, lambda text: text.replace("[support]", "[support]\nseismic_coefficient = [0.3, -0.3, 0]"))
+        wedge, = document["confirmed"]
+        self.assertEqual((wedge["seen"]["mode"], wedge["reason"]), ("none", "loads"))
 
 
 class OtherBlocks(ConfirmedTest):
@@ -153,7 +169,14 @@ class OtherBlocks(ConfirmedTest):
         self.assertEqual((wedge["block"], wedge["batch"], wedge["predicted"], wedge["agree"]), (4, None, None, False))
         self.assertIsNone(wedge["seen"]["off_direction"])
         self.assertNotEqual(wedge["seen"]["mode"], "none")
-        self.assertRegex(text, r"others that move +4 ")
+        self.assertRegex(text, r"others that move +4 \w+ \(loads\)")
+
+    def test_move_where_rock_beside_them_is_not_held(self):
+        def loosen(text):
+            begin = text.index("[[fixed]]\nwhere = {block_at = [-2.9, -2.9, -2.9]}")
+            return text[:begin] + text[text.index("[analysis]"):]
+        _, document = self.run_wedge(35, lambda text: loosen(text).replace("end_time = 0.3", "end_time = 0.6"))
+        self.assertEqual([(entry["block"], entry["predicted"], entry["reason"]) for entry in document["confirmed"]], [(4, None, "rock")])
 
     def test_that_are_not_finite_are_not_listed(self):
         _, document = self.run_text(HEAD.format(friction=10) + ROOF[:ROOF.index("[[fixed]]")] + DYNAMIC.format(0.2))

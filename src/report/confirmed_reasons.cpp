@@ -1,0 +1,83 @@
+#include "src/report/confirmed_reasons.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+namespace {
+
+/// m, that a constant acceleration (m/s²) takes a block from rest in the whole analysis. A quasi-static step begins at rest, and
+/// Newmark's average acceleration takes it a Δt²/4 far.
+Real way_from_rest(Real acceleration, const Analysis& analysis) {
+  Real way = 0, speed = 0;
+  for (const AnalysisStage& stage : analysis.stages) {
+    const Real dt = stage.time_step, time = dt * stage.steps;
+    if (stage.share_handed_on() == 0) {
+      way += 0.25 * acceleration * dt * dt * stage.steps;
+      speed = 0;
+      continue;
+    }
+    way += speed * time + 0.5 * acceleration * time * time;
+    speed += acceleration * time;
+  }
+  return way;
+}
+
+}  // namespace
+
+Reasons::Reasons(const RunReport& report)
+    : report_(report), beside_loose_rock_(report.blocks.volume.size(), 0) {
+  const BlockArrays& blocks = report.blocks;
+  const auto loose = [&](Index b) {
+    return !blocks.finite[b] && has_moved(report.run.courses[b].displacement, blocks.volume[b]);
+  };
+  for (const auto& shared : blocks.interfaces)
+    for (int side = 0; side < 2; ++side)
+      if (loose(shared.block[1 - side])) beside_loose_rock_[shared.block[side]] = 1;
+}
+
+Reason Reasons::of(const Confirmed& c) const {
+  return c.seen == SeenMode::stays ? of_stay(c) : of_motion(c);
+}
+
+Reason Reasons::of_stay(const Confirmed& c) const {
+  const auto& courses = report_.run.courses;
+  if (std::any_of(c.members.begin(), c.members.end(), [&](Index b) { return courses[b].held; }))
+    return Reason::held;
+  if (c.key->batch > 1) return Reason::batch;
+  Real mass = 0;
+  for (const Index b : c.members) mass += report_.blocks.mass[b];
+  const Real way = way_from_rest(c.key->sliding_force / mass, *report_.model.analysis);
+  if (!has_moved({way, 0, 0}, c.key->volume)) return Reason::time;
+  if (other_loads()) return Reason::loads;
+  if (report_.model.initial_stress.any) return Reason::in_situ_stress;
+  return has_tensile_strength() ? Reason::strength : Reason::neighbours;
+}
+
+Reason Reasons::of_motion(const Confirmed& c) const {
+  const auto beside = [&](Index b) { return beside_loose_rock_[b] != 0; };
+  if (std::any_of(c.members.begin(), c.members.end(), beside)) return Reason::rock;
+  const Index first = c.members.front();
+  if (c.key ? c.key->batch > 1 : report_.keyblocks->block_class[first] == BlockClass::not_examined)
+    return Reason::batch;
+  if (other_loads() || !report_.model.initial_velocities.empty()) return Reason::loads;
+  return report_.model.initial_stress.any ? Reason::in_situ_stress : Reason::neighbours;
+}
+
+/// What acts in one of the two alone.
+bool Reasons::other_loads() const {
+  const Model& model = report_.model;
+  return model.support->water_pressure != 0 || model.support->seismic_coefficient != Vec3{} ||
+         !model.waters.empty() || model.base_acceleration.has_value();
+}
+
+/// Which block theory does not count.
+bool Reasons::has_tensile_strength() const {
+  const auto& joints = report_.model.joint_materials;
+  return std::any_of(joints.begin(), joints.end(),
+                     [](const JointMaterial& joint) { return joint.tensile_strength > 0; });
+}
+
+}  // namespace rockfold
