@@ -102,10 +102,8 @@ class Builder {
       const Index last_polygon = polygons_before(blocks_.face_begin[b + 1], polygon);
       const std::size_t first = next;
       while (next < cell.size() && complex_.cell_block[cell[next]] == b) ++next;
-      if (blocks_.convex[b] != 0)
-        add_convex(b, polygon, last_polygon);
-      else
-        add_cells(b, std::span(cell).subspan(first, next - first));
+      if (blocks_.stage[b] == 0)  // else excavated before the analysis begins
+        add_block(b, polygon, last_polygon, std::span(cell).subspan(first, next - first));
       polygon = last_polygon;
     }
     find_edges(out_);
@@ -117,6 +115,14 @@ class Builder {
   Index polygons_before(Index face, Index from) const {
     while (from < polygons_.size() && polygons_.polygon_face[from] < face) ++from;
     return from;
+  }
+
+  /// Of its polygons [begin, end), or of its cells.
+  void add_block(Index b, Index begin, Index end, std::span<const Index> cells) {
+    if (blocks_.convex[b] != 0)
+      add_convex(b, begin, end);
+    else
+      add_cells(b, cells);
   }
 
   void add_convex(Index b, Index begin, Index end) {

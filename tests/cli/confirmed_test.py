@@ -114,6 +114,16 @@ class KeyBlocks(ConfirmedTest):
         self.assertTrue(block["agree"])
         self.assertAlmostEqual(block["seen"]["moved"], 0.5 * G * 0.2**2, 6)
 
+    def test_fall_into_an_excavation(self):
+        """Excavated rock is gone before the analysis begins: it touches nothing."""
+        room = '[[excavation]]\nname = "room"\nshape = "box"\nmin = [-2, -2, -3]\nmax = [2, 2, -1]\n'
+        for cover in ('lattice = "block"', 'lattice = "tet6"\nspacing = 3'):
+            text = (HEAD.format(friction=10) + ROOF.replace("min = [-4, -4, -1]", "min = [-4, -4, -3]") + room + DYNAMIC.format(0.2))
+            _, document = self.run_text(text.replace('lattice = "block"', cover))
+            block, = document["confirmed"]
+            self.assertEqual((block["seen"]["mode"], block["agree"]), ("falling", True))
+            self.assertAlmostEqual(block["seen"]["moved"], 0.5 * G * 0.2**2, 4)
+
     def test_turn_about_an_edge(self):
         _, document = self.run_text(HEAD.format(friction=30) + FLOOR + "extrude = [1.5, 0.2, 2]\n" + DYNAMIC.format(0.4))
         block, = document["confirmed"]
