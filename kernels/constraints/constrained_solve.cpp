@@ -36,6 +36,14 @@ void update_multipliers(ConstrainedSystem& system, Anderson& acceleration) {
   scale_by_stiffness(springs, factor, 0.5, springs.multiplier);
 }
 
+/// x += share · y. A function of its own, for nvcc allows no lambda in a private member.
+void add(const char* label, const Field& x, Real share, const Field& y) {
+  device::for_each(
+      label, static_cast<Index>(x.extent(0)), KOKKOS_LAMBDA(const Index u) {
+        for (int d = 0; d < 3; ++d) x(u, d) += share * y(u, d);
+      });
+}
+
 /// Correction of x: A δ = b + Nᵀ(k prescribed − λ) − A x, where the springs' part is k (prescribed − N x), not the difference of two large
 /// forces. A correction that raises the residual is dropped: it is rounding.
 PcgReport solve_increment(ConstrainedSystem& system, const Field& b, const Field& prescribed,
@@ -66,10 +74,7 @@ PcgReport solve_increment(ConstrainedSystem& system, const Field& b, const Field
     done.residual = before / done.reference;
     return done;
   }
-  device::for_each(
-      "rockfold::solve::add_increment", system.op.unknowns, KOKKOS_LAMBDA(const Index p) {
-        for (int d = 0; d < 3; ++d) x(p, d) += increment(p, d);
-      });
+  add("rockfold::solve::add_increment", x, 1, increment);
   return done;
 }
 
@@ -179,23 +184,16 @@ class PenaltySolve {
   PcgReport solve_with_springs() {
     const Elimination& e = system_.eliminated;
     const Field load = system_.load, part = system_.prescribed_part, q = system_.work.q, x = x_;
-    const Index unknowns = system_.op.unknowns;
     Kokkos::deep_copy(load, b_);
     add_spring_load(system_.springs, system_.spring_factor, prescribed_, load);
     if (by_forces_) load_ = std::sqrt(dot(system_.work, load, load));
     if (!e.any()) return solve_by_policy(system_, load, x, pcg_, report);
     split(e, prescribed_, x, part);
     apply_matrix(system_, part, q);
-    device::for_each(
-        "rockfold::solve::prescribed_load", unknowns, KOKKOS_LAMBDA(const Index u) {
-          for (int d = 0; d < 3; ++d) load(u, d) -= q(u, d);
-        });
+    add("rockfold::solve::prescribed_load", load, -1, q);
     project(e, load);
     const PcgReport done = solve_by_policy(system_, load, x, pcg_, report);
-    device::for_each(
-        "rockfold::solve::add_prescribed", unknowns, KOKKOS_LAMBDA(const Index u) {
-          for (int d = 0; d < 3; ++d) x(u, d) += part(u, d);
-        });
+    add("rockfold::solve::add_prescribed", x, 1, part);
     return done;
   }
 
@@ -205,10 +203,7 @@ class PenaltySolve {
     Kokkos::deep_copy(load, b_);
     add_spring_load(system_.springs, system_.spring_factor, prescribed_, load);
     apply_matrix(system_, x_, q);
-    device::for_each(
-        "rockfold::solve::left_unbalanced", system_.op.unknowns, KOKKOS_LAMBDA(const Index u) {
-          for (int d = 0; d < 3; ++d) load(u, d) -= q(u, d);
-        });
+    add("rockfold::solve::left_unbalanced", load, -1, q);
     add_reactions(system_.eliminated, load, system_.springs.multiplier);
   }
 

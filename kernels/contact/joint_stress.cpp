@@ -17,11 +17,22 @@ KOKKOS_INLINE_FUNCTION Vector times(const Real* s, const Vector& n) {
           s[5] * n.x + s[4] * n.y + s[2] * n.z};
 }
 
+/// InitialStress in plain numbers: the members of std::array are functions of the host alone.
+struct LinearStress {
+  Real at[6], gradient[6], reference_z;
+  explicit LinearStress(const InitialStress& s) : reference_z(s.reference_z) {
+    for (std::size_t k = 0; k < 6; ++k) {
+      at[k] = s.at[k];
+      gradient[k] = s.gradient[k];
+    }
+  }
+};
+
 }  // namespace
 
 void stress_joints(const DeviceContacts& c, const Field& x) {
-  const InitialStress stress = c.options.initial_stress;
-  if (!stress.any) return;
+  if (!c.options.initial_stress.any) return;
+  const LinearStress stress(c.options.initial_stress);
   const auto point = c.accepted.point;
   const auto laws = c.laws;
   device::for_each(

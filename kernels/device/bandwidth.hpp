@@ -4,7 +4,7 @@
 namespace rockfold {
 
 /// Bytes a second of a[i] = b[i] + s·c[i], 24 bytes an element as STREAM counts (McCalpin 1995), the best of several passes over
-/// arrays of 64 MiB each. Throws Error(analysis) where the answer is wrong.
+/// arrays that no cache holds. Throws Error(analysis) where the answer is wrong.
 double measure_triad();
 
 }  // namespace rockfold

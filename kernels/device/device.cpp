@@ -23,6 +23,10 @@ DeviceScope::~DeviceScope() {
   if (owns_) Kokkos::finalize();
 }
 
+void wait_for_device() {
+  Kokkos::fence();
+}
+
 std::string device_description() {
   const int version = KOKKOS_VERSION;
   return std::string(device::Exec::name()) + ", concurrency " +

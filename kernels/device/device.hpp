@@ -18,6 +18,9 @@ class DeviceScope {
   bool owns_ = false;
 };
 
+/// Returns when all kernels that were started have ended: for clocks.
+void wait_for_device();
+
 /// For records: "OpenMP, 2 threads, Kokkos 3.4.01".
 std::string device_description();
 

@@ -10,6 +10,16 @@
 
 #include "src/base/types.hpp"
 
+// nvcc 12.9 and 13 give [[no_unique_address]] members other places in lambdas on the device than on the host: every kernel would read
+// its arrays' addresses from the wrong bytes (https://github.com/kokkos/mdspan/pull/434 and 435; Kokkos 5.0 leaves the attribute out).
+#if defined(__NVCC__) && !defined(KOKKOS_ENABLE_IMPL_VIEW_LEGACY) && \
+    defined(MDSPAN_IMPL_USE_ATTRIBUTE_NO_UNIQUE_ADDRESS) &&          \
+    !defined(MDSPAN_IMPL_USE_FAKE_ATTRIBUTE_NO_UNIQUE_ADDRESS) &&    \
+    __CUDACC_VER_MAJOR__ * 100 + __CUDACC_VER_MINOR__ >= 1209
+#error \
+    "nvcc 12.9 and newer need Kokkos 5.0 or newer (kokkos/mdspan pull request 434), or Kokkos_ENABLE_IMPL_VIEW_LEGACY=ON"
+#endif
+
 namespace rockfold::device {
 
 #if KOKKOS_VERSION >= 30700
