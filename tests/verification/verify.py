@@ -17,11 +17,12 @@ import sys
 import time
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).resolve().parent.parent / "reference")]
 import contact  # noqa: E402
 import dynamics  # noqa: E402
 import impacts  # noqa: E402
 import jointed  # noqa: E402
+import limits  # noqa: E402
 import random_blocks  # noqa: E402
 import rest  # noqa: E402
 import statics  # noqa: E402
@@ -35,7 +36,7 @@ CASES = {case.__name__: case for case in (
     contact.sliding_block, contact.cohesive_block, contact.sliding_wedge, contact.stacked_blocks, contact.overhang, contact.rocking_block,
     contact.falling_block, contact.colliding_bars, contact.rolling_prism, contact.spinning_box, jointed.jointed_bar, jointed.block_pile,
     random_blocks.random_prisms, random_blocks.random_wedges, rest.brick_wall, rest.jointed_slope, impacts.crossing_beams, impacts.dropped_cube,
-    supports.stressed_tunnel, supports.stressed_wedge, supports.anchored_block)}
+    limits.toppling_slope, limits.voussoir_arch, limits.random_arches, supports.stressed_tunnel, supports.stressed_wedge, supports.anchored_block)}
 STORE = ROOT / "docs" / "verification.json"
 
 
