@@ -203,8 +203,7 @@ Json run_document(const DocumentHead& head, const RunReport& report, BlockList l
   if (report.keyblocks)
     add_support(document["support"] = Json::object(), report.model, report.blocks,
                 *report.keyblocks, *report.design, list);
-  if (report.keyblocks && report.run.rest)
-    document["confirmed"] = confirmed_json(report);
+  if (report.keyblocks && report.run.rest) document["confirmed"] = confirmed_json(report);
   document["iterations"] = {{"pcg", report.run.iterations.pcg},
                             {"open_close", report.run.iterations.open_close},
                             {"fallbacks", report.run.iterations.fallbacks},
