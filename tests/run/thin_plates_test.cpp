@@ -1,6 +1,7 @@
 // Plates and rods that are thin beside the lattice's spacing, clamped at their narrow face: on lattice nodes, off them, and beside them.
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -70,17 +71,32 @@ INSTANTIATE_TEST_SUITE_P(EveryLattice, LongThinPlates, testing::Values("tet5", "
 /// planes, or 1e-6 m beyond one.
 constexpr std::array<std::array<Real, 2>, 4> origins{{{0, -0.2}, {0, 0}, {0, 1e-6}, {0.13, 1e-6}}};
 
+void expect_a_beam(const char* lattice, Real thickness, const std::array<Real, 2>& origin) {
+  const auto& [x, z] = origin;
+  for (const char* method : {"augmented_lagrangian", "penalty"})
+    for (const int order : {1, 2}) {
+      SCOPED_TRACE(
+          fmt::format("{} m thick, {}, order {}, origin {} {}", thickness, method, order, x, z));
+      const auto sink = sinks({lattice, order, method, 1, thickness, {x, 0, z}, false});
+      // Covers of order 1 are quadratic within cells half a metre long; shear makes 0.2 % at 0.1 m, the penalty 0.1 %.
+      for (const Real w : sink) EXPECT_NEAR(w, 1, order == 1 ? 0.05 : 0.005);
+    }
+}
+
+/// Quadratic hexahedra of which 2 mm of 0.5 m lie in rock are solved to rounding alone: 88,000 iterations, minutes.
+bool takes_minutes(std::string_view lattice, Real thickness, const std::array<Real, 2>& origin) {
+  return lattice == "hex8" && thickness == 0.002 && origin == origins[3];
+}
+
 TEST_P(LongThinPlates, ClampedAtTheirNarrowFaceBendAsBeams) {
   for (const Real thickness : {0.1, 0.02, 0.002})
-    for (const auto& [x, z] : origins)
-      for (const char* method : {"augmented_lagrangian", "penalty"})
-        for (const int order : {1, 2}) {
-          SCOPED_TRACE(fmt::format("{} m thick, {}, order {}, origin {} {}", thickness, method,
-                                   order, x, z));
-          const auto sink = sinks({GetParam(), order, method, 1, thickness, {x, 0, z}, false});
-          // Covers of order 1 are quadratic within cells half a metre long; shear makes 0.2 % at 0.1 m, the penalty 0.1 %.
-          for (const Real w : sink) EXPECT_NEAR(w, 1, order == 1 ? 0.05 : 0.005);
-        }
+    for (const auto& origin : origins)
+      if (!takes_minutes(GetParam(), thickness, origin))
+        expect_a_beam(GetParam(), thickness, origin);
+}
+
+TEST(SlowThinPlates, OfHexahedraThatHardlyTouchThemBendAsBeams) {
+  expect_a_beam("hex8", 0.002, origins[3]);
 }
 
 TEST_P(LongThinPlates, AreClampedAlongAllOfTheirNarrowFace) {

@@ -1,4 +1,7 @@
-"""Every verification case with the few runs that take a second: all numbers lie within their tolerances."""
+"""Every verification case with the few runs that take a second: all numbers lie within their tolerances.
+
+    fast_test.py [MODULE ...]    the cases of these modules alone
+"""
 import sys
 import unittest
 from pathlib import Path
@@ -24,7 +27,8 @@ def test_of(case):
 
 
 for name, one in CASES.items():
-    setattr(Verification, f"test_{name}", test_of(one))
+    if not sys.argv[1:] or one.__module__ in sys.argv[1:]:
+        setattr(Verification, f"test_{name}", test_of(one))
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=sys.argv[:1])
