@@ -1,15 +1,12 @@
-"""The demo: what it prints, what it writes, how long it takes."""
-import time
+"""The demo: what it prints, what it writes."""
 import unittest
 
 from program import ProgramTest
 
 
 class Demo(ProgramTest):
-    def test_goes_from_blocks_to_motion_in_less_than_a_minute(self):
-        began = time.monotonic()
+    def test_goes_from_blocks_to_motion(self):
         text = self.run_program("demo", "--threads", "2").stdout
-        self.assertLess(time.monotonic() - began, 60)
         self.assertRegex(text, r"blocks +5\d\d ")
         self.assertRegex(text, r"batches +[2-9] ")
         self.assertRegex(text, r"largest displacement +\S+ m, in block \d+ at \(")
