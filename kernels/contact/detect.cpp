@@ -73,12 +73,25 @@ KOKKOS_INLINE_FUNCTION void set_frames(const Scene& e, const Vector& n, const Ve
   }
 }
 
-/// Points of a pair on its plane, with all that they inherit. Returns how many there are.
-KOKKOS_INLINE_FUNCTION Index make_points(const Scene& e, Index pair, const Plane& plane,
-                                         const Room& room) {
+/// How many points a pair has on its plane, and whether their overlaps are all narrower than deep.
+struct Staged {
+  Index count = 0;
+  bool strips = false;
+};
+
+KOKKOS_INLINE_FUNCTION Staged place_points(const Scene& e, Index pair, const Plane& plane,
+                                           const Room& room) {
+  PairPoints points(e.s, e.now, e.pairs.a(pair), e.pairs.b(pair), direction(e.s, e.now, plane),
+                    e.points, room);
+  const Index count = points.run();
+  return {count, points.deeper_than_wide()};
+}
+
+/// What the points of a pair inherit.
+KOKKOS_INLINE_FUNCTION void inherit(const Scene& e, Index pair, const Plane& plane,
+                                    const Room& room, Index count) {
   const Index a = e.pairs.a(pair), b = e.pairs.b(pair);
   const Vector n = direction(e.s, e.now, plane);
-  const Index count = PairPoints(e.s, e.now, a, b, n, e.points, room).run();
   const Span now{room.point, room.begin, count < room.capacity ? count : room.capacity};
   Vector n_before = direction(e.s, e.before, plane);
   if (dot(n_before, n_before) == 0) n_before = n;
@@ -101,7 +114,6 @@ KOKKOS_INLINE_FUNCTION Index make_points(const Scene& e, Index pair, const Plane
         });
   const Real period = period_of(e, a, b, now);
   for (Index i = 0; i < now.count; ++i) now[i].period = period;
-  return count;
 }
 
 /// Planes of all candidates, and the pairs near enough to have points. Returns how many.
@@ -128,8 +140,31 @@ Index find_planes(DeviceContacts& c, const Scene& scene, const Array<Plane>& pla
   return count;
 }
 
-/// The points of the near pairs, each pair in a place of its own. A pair that touches on its plane but nowhere in it is looked at
-/// again from all sides.
+/// Points of a pair on its plane. Where it touches nowhere in that plane, or has touched for longer in strips alone that are narrower than
+/// deep, it is looked at again from all sides: the plane along which the overlap is least deep then has the least energy, since the volume is
+/// the same. (Rock that touches at an edge alone, where joints cross, is as near to one joint as to the other until it moves.) What
+/// has met in this step keeps the plane that it crossed: it may have come out on the other side.
+KOKKOS_INLINE_FUNCTION Index stage_pair(const Scene& e, Index pair, Plane& plane,
+                                        const Room& room) {
+  const Index a = e.pairs.a(pair), b = e.pairs.b(pair);
+  const auto gap_in = [&](const Pose& pose) {
+    return gap_along(e.s, pose, a, b, plane, direction(e.s, pose, plane));
+  };
+  Staged staged = place_points(e, pair, plane, room);
+  if (staged.count == 0 || (staged.strips && !(gap_in(e.before) > e.s.tolerance))) {
+    const Query q{a, b, Search::widest, {}, e.points.search_distance};
+    const Choice best = PlaneSearch(e.s, e.before, e.now, q).run();
+    if (best.plane.kind != Plane::unknown && (staged.count == 0 || best.gap > gap_in(e.now))) {
+      plane = best.plane;
+      const bool near = best.gap < e.points.search_distance && !is_far(e.s, a, b, plane);
+      staged = near ? place_points(e, pair, plane, room) : Staged{};
+    }
+  }
+  if (staged.count > 0) inherit(e, pair, plane, room, staged.count);
+  return staged.count;
+}
+
+/// The points of the near pairs, each pair in a place of its own.
 void stage_points(DeviceContacts& c, const Scene& scene, const Array<Plane>& plane, Index near) {
   grow(c.staged_count, "contact::staged_count", near + 1);
   for (;;) {
@@ -143,17 +178,9 @@ void stage_points(DeviceContacts& c, const Scene& scene, const Array<Plane>& pla
         KOKKOS_LAMBDA(const Index k) {
           const Index i = near_pair(k);
           const Room room{staged, static_cast<std::size_t>(k) * capacity, capacity};
-          Index count = make_points(e, i, plane(i), room);
-          if (count == 0) {
-            const Query q{e.pairs.a(i), e.pairs.b(i), Search::widest, {}, e.points.search_distance};
-            const Choice best = PlaneSearch(e.s, e.before, e.now, q).run();
-            if (best.plane.kind != Plane::unknown) {
-              plane(i) = best.plane;
-              if (best.gap < e.points.search_distance && !is_far(e.s, q.a, q.b, best.plane))
-                count = make_points(e, i, best.plane, room);
-            }
-          }
-          staged_count(k) = count;
+          Plane p = plane(i);
+          staged_count(k) = stage_pair(e, i, p, room);
+          plane(i) = p;
         },
         64);
     const Index most = static_cast<Index>(device::largest(

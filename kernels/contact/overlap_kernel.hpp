@@ -161,6 +161,7 @@ KOKKOS_INLINE_FUNCTION void for_each_segment(const Outline& first, const Outline
 /// The quadrature of an overlap; no overlap: area 0.
 struct OverlapRule {
   Real area = 0;    ///< m²
+  Real width = 0;   ///< m, of a strip; of others half of it or so
   Flat centre;      ///< c
   Real corner = 0;  ///< κ
   Flat apart;       ///< d; zero: one point at c
@@ -190,6 +191,7 @@ KOKKOS_INLINE_FUNCTION OverlapRule overlap_rule(const Outline& first, const Outl
     return r;
   }
   r.centre = o + (1 / r.area) * moment;
+  r.width = 2 * r.area / around;
   Real s[3] = {0, 0, 0}, c[3] = {0, 0, 0};  // uu, uv, vv
   Real all = 0;
   for_each_segment(first, second, tolerance,

@@ -46,6 +46,9 @@ class PairPoints {
     return count_;
   }
 
+  /// Whether every overlap is a strip that is narrower than it is deep: then the parts are nearer to being apart in another direction.
+  KOKKOS_INLINE_FUNCTION bool deeper_than_wide() const { return count_ > 0 && deepest_ > width_; }
+
  private:
   /// Those of the two sides of a joint, or all others.
   KOKKOS_INLINE_FUNCTION void add_overlaps(bool joined) {
@@ -75,6 +78,7 @@ class PairPoints {
     const Outline one(s_, pose_.x, chart, fa, true), two(s_, pose_.x, chart, fb, false);
     if (are_apart(one, two)) return;
     OverlapRule rule = overlap_rule(one, two, s_.tolerance);
+    width_ = math::fmax(width_, rule.width);
     if (!(rule.area > 0) || (!joined && rule.area < most_strain * joint_area_)) return;
     if (joined)
       joint_area_ += rule.area;
@@ -162,6 +166,7 @@ class PairPoints {
       gap += first.share[k] * dot(n_, at(pose_.x, first.vertex[k])) -
              second.share[k] * dot(n_, at(pose_.x, second.vertex[k]));
     if (!(gap < options_.search_distance)) return;
+    deepest_ = math::fmax(deepest_, -gap);
     if (count_++ >= room_.capacity) return;
     set_point(room_.point(room_.begin + count_ - 1), key, first, second, area, fa, fb);
   }
@@ -209,6 +214,7 @@ class PairPoints {
   Index count_ = 0;
   bool on_joint_ = false;  ///< the sides of a joint lie on each other …
   Real joint_area_ = 0;    ///< … on so much, m²
+  Real deepest_ = 0, width_ = 0;
 };
 
 }  // namespace rockfold::contact

@@ -165,5 +165,33 @@ TEST(Detection, FollowsBodiesThatMove) {
   EXPECT_GT(closed, 500);
 }
 
+// Where joints cross, blocks across from each other touch at an edge alone: neither joint is the one between them until they move.
+TEST(Detection, OfBlocksThatTouchAtAnEdgeFindsTheFaceTheySlideOn) {
+  const std::vector<ConvexBody> bodies{reference::box_body({0, 0, 1}, {1, 1, 2}),
+                                       reference::box_body({1, 0, 0}, {2, 1, 1})};
+  for (const bool over : {true, false}) {
+    SCOPED_TRACE(over ? "over the other's top" : "down the other's side");
+    const SurfaceArrays s = reference::surfaces_of(bodies);
+    Contacts contacts(s, looking(0.02));
+    const auto at = [&](Real slip) {
+      auto moved = bodies;
+      reference::shift(moved[0], over ? Vec3{slip, 0, -1e-5} : Vec3{1e-5, 0, -slip});
+      return reference::places_of(moved);
+    };
+    contacts.detect(at(0));
+    contacts.accept(at(0));
+    for (const Real slip : {1e-6, 1e-5, 1e-3, 1e-2}) {
+      contacts.detect(at(slip));
+      contacts.accept(at(slip));
+    }
+    const auto found = by_pair(contacts.points(), s, at(1e-2));
+    ASSERT_EQ(found.size(), 1U);
+    const PairPoints& pair = found.begin()->second;
+    EXPECT_NEAR(pair.least, -1e-5, 1e-12);
+    EXPECT_NEAR(pair.area, 1e-2, 1e-12);
+    EXPECT_NEAR(std::abs(over ? pair.normal[2] : pair.normal[0]), 1, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace rockfold

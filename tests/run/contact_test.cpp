@@ -200,6 +200,33 @@ TEST(BlockOnRamp, IsHeldByCohesionOnTheJointsAreaAlone) {
   EXPECT_GT(way(run_model(on_ramp(20, 0.98 * needed) + analysis)), 0.01);
 }
 
+/// Two blocks on a plane that dips by 35°, one behind the other, and below both a joint's other half: the joint between them crosses the plane.
+TEST(BlocksOnAPlane, SlideOverJointsThatCrossIt) {
+  const Real slope = 35 * std::numbers::pi / 180, dt = 0.5;
+  const int steps = 3;
+  const ModelAnswer answer =
+      run_model(rock(30) +
+                "[[solid]]\nname = 'rock'\nshape = 'box'\nmin = [0, 0, 0]\nmax = [10, 10, 6]\n"
+                "[[solid]]\nname = 'pit'\noperation = 'subtract'\nshape = 'box'\nmin = [8, -1, 2]\n"
+                "max = [11, 11, 7]\n"
+                "[[joint]]\nname = 'plane'\ndip = 35\ndip_direction = 90\npoint = [6, 5, 4]\n"
+                "[[joint]]\nname = 'back'\ndip = 90\ndip_direction = 90\npoint = [5, 5, 0]\n"
+                "[cover]\nlattice = 'block'\n[[fixed]]\nwhere = {face = 'rock.zmin'}\n"
+                "[[fixed]]\nwhere = {face = 'rock.xmin'}\n"
+                "[[monitor]]\nname = 'behind'\npoint = [4.5, 5, 5.7]\n"
+                "[[monitor]]\nname = 'before'\npoint = [7, 5, 5]\n"
+                "[analysis]\ntype = 'quasi_static'\ntime_step = 0.5\nsteps = 3\n");
+  // A step from rest that ends with the acceleration a: d = a Δt²/4.
+  const Real a = gravity * (std::sin(slope) - std::cos(slope) * std::tan(std::numbers::pi / 6));
+  for (const auto& monitor : answer.result.monitors) {
+    SCOPED_TRACE(monitor.name);
+    const Vec3 d = monitor.displacement.back();
+    EXPECT_NEAR(norm(d) / (steps * a * dt * dt / 4), 1, 0.02);
+    EXPECT_NEAR(-d[2] / d[0], std::tan(slope), 0.01);
+  }
+  EXPECT_GE(answer.result.energies.back().impact, 0);
+}
+
 TEST(RockingBlock, ThatDoesNotSettleIsNamedWithItsPlace) {
   std::ifstream model(ROCKFOLD_SOURCE_DIR "/tests/cases/rocking_block/model.toml");
   const std::string text{std::istreambuf_iterator<char>(model), {}};
