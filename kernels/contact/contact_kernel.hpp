@@ -67,6 +67,11 @@ void stress_joints(const DeviceContacts& contacts, const Field& x);
 ContactEnergy evaluate(DeviceContacts& contacts, const Motion& motion, const Field& force,
                        const Tangents& tangent);
 
+/// Points that slide against the `heading` [points] (zero: none) in which they slid when this was called last are to be held: gets their
+/// tangents, and the forces, N, that `held` has beyond those of `evaluate`, as if they stuck. Returns how many.
+Index hold_reversed(DeviceContacts& contacts, const Motion& motion, const Field& heading,
+                    const Field& held, const Tangents& tangent);
+
 /// Breaks the bonds that do not bear the tractions of this motion, for the step and all that detection finds in it. Returns how many.
 Index break_bonds(DeviceContacts& contacts, const Motion& motion);
 

@@ -34,8 +34,13 @@ KOKKOS_INLINE_FUNCTION LocalMotion local_motion(const ContactPoint& p, const Mot
 
 KOKKOS_INLINE_FUNCTION PointTraction traction_at(const ContactPoint& p, const LocalMotion& l,
                                                  const Array<JointLaw>& laws, Real restitution,
-                                                 Real dt) {
-  return traction(laws(p.law), impact_rule(restitution, p.period, dt), p.memory, l.motion);
+                                                 Real dt, bool held = false) {
+  return traction(laws(p.law), impact_rule(restitution, p.period, dt), p.memory, l.motion, held);
+}
+
+/// N, on the first side.
+KOKKOS_INLINE_FUNCTION Vector force_of(const PointTraction& t, const LocalMotion& l, Real area) {
+  return area * (t.traction[0] * l.n + t.traction[1] * l.a + t.traction[2] * l.b);
 }
 
 KOKKOS_INLINE_FUNCTION Real component(const Vector& v, int d) {
@@ -87,7 +92,7 @@ ContactEnergy evaluate(DeviceContacts& c, const Motion& m, const Field& force,
         const ContactPoint& p = point(i);
         const LocalMotion l = local_motion(p, m);
         const PointTraction t = traction_at(p, l, laws, restitution, m.dt);
-        const Vector f = p.area * (t.traction[0] * l.n + t.traction[1] * l.a + t.traction[2] * l.b);
+        const Vector f = force_of(t, l, p.area);
         for (int d = 0; d < 3; ++d) force(i, d) = component(f, d);
         store_tangent(t, l, p.area, tangent, i);
         sum.value[0] += p.area * t.elastic;
@@ -100,6 +105,38 @@ ContactEnergy evaluate(DeviceContacts& c, const Motion& m, const Field& force,
       });
   const std::vector<Real> sum = device::to_host(c.total);
   return {sum[0], sum[3], sum[1], sum[3] - sum[0] - sum[1] - sum[2]};
+}
+
+Index hold_reversed(DeviceContacts& c, const Motion& m, const Field& heading, const Field& held,
+                    const Tangents& tangent) {
+  const auto point = c.current.point;
+  const auto laws = c.laws;
+  const Real restitution = c.options.restitution;
+  Index reversed = 0;
+  Kokkos::parallel_reduce(
+      "rockfold::contact::hold_reversed", device::Range(0, c.current.count),
+      KOKKOS_LAMBDA(const Index i, Index& sum) {
+        const ContactPoint& p = point(i);
+        const LocalMotion l = local_motion(p, m);
+        const PointTraction t = traction_at(p, l, laws, restitution, m.dt);
+        Vector now{}, excess{};
+        if (t.memory.state == Contact::slide) {
+          now = -t.traction[1] * l.a - t.traction[2] * l.b;
+          if (dot(now, at(heading, i)) < 0) {
+            const PointTraction stuck = traction_at(p, l, laws, restitution, m.dt, true);
+            excess = force_of(stuck, l, p.area) - force_of(t, l, p.area);
+            store_tangent(stuck, l, p.area, tangent, i);
+            now = {};
+            ++sum;
+          }
+        }
+        for (int d = 0; d < 3; ++d) {
+          heading(i, d) = component(now, d);
+          held(i, d) = component(excess, d);
+        }
+      },
+      reversed);
+  return reversed;
 }
 
 Index break_bonds(DeviceContacts& c, const Motion& m) {

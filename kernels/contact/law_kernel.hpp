@@ -215,10 +215,10 @@ KOKKOS_INLINE_FUNCTION bool overloads_bonds(const JointLaw& law, const ContactMe
                                               math::fmax(0.0, law.cohesion + t[0] * law.friction));
 }
 
-/// The law of law.hpp.
+/// The law of law.hpp. `held`: as if nothing slipped.
 KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactRule& rule,
                                               const ContactMemory& before,
-                                              const PointMotionInStep& motion) {
+                                              const PointMotionInStep& motion, bool held = false) {
   PointTraction out;
   out.memory = before;
   ContactMemory& memory = out.memory;
@@ -237,8 +237,8 @@ KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactR
   const Real length = math::sqrt(s[0] * s[0] + s[1] * s[1]);
   const bool bonded = is_bonded(law, before);
   Strength now{p.value, unlimited, 0, p.stiffness};
-  if (!bonded) now = residual_strength(law, p);
-  if (bonded || (p.value >= 0 && law.shear_stiffness * length <= now.shear)) {
+  if (!bonded && !held) now = residual_strength(law, p);
+  if (bonded || held || (p.value >= 0 && law.shear_stiffness * length <= now.shear)) {
     memory.state = Contact::stick;
     for (int i = 0; i < 2; ++i) memory.shear[i] = s[i];
   } else if (!slide(law, p, s, length, now, out)) {

@@ -173,6 +173,8 @@ void grow_points(ContactTerm& term, Index count, solve::PointTerms& rows) {
   rows.force = device::make_field("contact::row_force", room);
   term.force = device::make_field("contact::force", room);
   term.tangent = Tangents("rockfold::contact::tangent", room);
+  term.heading = device::make_field("contact::heading", room);
+  term.held = device::make_field("contact::held", room);
 }
 
 }  // namespace
@@ -200,6 +202,17 @@ DetectReport detect(ContactTerm& term, solve::PointTerms& rows) {
 void add_forces(ContactTerm& term, const solve::PointTerms& rows, Real scale, const Field& f) {
   term.energy = evaluate(term.contacts, term.motion, term.force, term.tangent);
   if (rows.any()) solve::scatter(rows, scale, term.force, f);
+}
+
+void forget_headings(ContactTerm& term) {
+  Kokkos::deep_copy(term.heading, 0.0);
+}
+
+Index hold_reversed(ContactTerm& term, const solve::PointTerms& rows, Real scale, const Field& f) {
+  const Index reversed =
+      hold_reversed(term.contacts, term.motion, term.heading, term.held, term.tangent);
+  if (reversed > 0) solve::scatter(rows, scale, term.held, f);
+  return reversed;
 }
 
 bool write_tangents(const ContactTerm& term, Real factor, solve::PointTerms& rows) {

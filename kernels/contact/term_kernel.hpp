@@ -16,6 +16,7 @@ struct ContactTerm {
   Motion motion;     ///< of the vertices
   Field force;       ///< of the points, on their first sides, N
   Tangents tangent;  ///< of the points
+  Field heading, held;                        ///< hold_reversed
   Array<Index> staged_begin, staged_unknown;  ///< lists not merged yet; work space
   Array<Real> staged_weight;
   SortedKeys transposed;
@@ -36,6 +37,14 @@ DetectReport detect(ContactTerm& term, solve::PointTerms& rows);
 
 /// Forces and tangents of the points where vertices are now; f += scale · Nᵀ Gᵀ force.
 void add_forces(ContactTerm& term, const solve::PointTerms& rows, Real scale, const Field& f);
+
+/// The next correction is the first of its kind: no point has slid yet.
+void forget_headings(ContactTerm& term);
+
+/// Friction is S-shaped in the slip: from one flat end of it Newton's iteration jumps to the other and back. A point that has turned round
+/// is linearised as if it stuck, once: what it then asks for is where it slides to, if it does. f += scale · Nᵀ Gᵀ what that adds
+/// to forces; returns how many points there are.
+Index hold_reversed(ContactTerm& term, const solve::PointTerms& rows, Real scale, const Field& f);
 
 /// factor · D into the rows. Returns whether all are symmetric.
 bool write_tangents(const ContactTerm& term, Real factor, solve::PointTerms& rows);

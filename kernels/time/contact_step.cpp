@@ -71,6 +71,11 @@ Real add_contact_forces(Motion::Data& m, const Step& step) {
   return std::sqrt(solve::dot(m.system.work, forces, forces));
 }
 
+void hold_reversed(Motion::Data& m, const Step& step) {
+  Kokkos::deep_copy(m.held, m.right);
+  contact::hold_reversed(*m.contact, m.system.contacts, step.middle ? 2 : 1, m.held);
+}
+
 Forces correct_along_line(Motion::Data& m, const Step& step) {
   const Real start = work_along_correction(m);
   Forces forces;

@@ -48,6 +48,7 @@ void make_system(Motion::Data& m, const MotionSetup& setup) {
     m.contact = std::make_unique<contact::ContactTerm>(
         contact::make_contact_term(*setup.surfaces, setup.surface_points, setup.contact));
     m.system.has_contacts = true;
+    m.held = device::make_field("motion::held", m.unknowns);
     m.system.contacts = contact::make_contact_rows(m.unknowns);
     m.system.bicgstab = solve::make_bicgstab_work(m.unknowns);
     m.most_iterations = setup.contact_iterations;

@@ -70,6 +70,7 @@ struct Motion::Data {
   device::Field increment;   ///< Δd of the step
   device::Field correction;  ///< of the prediction: what is solved for
   device::Field right;       ///< right-hand side
+  device::Field held;        ///< the same, for a correction that holds some contacts
   device::Field work;
   device::Field prescribed;   ///< of the fixed points, for the unknown being solved for
   device::Field support_way;  ///< of the fixed points in the step

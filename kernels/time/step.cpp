@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "kernels/time/step_kernel.hpp"
 #include "src/base/interrupt.hpp"
@@ -12,6 +13,11 @@ namespace {
 constexpr Real forcing = 1e-3;
 /// … or, where conjugate gradients get no further, may leave.
 constexpr Real good_progress = 0.1;
+
+/// Corrections that are taken whole where contacts feel no speeds: between states their law is linear, so that each correction solves for the states
+/// that the one before came to, and mostly ten and less find them all. (A share of it, cut for a single loose block, leaves all others between
+/// two guesses.) Those beyond may be going round in a ring. Impact is not linear: there each correction is cut.
+constexpr int whole_corrections = 30;
 
 /// Detections after which the contact points of a step are all there.
 constexpr int most_detections = 6;
@@ -214,20 +220,28 @@ namespace {
 SolveReport balance_forces(Motion::Data& m, const Step& step, Newton newton = {}) {
   SolveReport total;
   Kokkos::deep_copy(m.correction, 0.0);
+  const bool linear_states = m.contact && step.speed_by_gap == 0;
+  if (linear_states) contact::forget_headings(*m.contact);
   Forces forces = find_residual(m, step);
+  if (linear_states) hold_reversed(m, step);
   set_tangent(m, step, true);
   find_prescribed(m, step);
   for (;; ++newton.iterations) {
     total.converged = false;
     if (is_settled(m, step, forces, newton, total)) return total;
     if (newton.iterations == m.most_iterations) return total;
-    if (newton.iterations > 0) set_tangent(m, step, false);
+    if (newton.iterations > 0) {
+      if (linear_states) hold_reversed(m, step);
+      set_tangent(m, step, false);
+    }
     forget_other_matrices(m, step);
+    if (linear_states) std::swap(m.right, m.held);
     const bool solved = solve_correction(m, step, newton, total);
+    if (linear_states) std::swap(m.right, m.held);
     if (!solved && !m.rock->linear()) return total;
     ++total.newton;
     m.rock->turn(m.correction);
-    if (m.contact) {
+    if (m.contact && (!linear_states || newton.iterations >= whole_corrections)) {
       forces = correct_along_line(m, step);
       continue;
     }

@@ -42,6 +42,8 @@ void begin_contact(Motion::Data& m);
 void find_contacts(Motion::Data& m, const Step& step);
 /// right += the forces of the points as blocks are now. Returns their norm, N.
 Real add_contact_forces(Motion::Data& m, const Step& step);
+/// held = right, with points that turned round since the last correction as if they stuck. Their tangents are those of that.
+void hold_reversed(Motion::Data& m, const Step& step);
 /// As far along the correction as forces let blocks go. Returns those there: find_residual and find_prescribed are done.
 Forces correct_along_line(Motion::Data& m, const Step& step);
 /// Finds the points at the places that balance forces; whether some are new and closed. Normals that turn too far: not converged.
