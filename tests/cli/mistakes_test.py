@@ -243,6 +243,19 @@ class Implausible(ProgramTest):
         self.assertEqual(self.warnings(free, "cut"), [])
 
 
+class Ends(ProgramTest):
+    def test_joints_that_end_in_rock(self):
+        disc = "[[joint]]\ndip = 0\ndip_direction = 0\n" + POINT
+        self.write("m.toml", ROCK + disc + "polygon = [[1, 1, 15], [5, 1, 15], [5, 4, 15], [1, 4, 15]]\n")
+        whole = "dead ends +12 m2, all of it: every joint ends inside a block"
+        for command in ("cut", "support"):
+            self.assertRegex(self.run_program(command, "m.toml").stdout, whole)
+        self.write("m.toml", ROCK + disc + "polygon = [[-1, -1, 15], [5, -1, 15], [5, 21, 15], [-1, 21, 15]]\n" + disc.replace("15]", "20]"))
+        self.assertRegex(self.run_program("cut", "m.toml").stdout, "dead ends +100 m2 of it, 33.3 %: joints that end inside a block")
+        self.write("m.toml", ROCK + disc)
+        self.assertNotIn("dead ends", self.run_program("cut", "m.toml").stdout)
+
+
 class Help(ProgramTest):
     def test_is_a_command_too(self):
         self.assertEqual(self.run_program("help").stdout, self.run_program("--help").stdout)
