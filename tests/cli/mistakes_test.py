@@ -168,6 +168,18 @@ class Implausible(ProgramTest):
         self.warned(still, "gravity: is zero and nothing else acts")
         self.assertEqual(self.warnings(still + "[[traction]]\nwhere = {face = 'rock.zmax'}\npressure = 1e5\n"), [])
 
+    def test_excavated_rock_meets_nothing(self):
+        pit = "[[excavation]]\nshape = 'box'\nmin = [-1, -1, {}]\nmax = [11, 21, 30]\n"
+        dynamic = STATIC.replace("'static'", "'dynamic'\nsteps = 1")
+        for analysis in (STATIC, dynamic, dynamic.replace("spacing = 5", "lattice = 'block'")):
+            self.assertEqual(self.warnings(ROCK + analysis + pit.format(10), "run"), [])
+            (self.folder / "m.vtkhdf").unlink()
+        joint = "[[joint]]\ndip = 0\ndip_direction = 0\npoint = [5, 10, {}]\n"
+        small = ROCK + STATIC.replace("'static'", "'quasi_static'\nsteps = 1\nkinematics = 'small'")
+        self.assertEqual(self.warnings(small + pit.format(10) + joint.format(20), "run"), [])
+        (self.folder / "m.vtkhdf").unlink()
+        self.warned(small + pit.format(20) + joint.format(10), "the 2 blocks move through each other", command="run")
+
     def test_joints_beside_the_rock(self):
         dips = "dip = 0\ndip_direction = 0\n"
         self.warned(ROCK + "[[joint]]\n" + dips + "point = [0, 0, 31]\n", "m.toml:13:", "joint[1]: lies beside the rock and cuts nothing")
