@@ -1,4 +1,5 @@
 """Mistakes that people make, and what the program says to them."""
+import struct
 import unittest
 
 from program import ProgramTest
@@ -213,6 +214,24 @@ class Implausible(ProgramTest):
         self.warned(ROCK + mesh, "solid[2].file: is 5.2e+04 m large, the solids given by numbers 37.4 m: did you mean mm?")
         self.write("body.obj", TETRAHEDRON)
         self.assertEqual(self.warnings(ROCK + mesh), [])
+
+    def test_map_coordinates_in_single_precision(self):
+        points = [tuple(map(float, line.split()[1:])) for line in TETRAHEDRON.splitlines() if line[0] == "v"]
+        faces = [tuple(map(int, line.split()[1:])) for line in TETRAHEDRON.splitlines() if line[0] == "f"]
+        mesh = "[[solid]]\nname = 'body'\nshape = 'mesh'\nfile = 'body.stl'\n"
+        for north, warned in ((5806917.0, True), (0.0, False)):
+            facets = b"".join(struct.pack("<12fH", 0, 0, 0, *(x for v in face for x in (points[v - 1][0], points[v - 1][1] + north, points[v - 1][2])), 0)
+                              for face in faces)
+            (self.folder / "body.stl").write_bytes(b" " * 80 + struct.pack("<I", len(faces)) + facets)
+            if warned:
+                self.warned(mesh, "body.stl: solid[1].file: holds numbers of single precision, which are 0.5 m apart at y = 5806921")
+            else:
+                self.assertEqual(self.warnings(mesh), [])
+
+    def test_ground_in_degrees(self):
+        self.write("dem.asc", "ncols 2\nnrows 2\nxllcorner 7.9151\nyllcorner 46.6126\ncellsize 0.00028\n1700 1710\n1730 1777\n")
+        ground = "[[solid]]\nshape = 'terrain'\nfile = 'dem.asc'\nbase = 1000\n"
+        self.warned(ground, "dem.asc: solid[1].file: x and y look like degrees", "x 7.91524 to 7.91552", "777 m high", "UTM zone 32N")
 
     def test_loads_and_motions_that_do_nothing(self):
         load = "[[point_load]]\n" + POINT + "force = [0, 0, -{}]\n"
