@@ -8,6 +8,7 @@
 
 #include "host/files/data_file.hpp"
 #include "host/files/faults.hpp"
+#include "host/files/hardly_meant.hpp"
 #include "host/files/read_joint_table.hpp"
 #include "host/files/read_mesh.hpp"
 #include "host/files/read_record.hpp"
@@ -54,6 +55,8 @@ class Loader {
         auto ground = load_terrain(place);
         check_above(*ground, terrain->base, place);
         check_fine_posts(*ground, terrain->base, place);
+        if (auto found = geographic_coordinates(*ground, terrain->base, place))
+          model_.warnings.push_back(std::move(*found));
         terrain->ground = std::move(ground);
       });
   }
@@ -81,7 +84,7 @@ class Loader {
     auto& surface = meshes_[{place.file, use}];
     if (!surface)
       surface = std::make_shared<const TriangleSurface>(
-          read_mesh(read_data_file(place), *format, use, place));
+          read_mesh(read_data_file(place), *format, use, place, &model_.warnings));
     return surface;
   }
 

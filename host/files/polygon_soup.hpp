@@ -15,6 +15,7 @@ struct PolygonSoup {
   std::vector<Index> corner_begin{0};  ///< [polygons + 1]
   std::vector<Index> corner;           ///< into vertices; 3+ a polygon
   std::vector<int> line;               ///< [polygons] of the file; 0 in binary files
+  bool single_precision = false;       ///< coordinates were floats, not decimals or doubles
 
   Index polygon_count() const { return static_cast<Index>(line.size()); }
 };

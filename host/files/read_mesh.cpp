@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "host/files/hardly_meant.hpp"
 #include "host/files/mesh_surface.hpp"
 #include "host/files/polygon_soup.hpp"
 #include "host/files/text.hpp"
@@ -40,11 +41,15 @@ std::optional<MeshFormat> mesh_format(const std::string& file) {
 }
 
 TriangleSurface read_mesh(std::string_view bytes, MeshFormat format, MeshUse use,
-                          const Place& place) {
+                          const Place& place, std::vector<Diagnostic>* warnings) {
   Faults faults(place);
   const bool is_solid = use == MeshUse::solid;
-  MeshTriangles mesh = make_triangles(read_soup(bytes, format, faults), is_solid, faults);
+  const PolygonSoup soup = read_soup(bytes, format, faults);
+  MeshTriangles mesh = make_triangles(soup, is_solid, faults);
   if (is_solid) check_solid(mesh, faults);
+  if (warnings && soup.single_precision)
+    if (auto found = coarse_coordinates(mesh.surface, is_solid, place))
+      warnings->push_back(std::move(*found));
   return std::move(mesh.surface);
 }
 

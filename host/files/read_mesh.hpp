@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "src/model/model.hpp"
 
@@ -19,8 +20,9 @@ enum class MeshUse {
 /// By the end of the file's name, whatever its case.
 std::optional<MeshFormat> mesh_format(const std::string& file);
 
-/// `place` names the file and the key that names it. Throws Error(model) with all that is wrong.
+/// `place` names the file and the key that names it. Throws Error(model) with all that is wrong. `warnings` say what is
+/// hardly meant, unless it is null.
 TriangleSurface read_mesh(std::string_view bytes, MeshFormat format, MeshUse use,
-                          const Place& place);
+                          const Place& place, std::vector<Diagnostic>* warnings = nullptr);
 
 }  // namespace rockfold

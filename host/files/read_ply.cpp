@@ -69,6 +69,7 @@ class PlyBody {
     if (more) faults_.add(line(), 0, "goes on after the elements of its header");
   }
 
+  bool is_binary() const { return encoding_ != PlyEncoding::text; }
   int line() const { return encoding_ == PlyEncoding::text ? header_lines_ + lines_.number() : 0; }
   int column() const { return encoding_ == PlyEncoding::text ? words_.column() : 0; }
 
@@ -132,6 +133,10 @@ void read_vertices(const PlyElement& element, PlyBody& body, PolygonSoup& soup, 
                              element.find("z", false)};
   for (std::size_t d = 0; d < 3; ++d)
     if (places[d] < 0) faults.fail(fmt::format("its vertices have no property {}", "xyz"[d]));
+  for (const int place : places)
+    soup.single_precision |=
+        body.is_binary() &&
+        element.properties[static_cast<std::size_t>(place)].type == PlyType::float32;
   for (std::int64_t v = 0; v < element.count; ++v) {
     body.begin_item(element, v);
     Vec3 point{};

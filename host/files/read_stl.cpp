@@ -94,6 +94,7 @@ PolygonSoup read_text(std::string_view text, Faults& faults) {
 
 PolygonSoup read_binary(std::string_view bytes, std::size_t count, Faults& faults) {
   PolygonSoup soup;
+  soup.single_precision = true;
   soup.vertices.reserve(3 * count);
   for (std::size_t t = 0; t < count; ++t) {
     const auto facet = bytes.substr(header_size + t * facet_size, facet_size);

@@ -209,7 +209,7 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
   if (wants_run(options)) {
     check_contact(model, blocks, terminal);
     warn_of_contact(model, blocks, terminal);
-    warn_of_unbalanced_start(model, !blocks.interfaces.empty(), terminal);
+    warn_of_unbalanced_start(model, blocks_in_touch(blocks) > 0, terminal);
     warn_of_keys_without_use(model, terminal);
     warn_of_conditional_stability(model, terminal);
     rock = clock.measure("cover", [&] { return cover_rock(cutting, model, blocks, terminal); });

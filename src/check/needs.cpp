@@ -247,8 +247,36 @@ void warn_of_immobile_blocks(const BlockArrays& blocks, Terminal& terminal) {
             "continues. Fewer faces in continues, or more joints, would make finite blocks");
 }
 
+namespace {
+
+/// Of an analysis, before which all excavations are made.
+bool stays(const BlockArrays& blocks, Index b) {
+  return blocks.stage[b] == 0;
+}
+
+Index blocks_that_stay(const BlockArrays& blocks) {
+  return static_cast<Index>(std::count(blocks.stage.begin(), blocks.stage.end(), 0));
+}
+
+/// How many blocks could go through others: those that lean on each other; where motions are large and go on, any.
+Index blocks_that_may_meet(const Model& model, const BlockArrays& blocks) {
+  const bool travels = model.analysis->large() && !model.analysis->has(AnalysisType::static_);
+  return travels ? blocks_that_stay(blocks) : blocks_in_touch(blocks);
+}
+
+}  // namespace
+
+Index blocks_in_touch(const BlockArrays& blocks) {
+  std::vector<std::uint8_t> touches(blocks.stage.size());
+  for (const auto& shared : blocks.interfaces)
+    if (stays(blocks, shared.block[0]) && stays(blocks, shared.block[1]))
+      for (const Index b : shared.block) touches[b] = 1;
+  return static_cast<Index>(std::count(touches.begin(), touches.end(), std::uint8_t{1}));
+}
+
 void check_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal) {
-  if (blocks.block_count() < 2 || model.cover->joints == JointTreatment::welded) return;
+  const Index count = blocks_that_may_meet(model, blocks);
+  if (count < 2 || model.cover->joints == JointTreatment::welded) return;
   if (has_contact(model)) {
     const Analysis& analysis = *model.analysis;
     if (!analysis.has(AnalysisType::dynamic) ||
@@ -265,7 +293,7 @@ void check_contact(const Model& model, const BlockArrays& blocks, Terminal& term
       "the {} blocks move through each other: contact needs cover.order = 0 or 1, no cover.mixed, "
       "analysis.kinematics = \"large\" and no static analysis (\"quasi_static\" finds the same "
       "rest). With cover.joints = \"welded\" the rock moves as one mass",
-      blocks.block_count()));
+      count));
 }
 
 namespace {
@@ -321,7 +349,7 @@ void warn_of_stiff_joints(const Model& model, Real size, Terminal& terminal) {
 }  // namespace
 
 void warn_of_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal) {
-  if (blocks.block_count() < 2 || model.cover->joints == JointTreatment::welded ||
+  if (blocks_that_stay(blocks) < 2 || model.cover->joints == JointTreatment::welded ||
       !has_contact(model))
     return;
   const Real size = size_of(blocks);

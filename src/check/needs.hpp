@@ -42,6 +42,8 @@ void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& mode
                             Terminal& terminal);
 /// No block is finite, or none of the finite ones has a free face: block theory has nothing to look at.
 void warn_of_immobile_blocks(const BlockArrays& blocks, Terminal& terminal);
+/// How many blocks lean on another one once the excavations are made.
+Index blocks_in_touch(const BlockArrays& blocks);
 /// Several blocks that come apart: warns where they have no contact, and throws Error(model) where they have it with a scheme that makes
 /// energy in impacts.
 void check_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal);

@@ -8,7 +8,8 @@
 
 namespace rockfold {
 
-/// "slides on two"
+/// "slides on two"; a block that nothing holds falls, or is pushed up.
+const char* mode_words(SlidingMode mode, const Vec3& direction);
 const char* mode_words(const Keyblock& key);
 /// "J1, J2", or "-"
 std::string joined_names(const std::vector<std::string>& names);

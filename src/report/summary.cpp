@@ -108,6 +108,25 @@ std::string check_summary(const Model& model, const std::vector<NamedExtent>& ex
   return text;
 }
 
+namespace {
+
+/// Joints with the same block on both sides: of those that were meant to cut blocks off, a sign that they fall short.
+std::string dead_end_fact(const CutTotals& totals) {
+  constexpr Real least = 1e-6;  // of the joint area, whose six digits stand above it
+  const Real area = totals.dangling_joint_area, whole = totals.joint_area;
+  if (!(area > least * whole)) return "";
+  if (area < whole)
+    return fact("dead ends",
+                fmt::format("{:.6g} m2 of it, {:.3g} %: joints that end inside a block", area,
+                            100 * area / whole));
+  return fact("dead ends",
+              fmt::format("{:.6g} m2, all of it: every joint ends inside a block and cuts nothing "
+                          "off. Larger joints, or others that they end on, would",
+                          area));
+}
+
+}  // namespace
+
 std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks) {
   const auto [smallest, largest] = std::minmax_element(blocks.volume.begin(), blocks.volume.end());
   std::string text =
@@ -118,6 +137,7 @@ std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks) {
   if (smallest != blocks.volume.end())
     text += fact("smallest, largest", fmt::format("{:.4g} m3, {:.4g} m3", *smallest, *largest));
   text += fact("joint area", fmt::format("{:.6g} m2", totals.joint_area));
+  text += dead_end_fact(totals);
   text += fact("faces, vertices",
                fmt::format("{}, {}", grouped(static_cast<std::int64_t>(blocks.face_normal.size())),
                            grouped(static_cast<std::int64_t>(blocks.vertex.size()))));

@@ -14,10 +14,10 @@
 
 namespace rockfold {
 
-const char* mode_words(const Keyblock& key) {
-  switch (key.mode) {
+const char* mode_words(SlidingMode mode, const Vec3& direction) {
+  switch (mode) {
     case SlidingMode::lifting:
-      return key.direction[2] > 0 ? "pushed up" : "falls";
+      return direction[2] > 0 ? "pushed up" : "falls";
     case SlidingMode::single_plane:
       return "slides";
     case SlidingMode::two_planes:
@@ -28,6 +28,10 @@ const char* mode_words(const Keyblock& key) {
       return "rests";
   }
   return "";
+}
+
+const char* mode_words(const Keyblock& key) {
+  return mode_words(key.mode, key.direction);
 }
 
 std::string joined_names(const std::vector<std::string>& names) {

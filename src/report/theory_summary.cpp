@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
+#include "src/report/keyblock_words.hpp"
 #include "src/report/names.hpp"
 #include "src/report/summary.hpp"
 #include "src/report/table.hpp"
@@ -16,10 +18,20 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 std::string motion(const TheoryBlock& block) {
-  if (!block.movement) return "stays";
-  const auto mode = block.movement->mode;
-  if (mode == SlidingMode::lifting) return "falls";
-  return mode == SlidingMode::single_plane ? "slides" : "slides on two";
+  return block.movement ? mode_words(block.movement->mode, block.movement->direction) : "stays";
+}
+
+/// Whether there is more to it than rounding: where a pyramid touches the section in one corner, or along a side, its largest block is a point, or flat.
+bool has_volume(const TheoryBlock& block) {
+  const auto& areas = block.shape.joint_area;
+  return block.shape.volume >
+         1e-12 * std::pow(std::accumulate(areas.begin(), areas.end(), Real{0}), 1.5);
+}
+
+/// With two digits at least of what is not zero.
+std::string fixed_text(Real x, int decimals) {
+  const bool small = x != 0 && std::abs(x) < std::pow(10, 1 - decimals);
+  return small ? fmt::format("{:.2g}", x) : fmt::format("{:.{}f}", x, decimals);
 }
 
 std::string safety(const TheoryBlock& block) {
@@ -49,11 +61,22 @@ std::string pyramids_text(const TheoryReport& report) {
 std::string blocks_text(const ExcavationTheory& theory) {
   if (theory.blocks.empty()) return "  no block can move: none is removable\n";
   std::vector<std::vector<std::string>> rows;
-  for (const TheoryBlock& block : theory.blocks)
+  std::vector<std::string> without;
+  for (const TheoryBlock& block : theory.blocks) {
+    if (!has_volume(block)) {
+      without.push_back(block.code);
+      continue;
+    }
     rows.push_back({block.code, fmt::format("{:.3g}", block.shape.volume),
-                    fmt::format("{:.1f}", block.weight / 1e3), motion(block), joined(block.planes),
-                    safety(block), fmt::format("{:.1f}", block.support_force / 1e3),
-                    fmt::format("{:.2f}", block.support_pressure / 1e3)});
+                    fixed_text(block.weight / 1e3, 1), motion(block), joined(block.planes),
+                    safety(block), fixed_text(block.support_force / 1e3, 1),
+                    fixed_text(block.support_pressure / 1e3, 2)});
+  }
+  const std::string of_none =
+      without.empty()
+          ? ""
+          : fact("no volume", joined(without) + ": the largest block is a point or flat");
+  if (rows.empty()) return of_none;
   return table_text({{"largest of", "", true},
                      {"volume", "m3"},
                      {"weight", "kN"},
@@ -62,7 +85,8 @@ std::string blocks_text(const ExcavationTheory& theory) {
                      {"safety", ""},
                      {"support", "kN"},
                      {"pressure", "kPa"}},
-                    rows);
+                    rows) +
+         of_none;
 }
 
 std::string scan_text(const ExcavationTheory& theory) {

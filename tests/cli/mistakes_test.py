@@ -1,4 +1,5 @@
 """Mistakes that people make, and what the program says to them."""
+import struct
 import unittest
 
 from program import ProgramTest
@@ -168,6 +169,18 @@ class Implausible(ProgramTest):
         self.warned(still, "gravity: is zero and nothing else acts")
         self.assertEqual(self.warnings(still + "[[traction]]\nwhere = {face = 'rock.zmax'}\npressure = 1e5\n"), [])
 
+    def test_excavated_rock_meets_nothing(self):
+        pit = "[[excavation]]\nshape = 'box'\nmin = [-1, -1, {}]\nmax = [11, 21, 30]\n"
+        dynamic = STATIC.replace("'static'", "'dynamic'\nsteps = 1")
+        for analysis in (STATIC, dynamic, dynamic.replace("spacing = 5", "lattice = 'block'")):
+            self.assertEqual(self.warnings(ROCK + analysis + pit.format(10), "run"), [])
+            (self.folder / "m.vtkhdf").unlink()
+        joint = "[[joint]]\ndip = 0\ndip_direction = 0\npoint = [5, 10, {}]\n"
+        small = ROCK + STATIC.replace("'static'", "'quasi_static'\nsteps = 1\nkinematics = 'small'")
+        self.assertEqual(self.warnings(small + pit.format(10) + joint.format(20), "run"), [])
+        (self.folder / "m.vtkhdf").unlink()
+        self.warned(small + pit.format(20) + joint.format(10), "the 2 blocks move through each other", command="run")
+
     def test_joints_beside_the_rock(self):
         dips = "dip = 0\ndip_direction = 0\n"
         self.warned(ROCK + "[[joint]]\n" + dips + "point = [0, 0, 31]\n", "m.toml:13:", "joint[1]: lies beside the rock and cuts nothing")
@@ -201,6 +214,24 @@ class Implausible(ProgramTest):
         self.warned(ROCK + mesh, "solid[2].file: is 5.2e+04 m large, the solids given by numbers 37.4 m: did you mean mm?")
         self.write("body.obj", TETRAHEDRON)
         self.assertEqual(self.warnings(ROCK + mesh), [])
+
+    def test_map_coordinates_in_single_precision(self):
+        points = [tuple(map(float, line.split()[1:])) for line in TETRAHEDRON.splitlines() if line[0] == "v"]
+        faces = [tuple(map(int, line.split()[1:])) for line in TETRAHEDRON.splitlines() if line[0] == "f"]
+        mesh = "[[solid]]\nname = 'body'\nshape = 'mesh'\nfile = 'body.stl'\n"
+        for north, warned in ((5806917.0, True), (0.0, False)):
+            facets = b"".join(struct.pack("<12fH", 0, 0, 0, *(x for v in face for x in (points[v - 1][0], points[v - 1][1] + north, points[v - 1][2])), 0)
+                              for face in faces)
+            (self.folder / "body.stl").write_bytes(b" " * 80 + struct.pack("<I", len(faces)) + facets)
+            if warned:
+                self.warned(mesh, "body.stl: solid[1].file: holds numbers of single precision, which are 0.5 m apart at y = 5806921")
+            else:
+                self.assertEqual(self.warnings(mesh), [])
+
+    def test_ground_in_degrees(self):
+        self.write("dem.asc", "ncols 2\nnrows 2\nxllcorner 7.9151\nyllcorner 46.6126\ncellsize 0.00028\n1700 1710\n1730 1777\n")
+        ground = "[[solid]]\nshape = 'terrain'\nfile = 'dem.asc'\nbase = 1000\n"
+        self.warned(ground, "dem.asc: solid[1].file: x and y look like degrees", "x 7.91524 to 7.91552", "777 m high", "UTM zone 32N")
 
     def test_loads_and_motions_that_do_nothing(self):
         load = "[[point_load]]\n" + POINT + "force = [0, 0, -{}]\n"
@@ -241,6 +272,19 @@ class Implausible(ProgramTest):
         self.warned(free, "solid[1].continues: no solid has any", command="support")
         self.assertEqual(self.warnings(ROCK + joint, "support"), [])
         self.assertEqual(self.warnings(free, "cut"), [])
+
+
+class Ends(ProgramTest):
+    def test_joints_that_end_in_rock(self):
+        disc = "[[joint]]\ndip = 0\ndip_direction = 0\n" + POINT
+        self.write("m.toml", ROCK + disc + "polygon = [[1, 1, 15], [5, 1, 15], [5, 4, 15], [1, 4, 15]]\n")
+        whole = "dead ends +12 m2, all of it: every joint ends inside a block"
+        for command in ("cut", "support"):
+            self.assertRegex(self.run_program(command, "m.toml").stdout, whole)
+        self.write("m.toml", ROCK + disc + "polygon = [[-1, -1, 15], [5, -1, 15], [5, 21, 15], [-1, 21, 15]]\n" + disc.replace("15]", "20]"))
+        self.assertRegex(self.run_program("cut", "m.toml").stdout, "dead ends +100 m2 of it, 33.3 %: joints that end inside a block")
+        self.write("m.toml", ROCK + disc)
+        self.assertNotIn("dead ends", self.run_program("cut", "m.toml").stdout)
 
 
 class Help(ProgramTest):

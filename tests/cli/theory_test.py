@@ -1,5 +1,6 @@
 """`rockfold theory`: joint sets alone, and the loads of block theory, end to end."""
 import math
+import re
 import unittest
 
 from program import ProgramTest
@@ -109,6 +110,28 @@ class Theory(ProgramTest):
         text = self.run_program("theory", "adit.toml").stdout
         for words in ("Tunnel adit", "Slope portal", "worst direction", "key block in", "falls"):
             self.assertIn(words, text)
+
+    def test_leaves_blocks_without_volume_out_and_tells_small_ones(self):
+        text = THEORY.split("[block_theory]")[0]
+        for dip, direction, old in ((45, 40, 30), (55, 160, 150), (65, 280, 270)):
+            text = text.replace(f"dip = 60\ndip_direction = {old}\n", f"dip = {dip}\ndip_direction = {direction}\n")
+        tunnel = "[[block_theory.tunnel]]\ntrend = 0\nsection = 'rectangle'\nwidth = {0}\nheight = {0}\n"
+        rows = {}
+        for width in (4, 0.04):
+            self.write("drift.toml", text + tunnel.format(width))
+            said = self.run_program("theory", "drift.toml").stdout
+            rows[width] = dict(re.findall(r"(?m)^  ([01]{3}) +(\S+ +\S+) ", said.partition("Tunnel")[2]))
+            self.assertRegex(said, "no volume +011, 100")
+        self.assertEqual(list(rows[4]), ["000", "001", "110", "111"])
+        self.assertEqual((rows[4]["001"].split(), rows[0.04]["001"].split()), (["1.66", "43.9"], ["1.66e-06", "4.4e-05"]))
+
+    def test_calls_motions_as_support_does(self):
+        head = "[[water]]\nhead = 60\n"
+        slope = THEORY.split("[[block_theory.tunnel]]")[0]
+        self.write("wet.toml", slope + THEORY[THEORY.index("[[block_theory.slope]]"):].split("[block_theory.scan]")[0] + head)
+        block = self.json_of("theory", "wet.toml")["slopes"][0]["blocks"][0]
+        self.assertEqual((block["mode"], block["direction"][2] > 0), ("lifting", True))
+        self.assertIn("pushed up", self.run_program("theory", "wet.toml").stdout)
 
     def test_of_a_model_without_it_is_an_error(self):
         self.write("bare.toml", THEORY.split("[block_theory]")[0])
