@@ -118,6 +118,20 @@ class Slips(ProgramTest):
                             (b"PK\x03\x04\x14\0", "ZIP archive"), (b"solid \0\0\1\2\3", "is binary")):
             self.said(kind, words, "must be a model, TOML text in UTF-8")
 
+    def test_names_of_files(self):
+        (self.folder / "Data").mkdir()
+        self.write("Data/Ground.xyz", "0 0 5\n9 0 5\n9 8 5\n0 8 7\n")
+        ground = "[[solid]]\nname = 'ground'\nshape = 'terrain'\nfile = {}\nbase = -3\n"
+        self.said(ground.format('"Data\\Ground.xyz"'), "m.toml:4:", "unknown escape sequence", "write / between folders")
+        for name in ("'Data\\Ground.xyz'", "'data/ground.xyz'", "'Data/Grund.xyz'"):
+            self.write("m.toml", ground.format(name))
+            self.assertIn('did you mean "Data/Ground.xyz"?', self.run_program("check", "m.toml", status=3).stderr)
+        self.write("m.toml", ground.format('"Data\\template.xyz"'))
+        self.assertIn("write / between folders", self.run_program("check", "m.toml", status=3).stderr)
+        self.assertIn('did you mean "m.toml"?', self.run_program("check", "M.TOML", status=3).stderr)
+        self.write("m.toml", ground.format("'Data/Ground.xyz'"))
+        self.run_program("check", "m.toml")
+
     def test_more_columns_than_posts_have(self):
         self.write("ground.xyz", "0 0 5 255\n9 0 5 255\n9 8 5 7\n0 8 7 8\n")
         self.write("m.toml", "[[solid]]\nname = 'ground'\nshape = 'terrain'\nfile = 'ground.xyz'\nbase = -3\n")

@@ -3,6 +3,7 @@
 
 #include "src/model/read/draft.hpp"
 #include "src/model/read/read_shapes.hpp"
+#include "src/model/text/file_kind.hpp"
 
 namespace rockfold {
 
@@ -21,7 +22,8 @@ std::optional<std::string> read_file_name(TableReader& in, const std::string& mo
     in.unreadable("file", "\"" + path.string() + "\" is a folder, must be a file");
   } else if (!fs::exists(status)) {
     in.unreadable("file", "there is no file " + described({path.string(), {}}) +
-                              "; names are relative to the model's folder");
+                              "; names are relative to the model's folder" +
+                              file_hint(path.string()));
   } else {
     return path.string();
   }
