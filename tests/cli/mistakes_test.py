@@ -132,6 +132,13 @@ class Slips(ProgramTest):
         self.write("m.toml", ground.format("'Data/Ground.xyz'"))
         self.run_program("check", "m.toml")
 
+    def test_other_formats_as_ground(self):
+        for name, data, words in (("dem.tif", b"II*\0\x08\0\0\0\n1\n2 3\n", "is a TIFF picture (GeoTIFF): convert it to an ESRI ASCII grid"),
+                                  ("fault.dxf", b"0\nSECTION\n2\nENTITIES\n0\n3DFACE\n", "is a DXF drawing")):
+            (self.folder / name).write_bytes(data)
+            said = self.said(f"[[solid]]\nshape = 'terrain'\nfile = '{name}'\nbase = 0\n", f"{name}: solid[1].file: {words}")
+            self.assertEqual(said.count("\n"), 1)
+
     def test_more_columns_than_posts_have(self):
         self.write("ground.xyz", "0 0 5 255\n9 0 5 255\n9 8 5 7\n0 8 7 8\n")
         self.write("m.toml", "[[solid]]\nname = 'ground'\nshape = 'terrain'\nfile = 'ground.xyz'\nbase = -3\n")
