@@ -36,8 +36,8 @@ class Loader {
     for (auto& table : model_.joint_tables)
       if (table.rows.empty())
         attempt(table.file, table.place, [&](const Place& place) {
-          table.rows = read_joint_table(read_file(place, FileUse::table), table.material,
-                                        model_.joint_materials, place);
+          table.rows = read_joint_table(read_file(place, FileUse::table), table,
+                                        model_.joint_materials, place, &model_.warnings);
         });
     if (auto& base = model_.base_acceleration; base && !base->file.empty() && base->table.empty())
       attempt(base->file, base->place,

@@ -68,6 +68,7 @@ void read_joint_tables(Draft& draft) {
     table.place = in.place();
     if (auto file = read_file_name(in, draft.model.path)) table.file = std::move(*file);
     in.read_reference("material", draft.joint_materials, table.material);
+    table.left_hand = is_left_hand(in);
     read_sides(in, table.sides);
     read_within(in, draft, table.within);
     draft.model.joint_tables.push_back(std::move(table));
