@@ -8,6 +8,7 @@
 
 #include "host/files/data_file.hpp"
 #include "host/files/faults.hpp"
+#include "host/files/foreign_format.hpp"
 #include "host/files/hardly_meant.hpp"
 #include "host/files/read_joint_table.hpp"
 #include "host/files/read_mesh.hpp"
@@ -35,8 +36,8 @@ class Loader {
     for (auto& table : model_.joint_tables)
       if (table.rows.empty())
         attempt(table.file, table.place, [&](const Place& place) {
-          table.rows = read_joint_table(read_data_file(place), table.material,
-                                        model_.joint_materials, place);
+          table.rows = read_joint_table(read_file(place, FileUse::table), table,
+                                        model_.joint_materials, place, &model_.warnings);
         });
     if (auto& base = model_.base_acceleration; base && !base->file.empty() && base->table.empty())
       attempt(base->file, base->place,
@@ -76,15 +77,24 @@ class Loader {
     }
   }
 
+  /// Throws Error(model) at a file of a format that is not read.
+  static std::string read_file(const Place& place, FileUse use) {
+    std::string bytes = read_data_file(place);
+    if (auto foreign = foreign_format(bytes, use); !foreign.empty())
+      Faults(place).fail(std::move(foreign));
+    return bytes;
+  }
+
   SharedSurface load_mesh(MeshUse use, const Place& place) {
+    auto& surface = meshes_[{place.file, use}];
+    if (surface) return surface;
+    const std::string bytes = read_file(place, FileUse::mesh);
     const auto format = mesh_format(place.file);
     if (!format)
       Faults(place).fail(
           "triangles are read from files whose names end in .obj, .off, .stl or .ply");
-    auto& surface = meshes_[{place.file, use}];
-    if (!surface)
-      surface = std::make_shared<const TriangleSurface>(
-          read_mesh(read_data_file(place), *format, use, place, &model_.warnings));
+    surface = std::make_shared<const TriangleSurface>(
+        read_mesh(bytes, *format, use, place, &model_.warnings));
     return surface;
   }
 
@@ -92,7 +102,7 @@ class Loader {
     auto& ground = terrains_[place.file];
     if (!ground)
       ground = std::make_shared<const TriangleSurface>(
-          read_terrain(read_data_file(place), place, &model_.warnings));
+          read_terrain(read_file(place, FileUse::ground), place, &model_.warnings));
     return ground;
   }
 

@@ -29,6 +29,19 @@ struct Header {
   std::int64_t values() const { return columns * rows; }
 };
 
+/// As some programs write that there is no value.
+bool is_null(std::string_view word) {
+  return lower_case(word) == "null";
+}
+
+/// In single precision, which one of the two may have been rounded to.
+bool is_same(Real a, Real b) {
+  constexpr Real largest = std::numeric_limits<float>::max();
+  return a == b || (std::isnan(a) && std::isnan(b)) ||
+         (std::abs(a) <= largest && std::abs(b) <= largest &&
+          static_cast<float>(a) == static_cast<float>(b));
+}
+
 class GridReader {
  public:
   GridReader(std::string_view text, Faults& faults)
@@ -84,7 +97,8 @@ class GridReader {
 
   /// Leaves the first value in first_value_.
   void read_header() {
-    for (first_value_ = next(); !first_value_.empty() && !parse_number(first_value_);
+    for (first_value_ = next();
+         !first_value_.empty() && !parse_number(first_value_) && !is_null(first_value_);
          first_value_ = next())
       read_entry(first_value_);
     if (!header_.dy) header_.dy = header_.dx;
@@ -126,8 +140,8 @@ class GridReader {
     }
     const auto value = parse_number(word);
     if (key == "nodata_value") {
-      if (value)
-        header_.no_data = *value;
+      if (value || is_null(word))
+        header_.no_data = value.value_or(std::numeric_limits<Real>::quiet_NaN());
       else
         add("NODATA_value must be a number, is " + quoted(word));
       return;
@@ -189,12 +203,12 @@ class GridReader {
   Real value(std::string_view word) {
     constexpr Real nothing = std::numeric_limits<Real>::quiet_NaN();
     const auto number = parse_number(word);
+    if (is_null(word) && std::isnan(header_.no_data)) return nothing;
     if (!number) {
       add("an elevation must be a number, is " + quoted(word));
       return nothing;
     }
-    if (*number == header_.no_data || (std::isnan(*number) && std::isnan(header_.no_data)))
-      return nothing;
+    if (is_same(*number, header_.no_data)) return nothing;
     const auto fault = coordinate_fault("the elevation", *number);
     if (fault.empty()) return *number + 0.0;
     add(fmt::format("{}; the NODATA_value is {}", fault, header_.no_data));

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "host/files/text.hpp"
+#include "src/model/strike.hpp"
 #include "src/model/text/decimal_comma.hpp"
 #include "src/model/text/nearest.hpp"
 #include "src/model/text/range.hpp"
@@ -18,14 +19,38 @@ namespace rockfold {
 
 namespace {
 
-enum Column { dip, dip_direction, x, y, z, radius, material, column_count };
+enum Column { dip, dip_direction, x, y, z, radius, material, strike, column_count };
 constexpr std::array<const char*, column_count> column_names = {
-    "dip", "dip_direction", "x", "y", "z", "radius", "material"};
-constexpr const char* heading = "dip, dip_direction, x, y, z, radius[, material]";
+    "dip", "dip_direction", "x", "y", "z", "radius", "material", "strike"};
+constexpr const char* heading = "dip, dip_direction, x, y, z[, radius, material]";
+
+/// What other programs call them, as bare_name() has it.
+const std::array<std::vector<std::string_view>, column_count> other_names = {{
+    {"dipangle"},
+    {"dipdir", "dipdirn", "dipazimuth", "azimuth", "dd"},
+    {"centerx", "centrex", "xcenter", "xcentre", "easting", "east"},
+    {"centery", "centrey", "ycenter", "ycentre", "northing", "north"},
+    {"centerz", "centrez", "zcenter", "zcentre", "elevation", "altitude"},
+}};
+
+/// "dipdir" of "Dip dir. (deg)"
+std::string bare_name(std::string_view name) {
+  std::string bare;
+  for (const char c : lower_case(name.substr(0, name.find_first_of("([{"))))
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) bare += c;
+  return bare;
+}
+
+bool is_called(std::string_view name, std::size_t column) {
+  const auto& others = other_names[column];
+  const std::string bare = bare_name(name);
+  return bare == bare_name(column_names[column]) ||
+         std::find(others.begin(), others.end(), bare) != others.end();
+}
 
 Range range_of(Column column) {
   if (column == dip) return between(0, 90, "deg");
-  if (column == dip_direction) return between(0, 360, "deg");
+  if (column == dip_direction || column == strike) return between(0, 360, "deg");
   return column == radius ? length() : coordinate();
 }
 
@@ -77,8 +102,9 @@ bool is_number(const Field& field) {
 
 class TableReader {
  public:
-  TableReader(Index default_material, const std::vector<JointMaterial>& materials, Faults& faults)
-      : default_material_(default_material), faults_(faults) {
+  TableReader(const JointTable& table, const std::vector<JointMaterial>& materials,
+              const Place& place, std::vector<Diagnostic>* warnings)
+      : table_(table), faults_(place), place_of_file_(place), warnings_(warnings) {
     for (const auto& entry : materials) material_names_.push_back(entry.name);
   }
 
@@ -104,27 +130,76 @@ class TableReader {
     const auto fields = split(line, separator_, line_, faults_);
     if (std::any_of(fields.begin(), fields.end(), is_number))
       faults_.fail(line_, 0, "holds numbers, must be a heading: " + std::string(heading));
-    const std::vector<std::string> known(column_names.begin(), column_names.end());
+    for (std::size_t c = 0; c < column_count; ++c) {
+      find_column(fields, c,
+                  [&](const Field& field) { return lower_case(field.text) == column_names[c]; });
+      if (!place_[c])
+        find_column(fields, c, [&](const Field& field) { return is_called(field.text, c); });
+    }
+    if (place_[dip_direction]) place_[strike].reset();
+    require_columns(fields);
+    faults_.throw_if_any();
+    tell_of_columns(fields);
+    fields_in_line_ = fields.size();
+  }
+
+  template <typename Wanted>
+  void find_column(const std::vector<Field>& fields, std::size_t column, const Wanted& wanted) {
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      const auto name = lower_case(fields[i].text);
-      const auto column =
-          static_cast<std::size_t>(std::find(known.begin(), known.end(), name) - known.begin());
-      if (column == known.size())
-        faults_.add(line_, fields[i].column,
-                    fmt::format("unknown column {}{}", quoted(fields[i].text),
-                                suggestion(name, known, "columns")));
-      else if (place_[column])
-        faults_.add(line_, fields[i].column, fmt::format("two columns {}", known[column]));
+      if (!wanted(fields[i])) continue;
+      if (place_[column])
+        faults_.add(line_, fields[i].column, fmt::format("two columns {}", column_names[column]));
       else
         place_[column] = i;
     }
-    std::string missing;
-    for (std::size_t c = 0; c < material; ++c)
-      if (!place_[c]) missing += (missing.empty() ? "" : ", ") + known[c];
+  }
+
+  bool is_read(std::size_t field) const {
+    return std::find(place_.begin(), place_.end(), field) != place_.end();
+  }
+
+  /// A name near to one that is missing is a slip.
+  void require_columns(const std::vector<Field>& fields) {
+    std::vector<std::string> missing;
+    for (const Column c : {dip, dip_direction, x, y, z})
+      if (!place_[c] && !(c == dip_direction && place_[strike]))
+        missing.emplace_back(column_names[c]);
+    auto wanted = missing;
+    if (!place_[radius]) wanted.emplace_back(column_names[radius]);
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const auto nearest = nearest_word(fields[i].text, wanted);
+      if (!is_read(i) && !nearest.empty())
+        faults_.add(line_, fields[i].column,
+                    fmt::format("unknown column {}, did you mean \"{}\"?", quoted(fields[i].text),
+                                nearest));
+    }
     if (!missing.empty())
-      faults_.add(line_, 0, fmt::format("the heading has no column {}", missing));
-    faults_.throw_if_any();
-    fields_in_line_ = fields.size();
+      faults_.add(line_, 0, fmt::format("the heading has no column {}", fmt::join(missing, ", ")));
+  }
+
+  /// One line for all that is not as it stands.
+  void tell_of_columns(const std::vector<Field>& fields) {
+    std::vector<std::string> passed_over, notes;
+    Place place = place_of_file_;
+    place.line = line_;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (is_read(i) || fields[i].text.empty()) continue;
+      if (passed_over.empty()) place.column = fields[i].column;
+      passed_over.push_back(fields[i].text);
+    }
+    if (!passed_over.empty())
+      notes.push_back(fmt::format(
+          "{} passed over: {}",
+          passed_over.size() == 1 ? "a column is" : counted(passed_over.size(), "column") + " are",
+          fmt::join(passed_over, ", ")));
+    if (place_[dip_direction] && bare_name(fields[*place_[dip_direction]].text) == "azimuth")
+      notes.emplace_back("azimuth is taken for dip_direction");
+    if (place_[strike])
+      notes.push_back(fmt::format("planes dip to the {} of their strike (rule)",
+                                  table_.left_hand ? "left" : "right"));
+    if (!place_[radius]) notes.emplace_back("without a column radius all joints are through-going");
+    if (warnings_ && !notes.empty())
+      warnings_->push_back({place, fmt::format("{}", fmt::join(notes, "; "))});
   }
 
   void read_row(std::string_view line) {
@@ -137,9 +212,12 @@ class TableReader {
       return;
     }
     JointTable::Row row;
-    row.orientation = {number(fields, dip), number(fields, dip_direction)};
+    row.orientation.dip = number(fields, dip);
+    row.orientation.dip_direction = place_[strike]
+                                        ? dip_direction_of(number(fields, strike), table_.left_hand)
+                                        : number(fields, dip_direction);
     row.center = {number(fields, x), number(fields, y), number(fields, z)};
-    row.radius = number(fields, radius);
+    row.radius = place_[radius] ? number(fields, radius) : std::numeric_limits<Real>::infinity();
     row.material = material_of(fields);
     rows_.push_back(row);
   }
@@ -159,19 +237,21 @@ class TableReader {
   }
 
   Index material_of(const std::vector<Field>& fields) {
-    if (!place_[material]) return default_material_;
+    if (!place_[material]) return table_.material;
     const Field& field = fields[*place_[material]];
-    if (field.text.empty()) return default_material_;
+    if (field.text.empty()) return table_.material;
     const auto found = std::find(material_names_.begin(), material_names_.end(), field.text);
     if (found != material_names_.end()) return static_cast<Index>(found - material_names_.begin());
     faults_.add(line_, field.column,
                 fmt::format("material: no joint material is called {}{}", quoted(field.text),
                             suggestion(field.text, material_names_, "joint materials")));
-    return default_material_;
+    return table_.material;
   }
 
-  Index default_material_;
-  Faults& faults_;
+  const JointTable& table_;
+  Faults faults_;
+  const Place& place_of_file_;
+  std::vector<Diagnostic>* warnings_;
   std::vector<std::string> material_names_;
   std::array<std::optional<std::size_t>, column_count> place_;  ///< of each column in a line
   char separator_ = ',';
@@ -182,11 +262,11 @@ class TableReader {
 
 }  // namespace
 
-std::vector<JointTable::Row> read_joint_table(std::string_view text, Index default_material,
+std::vector<JointTable::Row> read_joint_table(std::string_view text, const JointTable& table,
                                               const std::vector<JointMaterial>& materials,
-                                              const Place& place) {
-  Faults faults(place);
-  return TableReader(default_material, materials, faults).read(text);
+                                              const Place& place,
+                                              std::vector<Diagnostic>* warnings) {
+  return TableReader(table, materials, place, warnings).read(text);
 }
 
 }  // namespace rockfold

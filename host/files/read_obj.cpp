@@ -55,8 +55,8 @@ void read_vertex(Words& words, int line, PolygonSoup& soup, Faults& faults) {
 PolygonSoup read_obj(std::string_view text, Faults& faults) {
   PolygonSoup soup;
   std::vector<Reference> last_used;
-  for (Lines lines(text); lines.next();) {
-    Words words(lines.line());
+  for (Lines lines(text, '\\'); lines.next();) {
+    Words words(lines.line(), "\\\r\n");
     const auto keyword = words.next();
     if (keyword == "v")
       read_vertex(words, lines.number(), soup, faults);

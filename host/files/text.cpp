@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,20 +20,25 @@ std::string_view without_plus(std::string_view word) {
 
 }  // namespace
 
-Lines::Lines(std::string_view text) : rest_(text) {
+Lines::Lines(std::string_view text, char continuation) : rest_(text), continuation_(continuation) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (rest_.substr(0, 3) == byte_order_mark) rest_.remove_prefix(3);
 }
 
 bool Lines::next() {
   if (rest_.empty()) return false;
-  ++number_;
-  const auto end = rest_.find_first_of("\r\n");
+  number_ += 1 + std::exchange(more_, 0);
+  const auto after = [&](std::size_t end) {
+    return end + (rest_.substr(end, 2) == "\r\n" ? 2 : 1);
+  };
+  auto end = rest_.find_first_of("\r\n");
+  while (end != std::string_view::npos && end > 0 && rest_[end - 1] == continuation_ &&
+         trimmed(rest_).front() != '#') {
+    end = rest_.find_first_of("\r\n", after(end));
+    ++more_;
+  }
   line_ = rest_.substr(0, end);
-  if (end == std::string_view::npos)
-    rest_ = {};
-  else
-    rest_.remove_prefix(end + (rest_.substr(end, 2) == "\r\n" ? 2 : 1));
+  rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : after(end));
   return true;
 }
 

@@ -11,21 +11,24 @@
 
 namespace rockfold {
 
-/// The lines of a text, without their ends (LF, CRLF or CR); a byte order mark is skipped.
+/// The lines of a text, without their ends (LF, CRLF or CR); a byte order mark is skipped. Lines that end with
+/// `continuation`, but for comments behind '#', go on in the next one: the line then holds these ends.
 class Lines {
  public:
-  explicit Lines(std::string_view text);
+  explicit Lines(std::string_view text, char continuation = '\n');
 
   /// Goes to the next line; false at the end.
   bool next();
   std::string_view line() const { return line_; }
+  /// Of the first one of lines that go on.
   int number() const { return number_; }
   /// What follows the current line's end.
   std::string_view rest() const { return rest_; }
 
  private:
   std::string_view rest_, line_;
-  int number_ = 0;
+  char continuation_;
+  int number_ = 0, more_ = 0;  ///< lines that the current one goes on in
 };
 
 /// The words of a line, separated by blanks and by the characters of `separators`.

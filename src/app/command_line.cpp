@@ -85,6 +85,11 @@ void add_common_options(CLI::App& app, Options& options) {
     if (name.empty()) reject("--json-file needs the name of a file");
     options.json_file = name;
   });
+  app.add_option_function<std::string>("--log", [&options](const std::string& name) {
+    if (!options.log_file.empty()) reject("--log is given twice");
+    if (name.empty()) reject("--log needs the name of a file");
+    options.log_file = name;
+  });
 }
 
 void add_output_option(CLI::App& command, Options& options) {

@@ -41,6 +41,7 @@ struct Options {
   std::vector<std::string> overrides;  ///< --set key.path=value, in order
   std::vector<std::string> ignored;    ///< --ignore KEY: loads that the command need not use
   std::string json_file;               ///< --json-file; empty = none
+  std::string log_file;                ///< --log; empty = none
   bool report = false;                 ///< --report: of support and run, the printable report too
   bool force = false;                  ///< replace a result that holds states of a run
   Real max_time = 0;                   ///< --max-time, s of wall time; 0: no limit

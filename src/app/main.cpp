@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 
+#include "generated/version.hpp"
 #include "src/app/pipeline.hpp"
 #include "src/app/threads.hpp"
 #include "src/base/error.hpp"
@@ -26,10 +27,13 @@ void open_standard_streams() {
 }
 
 int tell_error(const Error& error, bool json, Terminal& terminal) {
-  if (json)
-    print_error_document(stdout, error);
-  else
-    for (const auto& line : error_lines(error)) terminal.error_line(line);
+  if (json) print_error_document(stdout, error);
+  for (const auto& line : error_lines(error)) {
+    if (json)
+      terminal.log(line);
+    else
+      terminal.error_line(line);
+  }
   return exit_status(error.kind());
 }
 
@@ -42,10 +46,16 @@ int close_stdout(int status, Terminal& terminal) {
   return exit_status(ErrorKind::io);
 }
 
+/// "0.1.0 (commit): support wedge.toml"
+std::string call_text(int argc, char** argv) {
+  return fmt::format("{} ({}): {}", version, commit, fmt::join(argv + 1, argv + argc, " "));
+}
+
 int answer(int argc, char** argv, bool json, Terminal& terminal) {
   try {
     const Options options = parse_command_line(argc, argv);
     terminal.set_progress(!options.quiet);
+    if (!options.log_file.empty()) terminal.log_to(options.log_file, call_text(argc, argv));
     return run_command(options, terminal);
   } catch (const Notice& notice) {
     std::fputs(notice.text.c_str(), stdout);
@@ -69,5 +79,7 @@ int main(int argc, char** argv) {
   open_standard_streams();
   std::signal(SIGPIPE, SIG_IGN);
   Terminal terminal(stderr, detect_terminal(stderr));
-  return close_stdout(answer(argc, argv, wants_json(argc, argv), terminal), terminal);
+  const int status = close_stdout(answer(argc, argv, wants_json(argc, argv), terminal), terminal);
+  terminal.log(fmt::format("exit status {}", status));
+  return status;
 }

@@ -249,7 +249,8 @@ struct JointTable {
   };
   std::string name;
   std::string file;
-  Index material = 0;  ///< of rows that name none
+  Index material = 0;      ///< of rows that name none
+  bool left_hand = false;  ///< planes dip to the left of their strikes, if the table has strikes
   Index sides = default_disc_sides;
   Index within = none;
   std::vector<Row> rows;  ///< filled after the model is read

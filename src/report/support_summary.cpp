@@ -54,8 +54,8 @@ namespace {
 std::vector<std::string> keyblock_row(const Keyblock& key) {
   return {block_ids(key.members),
           std::to_string(key.batch),
-          fmt::format("{:.2f}", key.volume),
-          fmt::format("{:.1f}", key.weight / 1e3),
+          fixed_text(key.volume, 2),
+          fixed_text(key.weight / 1e3, 1),
           mode_words(key),
           joined_names(key.planes),
           std::isfinite(key.factor_of_safety) ? fmt::format("{:.2f}", key.factor_of_safety) : "-",

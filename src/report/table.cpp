@@ -1,6 +1,9 @@
 #include "src/report/table.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
 
 namespace rockfold {
 
@@ -39,6 +42,11 @@ std::string table_text(const std::vector<Column>& columns,
     text += table_line(columns, width, units);
   for (const auto& row : rows) text += table_line(columns, width, row);
   return text;
+}
+
+std::string fixed_text(double x, int decimals) {
+  const bool vanishes = x != 0 && std::abs(x) < 0.5 * std::pow(10, -decimals);
+  return vanishes ? fmt::format("{:.2g}", x) : fmt::format("{:.{}f}", x, decimals);
 }
 
 }  // namespace rockfold

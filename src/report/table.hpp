@@ -16,4 +16,7 @@ struct Column {
 std::string table_text(const std::vector<Column>& columns,
                        const std::vector<std::vector<std::string>>& rows);
 
+/// With so many decimals; two digits of what is not zero and would be written as such.
+std::string fixed_text(double x, int decimals);
+
 }  // namespace rockfold

@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
+#include <fstream>
 
 #include <sys/ioctl.h>
 #include <unistd.h>
+
+#include "src/base/error.hpp"
 
 namespace rockfold {
 
@@ -48,6 +53,33 @@ TerminalSettings detect_terminal(std::FILE* stream) {
   return settings;
 }
 
+Terminal::~Terminal() {
+  clear_bar();
+  if (log_) std::fclose(log_);
+}
+
+void Terminal::log_to(const std::string& path, const std::string& title) {
+  constexpr std::string_view mark = "log of rockfold";
+  std::string begin(mark.size(), ' ');
+  if (std::ifstream(path).read(begin.data(), static_cast<std::streamsize>(begin.size())).gcount() >
+          0 &&
+      begin != mark)
+    throw Error(ErrorKind::usage,
+                "is there, and no log that could be replaced: give --log another name",
+                Place{path, 0, 0, ""});
+  log_ = std::fopen(path.c_str(), "w");
+  if (!log_)
+    throw Error(ErrorKind::io, std::string("cannot be written: ") + std::strerror(errno),
+                Place{path, 0, 0, ""});
+  log(std::string(mark) + " " + title);
+}
+
+void Terminal::log(const std::string& text) {
+  if (!log_) return;
+  std::fprintf(log_, "%s\n", text.c_str());
+  std::fflush(log_);
+}
+
 void Terminal::begin(std::string_view phase, std::int64_t total, std::string_view unit) {
   if (running_) end();
   view_ = PhaseView{std::string(phase), std::string(unit), 0, total, 0.0};
@@ -80,6 +112,7 @@ void Terminal::end() {
   running_ = false;
   view_.seconds = phase_timer_.seconds();
   clear_bar();
+  log(phase_end_line(view_));
   if (settings_.progress && (settings_.interactive || logged_)) write_line(phase_end_line(view_));
 }
 
@@ -87,12 +120,14 @@ void Terminal::warn(const std::string& text) {
   if (std::find(warnings_.begin(), warnings_.end(), text) != warnings_.end()) return;
   warnings_.push_back(text);
   clear_bar();
+  log("warning: " + text);
   write_line((settings_.colour ? "\033[33mwarning:\033[0m " : "warning: ") + text);
 }
 
 void Terminal::error_line(const std::string& text) {
   running_ = false;
   clear_bar();
+  log(text);
   write_line(text);
 }
 

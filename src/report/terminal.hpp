@@ -28,7 +28,15 @@ class Terminal : public Progress {
  public:
   Terminal(std::FILE* stream, const TerminalSettings& settings)
       : stream_(stream), settings_(settings) {}
-  ~Terminal() override { clear_bar(); }
+  ~Terminal() override;
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+
+  /// From now on writes what it tells, and how long each phase took, to a file too, below a title. Throws Error(io) where it
+  /// cannot be written, Error(usage) where a file is there that is no log.
+  void log_to(const std::string& path, const std::string& title);
+  /// A line for the log alone; nothing without one.
+  void log(const std::string& text);
 
   void set_progress(bool progress) { settings_.progress = progress; }
 
@@ -49,6 +57,7 @@ class Terminal : public Progress {
   void write_line(const std::string& text);
 
   std::FILE* stream_;
+  std::FILE* log_ = nullptr;
   TerminalSettings settings_;
   std::vector<std::string> warnings_;
   PhaseView view_;

@@ -28,12 +28,6 @@ bool has_volume(const TheoryBlock& block) {
          1e-12 * std::pow(std::accumulate(areas.begin(), areas.end(), Real{0}), 1.5);
 }
 
-/// With two digits at least of what is not zero.
-std::string fixed_text(Real x, int decimals) {
-  const bool small = x != 0 && std::abs(x) < std::pow(10, 1 - decimals);
-  return small ? fmt::format("{:.2g}", x) : fmt::format("{:.{}f}", x, decimals);
-}
-
 std::string safety(const TheoryBlock& block) {
   const Real f = block.movement ? block.movement->factor_of_safety() : 0;
   return block.movement && std::isfinite(f) ? fmt::format("{:.2f}", f) : "-";

@@ -78,6 +78,8 @@ std::vector<OutputFile> outputs_of(const Options& options, const Model& model) {
                {xdmf_path(result), "the .xdmf file that goes with the result", of_result}};
   if (!options.json_file.empty())
     outputs.push_back({options.json_file, "the document", "give --json-file another name"});
+  if (!options.log_file.empty())
+    outputs.push_back({options.log_file, "the log", "give --log another name"});
   if (options.command == Command::demo)
     outputs.push_back({page_path(options), "the page", of_result});
   if (options.report) outputs.push_back({report_path(options), "the report", of_result});

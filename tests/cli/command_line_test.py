@@ -35,6 +35,30 @@ class Help(ProgramTest):
         self.assertRegex(self.run_program("--version").stdout, r"^rockfold \d+\.\d+\.\d+ \(.+\)\n$")
 
 
+class Log(ProgramTest):
+    def test_holds_phases_warnings_and_errors(self):
+        self.copy_case("wedge")
+        for quiet in ((), ("--quiet",), ("--json",)):
+            self.run_program("support", "wedge.toml", "--log", "wedge.log", *quiet)
+            log = (self.folder / "wedge.log").read_text(encoding="utf-8")
+            self.assertRegex(log, r"^log of rockfold \d+\.\d+\.\d+ \(.+\): support wedge.toml --log wedge.log")
+            self.assertRegex(log, r"(?m)^Finding key blocks\b")
+            self.assertTrue(log.endswith("exit status 0\n"))
+        self.run_program("support", "wedge.toml", "--set", "gravity=[0, 0, 9.81]", "--log", "wedge.log")
+        self.assertIn("\nwarning: ", (self.folder / "wedge.log").read_text(encoding="utf-8"))
+        for json_or_not in ((), ("--json",)):
+            self.run_program("check", "none.toml", "--log", "none.log", *json_or_not, status=3)
+            self.assertRegex((self.folder / "none.log").read_text(encoding="utf-8"), "none.toml: cannot be read: .*\nexit status 3\n$")
+
+    def test_replaces_nothing_else(self):
+        text = self.copy_case("wedge").read_text(encoding="utf-8")
+        said = self.run_program("support", "wedge.toml", "--log", "wedge.toml", status=2).stderr
+        self.assertIn("wedge.toml: is there, and no log that could be replaced", said)
+        self.assertEqual((self.folder / "wedge.toml").read_text(encoding="utf-8"), text)
+        self.run_program("support", "wedge.toml", "--log", "wedge.vtkhdf", status=2)
+        self.run_program("support", "wedge.toml", "--log", "none/wedge.log", status=3)
+
+
 class UsageErrors(ProgramTest):
     CASES = [
         ([], "no command given"),

@@ -118,6 +118,45 @@ class Slips(ProgramTest):
                             (b"PK\x03\x04\x14\0", "ZIP archive"), (b"solid \0\0\1\2\3", "is binary")):
             self.said(kind, words, "must be a model, TOML text in UTF-8")
 
+    def test_names_of_files(self):
+        (self.folder / "Data").mkdir()
+        self.write("Data/Ground.xyz", "0 0 5\n9 0 5\n9 8 5\n0 8 7\n")
+        ground = "[[solid]]\nname = 'ground'\nshape = 'terrain'\nfile = {}\nbase = -3\n"
+        self.said(ground.format('"Data\\Ground.xyz"'), "m.toml:4:", "unknown escape sequence", "write / between folders")
+        for name in ("'Data\\Ground.xyz'", "'data/ground.xyz'", "'Data/Grund.xyz'"):
+            self.write("m.toml", ground.format(name))
+            self.assertIn('did you mean "Data/Ground.xyz"?', self.run_program("check", "m.toml", status=3).stderr)
+        self.write("m.toml", ground.format('"Data\\template.xyz"'))
+        self.assertIn("write / between folders", self.run_program("check", "m.toml", status=3).stderr)
+        self.assertIn('did you mean "m.toml"?', self.run_program("check", "M.TOML", status=3).stderr)
+        self.write("m.toml", ground.format("'Data/Ground.xyz'"))
+        self.run_program("check", "m.toml")
+
+    def test_tables_of_joints_by_other_programs(self):
+        self.write("facets.csv", "Index; CenterX; CenterY; CenterZ; NormalX; Dip dir.; Dip\n0; 5; 10; 15; 0.5; 90; 30\n")
+        table = "[[joint_table]]\nfile = '{}'\n"
+        self.write("m.toml", ROCK + table.format("facets.csv"))
+        document = self.json_of("cut", "m.toml")
+        (warning,) = document["warnings"]
+        self.assertIn("facets.csv:1:1: joint_table[1].file: 2 columns are passed over: Index, NormalX; without a column radius", warning)
+        volumes = [block["volume"] for block in document["blocks"]]
+        self.write("strike.csv", "strike;dip;x;y;z;radius\n{};30;5;10;15;\n".format(0))
+        for rule, same in (("right_hand", True), ("left_hand", False)):
+            self.write("m.toml", ROCK + table.format("strike.csv") + f"rule = '{rule}'\n")
+            document = self.json_of("cut", "m.toml", "--force")
+            centroids = [block["centroid"] for block in document["blocks"]]
+            for block, volume in zip(document["blocks"], volumes):  # through the middle
+                self.assertAlmostEqual(block["volume"], volume, delta=1e-9)
+            self.assertEqual(centroids[0][0] < 5, same)
+            self.assertIn(f"planes dip to the {rule.partition('_')[0]} of their strike", document["warnings"][0])
+
+    def test_other_formats_as_ground(self):
+        for name, data, words in (("dem.tif", b"II*\0\x08\0\0\0\n1\n2 3\n", "is a TIFF picture (GeoTIFF): convert it to an ESRI ASCII grid"),
+                                  ("fault.dxf", b"0\nSECTION\n2\nENTITIES\n0\n3DFACE\n", "is a DXF drawing")):
+            (self.folder / name).write_bytes(data)
+            said = self.said(f"[[solid]]\nshape = 'terrain'\nfile = '{name}'\nbase = 0\n", f"{name}: solid[1].file: {words}")
+            self.assertEqual(said.count("\n"), 1)
+
     def test_more_columns_than_posts_have(self):
         self.write("ground.xyz", "0 0 5 255\n9 0 5 255\n9 8 5 7\n0 8 7 8\n")
         self.write("m.toml", "[[solid]]\nname = 'ground'\nshape = 'terrain'\nfile = 'ground.xyz'\nbase = -3\n")

@@ -73,7 +73,8 @@ inline Fuzzed read_fuzzed_grid(std::string_view bytes) {
         break;
       }
       default:
-        for (const auto& row : read_joint_table(text, 0, std::vector<JointMaterial>(1), place))
+        for (const auto& row :
+             read_joint_table(text, JointTable{}, std::vector<JointMaterial>(1), place))
           must(row.orientation.dip >= 0 && row.orientation.dip <= 90 && row.radius > 0 &&
                row.material == 0 && std::abs(row.center[0]) <= 1e9);
     }

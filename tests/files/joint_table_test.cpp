@@ -9,8 +9,13 @@ namespace {
 
 const std::vector<JointMaterial> materials = named_materials({"clean", "clay; \"soft\"", "rough"});
 
-std::vector<JointTable::Row> rows_of(std::string_view text) {
-  return read_joint_table(text, 2, materials, sample_place);
+std::vector<JointTable::Row> rows_of(std::string_view text,
+                                     std::vector<Diagnostic>* warnings = nullptr,
+                                     bool left_hand = false) {
+  JointTable table;
+  table.material = 2;
+  table.left_hand = left_hand;
+  return read_joint_table(text, table, materials, sample_place, warnings);
 }
 
 }  // namespace
@@ -51,6 +56,45 @@ TEST(JointTables, MayUseTabs) {
   EXPECT_EQ(rows[1].material, 2);
 }
 
+TEST(JointTables, MayHaveTheColumnsOfOtherPrograms) {
+  std::vector<Diagnostic> warnings;
+  const auto facets = rows_of(
+      "Index; CenterX; CenterY; CenterZ; NormalX; RMS; Dip dir.; Dip (deg); Family ind.\n"
+      "0; 5.0; 6; 7; 0.5; 0.01; 90; 30; 1\n",
+      &warnings);
+  ASSERT_EQ(facets.size(), 1u);
+  EXPECT_EQ(facets[0].orientation.dip, 30);
+  EXPECT_EQ(facets[0].orientation.dip_direction, 90);
+  EXPECT_EQ(facets[0].center, (Vec3{5, 6, 7}));
+  EXPECT_TRUE(std::isinf(facets[0].radius));
+  const auto orientations =
+      rows_of("X,Y,Z,azimuth,dip,polarity,radius\n5,5,5,90,30,1,2\n", &warnings);
+  EXPECT_EQ(orientations[0].orientation.dip_direction, 90);
+  rows_of("id,dip,dip_direction,strike,easting,northing,elevation,radius,\n1,30,90,0,5,5,5,2,\n",
+          &warnings);
+  rows_of("dip,dip_direction,x,y,z,radius\n30,90,5,5,5,\n", &warnings);  // says nothing
+  ASSERT_EQ(warnings.size(), 3u);
+  EXPECT_EQ(warnings[0].place.line, 1);
+  EXPECT_EQ(warnings[0].message,
+            "4 columns are passed over: Index, NormalX, RMS, Family ind.; "
+            "without a column radius all joints are through-going");
+  EXPECT_EQ(warnings[1].message,
+            "a column is passed over: polarity; azimuth is taken for dip_direction");
+  EXPECT_EQ(warnings[2].message, "2 columns are passed over: id, strike");
+}
+
+TEST(JointTables, MayHaveStrikes) {
+  const std::string text = "strike;dip;x;y;z;radius\n30;30;5;5;5;\n300.5;30;5;5;5;1\n";
+  std::vector<Diagnostic> warnings;
+  const auto right = rows_of(text, &warnings), left = rows_of(text, &warnings, true);
+  EXPECT_EQ(right[0].orientation.dip_direction, 120);
+  EXPECT_EQ(right[1].orientation.dip_direction, 30.5);
+  EXPECT_EQ(left[0].orientation.dip_direction, 300);
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[0].message, "planes dip to the right of their strike (rule)");
+  EXPECT_EQ(warnings[1].message, "planes dip to the left of their strike (rule)");
+}
+
 TEST(JointTables, WithoutAHeadingGiveOneError) {
   const auto errors = errors_of_reading([] { rows_of("45,120,0,0,0,1\n46,120,0,0,0,1\n"); });
   EXPECT_EQ(errors.size(), 1u);
@@ -66,10 +110,13 @@ TEST(JointTables, ThatAreWrongSayWhereAndWhy) {
   const Wrong cases[] = {
       {"# nothing\n\n", 0, 0, "must begin with a heading"},
       {"dip,dip_direction,x,y,z,radius\n", 0, 0, "no joints"},
-      {"dip,azimuth,x,y,z,radius\n", 1, 5, "unknown column 'azimuth'"},
+      {"dip,trend,x,y,z,radius\n", 1, 0, "no column dip_direction"},
+      {"dip,dip dir.,azimuth,x,y,z,radius\n", 1, 14, "two columns dip_direction"},
+      {"dip,dip_direction,x,y,z,radus\n", 1, 25,
+       "unknown column 'radus', did you mean \"radius\"?"},
       {"dip,dip_drection,x,y,z,radius\n", 1, 5, "did you mean \"dip_direction\"?"},
       {"dip,dip,dip_direction,x,y,z,radius\n", 1, 5, "two columns dip"},
-      {"dip,x,y\n", 1, 0, "no column dip_direction, z, radius"},
+      {"dip,x,y\n", 1, 0, "no column dip_direction, z"},
       {"45,120,0,0,0,1\n46,120,0,0,0,1\n", 1, 0,
        "holds numbers, must be a heading: dip, dip_direction, x"},
       {"45;120;0,5;0;0;1;clean\n", 1, 0, "holds numbers, must be a heading"},

@@ -70,7 +70,7 @@ TEST(LoadFiles, TellsAllWrongFilesAtOnce) {
   const auto text = listed(errors);
   ASSERT_EQ(errors.size(), 8u) << text;
   const char* says[] = {"cannot be opened: No such file or directory",
-                        ".obj, .off, .stl or .ply",
+                        "it is a folder",
                         "is empty",
                         ".obj, .off, .stl or .ply",
                         "it is a folder",

@@ -53,6 +53,21 @@ TEST(MeshFormats, AllGiveTheSameSurface) {
   }
 }
 
+TEST(MeshFormats, ObjLinesMayGoOn) {
+  const std::string whole =
+      "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\n# C:\\\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  const std::string parted =
+      "v 0 \\\n0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\n# C:\\\nf 1 3 2\nf 1 \\\r\n  2\\\n4\nf 2 3 4\nf 3 1 "
+      "4\n";
+  const auto expected = solid_of(whole, MeshFormat::obj), found = solid_of(parted, MeshFormat::obj);
+  EXPECT_EQ(found.vertices, expected.vertices);
+  EXPECT_EQ(found.triangles, expected.triangles);
+  const auto errors =
+      errors_of_reading([&] { solid_of(parted + "f 1 2 \\\n3\nf 9 1 2\n", MeshFormat::obj); });
+  ASSERT_FALSE(errors.empty());
+  EXPECT_EQ(errors[0].place.line, 15) << listed(errors);
+}
+
 TEST(MeshFormats, MayHaveAByteOrderMarkAndLinesOfOtherSystems) {
   const PlainMesh box = box_mesh(low, high);
   for (const auto& [name, format, write] :

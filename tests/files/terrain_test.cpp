@@ -186,6 +186,25 @@ TEST(AsciiGrid, OfAPlaneIsThatPlaneExactly) {
   EXPECT_EQ(double_plan_area(ground), 2.0 * 39 * 29 * 16);
 }
 
+TEST(AsciiGrid, KnowsItsNoDataInSinglePrecisionAndByTheWordNull) {
+  const std::string head = "ncols 4\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+  const auto plain = ground_of(head + "12 12 12 12\n11 11 11 -9999\n10 10 10 10\n");
+  for (const auto& [given, value] :
+       {std::pair{"-3.4028230607370965251e+38", "-3.402823e+38"}, std::pair{"null", "null"},
+        std::pair{"null", "NULL"}, std::pair{"nan", "nan"}, std::pair{"0.1", "0.1000000015"}})
+    EXPECT_EQ(ground_of(head + "NODATA_value " + given + "\n12 12 12 12\n11 11 11 " + value +
+                        "\n10 10 10 10\n")
+                  .vertices,
+              plain.vertices)
+        << given;
+  EXPECT_EQ(ground_of(head + "NODATA_value null\nnull 12 12 12\n11 11 11 11\n10 10 10 10\n")
+                .vertices.size(),
+            11u);
+  for (const char* values : {"NODATA_value -9999\n12 12 12 12\n11 11 11 null\n10 10 10 10\n",
+                             "NODATA_value none\n12 12 12 12\n11 11 11 11\n10 10 10 10\n"})
+    EXPECT_EQ(errors_of_reading([&] { ground_of(head + values); }).size(), 1u) << values;
+}
+
 TEST(XyzPosts, MayBeSeparatedInManyWays) {
   const std::string expected = "0 0 1\n2 0 2\n0 2 3\n2 2 4\n";
   const auto ground = ground_of(expected);

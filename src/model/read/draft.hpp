@@ -73,6 +73,8 @@ void read_tables(Draft& draft);
 void read_waters(Draft& draft);        // needs joints of all kinds
 void read_block_theory(Draft& draft);  // needs materials
 
+/// "rule" of a strike.
+bool is_left_hand(TableReader& in);
 /// "dip" and "dip_direction" of a table.
 bool read_dip(TableReader& in, DipOrientation& target, Need need = Need::required);
 /// The same numbers as a pair [dip, dip direction].

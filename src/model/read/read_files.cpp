@@ -3,6 +3,7 @@
 
 #include "src/model/read/draft.hpp"
 #include "src/model/read/read_shapes.hpp"
+#include "src/model/text/file_kind.hpp"
 
 namespace rockfold {
 
@@ -21,7 +22,8 @@ std::optional<std::string> read_file_name(TableReader& in, const std::string& mo
     in.unreadable("file", "\"" + path.string() + "\" is a folder, must be a file");
   } else if (!fs::exists(status)) {
     in.unreadable("file", "there is no file " + described({path.string(), {}}) +
-                              "; names are relative to the model's folder");
+                              "; names are relative to the model's folder" +
+                              file_hint(path.string()));
   } else {
     return path.string();
   }
@@ -66,6 +68,7 @@ void read_joint_tables(Draft& draft) {
     table.place = in.place();
     if (auto file = read_file_name(in, draft.model.path)) table.file = std::move(*file);
     in.read_reference("material", draft.joint_materials, table.material);
+    table.left_hand = is_left_hand(in);
     read_sides(in, table.sides);
     read_within(in, draft, table.within);
     draft.model.joint_tables.push_back(std::move(table));

@@ -8,6 +8,7 @@
 
 #include "src/model/plausibility.hpp"
 #include "src/model/read/draft.hpp"
+#include "src/model/text/file_kind.hpp"
 #include "src/model/text/given_keys.hpp"
 #include "src/model/text/nearest.hpp"
 #include "src/model/text/overrides.hpp"
@@ -24,33 +25,6 @@ constexpr std::size_t largest_file = std::size_t{64} << 20;
   throw Error(ErrorKind::io, why, Place{path, 0, 0, ""});
 }
 
-/// What a file is that is no text; "" if it may be one.
-std::string kind_of_binary(std::string_view bytes) {
-  using namespace std::string_view_literals;
-  struct Signature {
-    std::string_view begin, kind;
-  };
-  static constexpr Signature signatures[] = {
-      {"\x89HDF\r\n\x1a\n"sv, "an HDF5 file: of a result `rockfold info` tells what it holds"},
-      {"\xFF\xFE"sv, "text in UTF-16: save it as UTF-8"},
-      {"\xFE\xFF"sv, "text in UTF-16: save it as UTF-8"},
-      {"PK\x03\x04"sv, "a ZIP archive, as office programs write"},
-      {"\x1F\x8B"sv, "compressed by gzip: unpack it first"},
-      {"%PDF"sv, "a PDF document"},
-      {"\x89PNG"sv, "a picture"},
-      {"\xD0\xCF\x11\xE0"sv, "a document of an office program"},
-  };
-  for (const auto& [begin, kind] : signatures)
-    if (bytes.starts_with(begin)) return std::string(kind);
-  constexpr std::size_t looked_at = 4096;
-  const auto front = bytes.substr(0, looked_at);
-  if (front.find('\0') == std::string_view::npos) return "";
-  // Of western text in UTF-16 every other byte is zero.
-  const bool wide = front.size() >= 4 && (front[0] == 0) != (front[1] == 0) &&
-                    (front[0] == 0) == (front[2] == 0) && (front[1] == 0) == (front[3] == 0);
-  return wide ? "text in UTF-16: save it as UTF-8" : "binary";
-}
-
 std::string file_text(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
@@ -59,7 +33,7 @@ std::string file_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file)
     reject_file(path, std::string("cannot be read: ") +
-                          (errno ? std::strerror(errno) : "cannot be opened"));
+                          (errno ? std::strerror(errno) : "cannot be opened") + file_hint(path));
   std::string text;
   std::vector<char> chunk(std::size_t{1} << 20);
   while (file.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || file.gcount() > 0) {

@@ -6,6 +6,7 @@
 #include "src/base/vector.hpp"
 #include "src/model/read/draft.hpp"
 #include "src/model/read/read_value.hpp"
+#include "src/model/strike.hpp"
 
 namespace rockfold {
 
@@ -18,20 +19,13 @@ Range dip_direction_range() {
   return between(0, 360, "deg clockwise from north");
 }
 
-/// Into a full circle.
-Real turned(Real angle) {
-  return angle < 0 ? angle + 360 : angle >= 360 ? angle - 360 : angle;
-}
-
 /// Of a plane that dips to the right, or to the left, of its strike.
 bool read_strike(TableReader& in, DipOrientation& target) {
   if (in.has("dip_direction"))
     in.wrong("strike", "a plane has either a strike or a dip_direction, not both");
   Real strike = 0;
   const bool good = in.read("strike", strike, dip_direction_range());
-  const auto rule =
-      in.choose("rule", {.words = {"right_hand", "left_hand"}, .not_yet = {}}, Need::optional);
-  target.dip_direction = turned(rule.value_or(0) == 0 ? strike + 90 : strike - 90);
+  target.dip_direction = dip_direction_of(strike, is_left_hand(in));
   return good;
 }
 
@@ -45,6 +39,11 @@ bool read_pole(TableReader& in, DipOrientation& target) {
 }
 
 }  // namespace
+
+bool is_left_hand(TableReader& in) {
+  return in.choose("rule", {.words = {"right_hand", "left_hand"}, .not_yet = {}}, Need::optional)
+             .value_or(0) == 1;
+}
 
 bool read_dip(TableReader& in, DipOrientation& target, Need need) {
   const bool dip = in.read("dip", target.dip, dip_range(), need);

@@ -18,6 +18,7 @@
 
 #include "src/base/error.hpp"
 #include "src/model/text/decimal_comma.hpp"
+#include "src/model/text/file_kind.hpp"
 
 namespace rockfold {
 
@@ -168,6 +169,11 @@ std::string syntax_hint(std::string_view line) {
   return "";
 }
 
+/// Names of files as Windows writes them.
+std::string escape_hint(std::string_view description) {
+  return description.find("escape sequence") == std::string_view::npos ? "" : backslash_hint;
+}
+
 /// A list of tables whose entry stands in single brackets.
 std::string list_hint(std::string_view description) {
   if (description.find("as array-of-tables") == std::string_view::npos) return "";
@@ -185,7 +191,8 @@ Value parse_toml(std::string_view text, int source, const std::string& name) {
     const auto spot = spot_of(error.source(), source);
     throw Error(ErrorKind::model,
                 "TOML syntax: " + std::string(error.description()) +
-                    list_hint(error.description()) + syntax_hint(line_of(text, spot.line)),
+                    list_hint(error.description()) + escape_hint(error.description()) +
+                    syntax_hint(line_of(text, spot.line)),
                 Place{name, spot.line, spot.column, ""});
   }
 }
