@@ -178,44 +178,50 @@ void add_monitor_table(Html& html, const Json& monitors) {
                joints);
 }
 
-/// What block theory says of key blocks, and what they did.
+std::vector<std::string> confirmed_row(const Json& c) {
+  const Json &predicted = c.at("predicted"), &seen = c.at("seen"), &reason = c.at("reason");
+  const bool key = !predicted.is_null();
+  return {fmt::format("{}", c.at("block").get<Index>()),
+          key ? fmt::format("{}", c.at("batch").get<Index>()) : "–",
+          key ? mode_words(predicted) : "stays",
+          key ? trend_text(predicted.at("direction")) : "–",
+          seen.at("mode") == "none" ? "stays" : seen.at("mode").get<std::string>(),
+          digits(seen.at("moved")),
+          digits(seen.at("off_direction"), 3),
+          digits(seen.at("rotation"), 3),
+          c.at("agree").get<bool>() ? "yes" : "no: " + reason.get<std::string>()};
+}
+
+/// What block theory says of key blocks, and what they did; then the blocks that moved without being key blocks.
 void add_confirmed(Html& html, const Json& confirmed) {
-  std::vector<Json> moved;
-  std::size_t keys = 0, others = 0, agreed = 0;
+  std::size_t keys = 0, moved = 0, agreed = 0;
+  Rows rows;
   for (const Json& c : confirmed) {
     const bool key = !c.at("predicted").is_null();
     keys += key;
-    others += !key;
+    moved += key && c.at("seen").at("mode") != "none";
     agreed += c.at("agree").get<bool>();
-    if (key && c.at("seen").at("mode") != "none") moved.push_back(c);
+    if (rows.size() < most_rows) rows.push_back(confirmed_row(c));
   }
   html.heading(3, "Key blocks in the analysis");
   html.paragraph(fmt::format(
       "{} of {} key blocks moved by more than a hundredth of their size, {} as predicted. "
       "Blocks that moved without being key blocks: {}.",
-      moved.size(), keys, agreed, others));
-  Rows rows;
-  for (std::size_t i = 0; i < std::min(moved.size(), most_rows); ++i) {
-    const Json& m = moved[i];
-    const Json &predicted = m.at("predicted"), &seen = m.at("seen");
-    rows.push_back({fmt::format("{}", m.at("block").get<Index>()),
-                    fmt::format("{}", m.at("batch").get<Index>()), mode_words(predicted),
-                    trend_text(predicted.at("direction")), seen.at("mode"),
-                    digits(seen.at("moved")), digits(seen.at("off_direction"), 3),
-                    digits(seen.at("rotation"), 3)});
-  }
-  if (!rows.empty())
-    html.table(
-        moved.size() > most_rows ? fmt::format("The first {} of {}", most_rows, moved.size()) : "",
-        {{"block"},
-         {"batch"},
-         {"predicted", "", true},
-         {"predicted direction", "trend/plunge"},
-         {"seen", "", true},
-         {"moved", "m"},
-         {"off the direction", "°"},
-         {"turned", "°"}},
-        rows);
+      moved, keys, agreed, confirmed.size() - keys));
+  if (rows.empty()) return;
+  html.table(confirmed.size() > most_rows
+                 ? fmt::format("The first {} of {}", most_rows, confirmed.size())
+                 : "",
+             {{"block"},
+              {"batch"},
+              {"predicted", "", true},
+              {"predicted direction", "trend/plunge"},
+              {"seen", "", true},
+              {"moved", "m"},
+              {"off the direction", "°"},
+              {"turned", "°"},
+              {"as predicted", "", true}},
+             rows);
 }
 
 }  // namespace

@@ -113,6 +113,13 @@ class Reports(ProgramTest):
         self.assertEqual(len([t for t, a in report.tags if t == "svg"]), 9)
         self.assertIn("Blocks that moved", report.facts())
 
+    def test_tells_of_key_blocks_beside_their_motion_and_why_not(self):
+        self.copy_case("sliding_wedge")
+        for time, row in (("0.3", ("sliding", "yes")), ("0.1", ("stays", "no: time"))):
+            self.run_program("run", "sliding_wedge.toml", "-q", "--report", "--set", f"analysis.end_time={time}")
+            (wedge,) = self.report("sliding_wedge.report.html").table("as predicted")
+            self.assertEqual((wedge["seen"], wedge["as predicted"]), row)
+
     def test_of_a_cut_has_sizes_of_blocks_and_the_same_bytes_again(self):
         self.copy_case("wedge")
         self.run_program("cut", "wedge.toml", "-q")
