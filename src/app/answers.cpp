@@ -23,8 +23,6 @@ namespace rockfold {
 
 namespace {
 
-constexpr std::size_t demo_keyblocks = 10;
-
 RunReport run_report(const Answer& answer) {
   return {answer.model, answer.blocks,    *answer.covers,
           *answer.run,  answer.keyblocks, answer.design};
@@ -88,15 +86,13 @@ std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
   const bool demo = answer.options.command == Command::demo;
   std::string text = (answer.model.title.empty() ? answer.model.path : answer.model.title) + "\n\n";
   text += cut_summary(answer.totals, answer.blocks);
-  const auto most = demo ? demo_keyblocks : most_keyblocks;
   if (answer.options.command == Command::cut)
     text.append("\n").append(measure_summary(*answer.measures));
-  if (answer.keyblocks)
-    text.append("\n").append(support_summary(*answer.keyblocks, answer.blocks, most));
+  if (answer.keyblocks) text.append("\n").append(support_summary(*answer.keyblocks, answer.blocks));
   if (answer.design) text += design_summary(answer.model, *answer.keyblocks, *answer.design);
   if (answer.run) text.append("\n").append(run_summary(run_report(answer)));
   if (answer.run && answer.run->rest && answer.keyblocks)
-    text.append("\n").append(confirmed_summary(run_report(answer), most));
+    text.append("\n").append(confirmed_summary(run_report(answer)));
   text.append("\n").append(fact("result", answer.path + "  (rockfold info, or ParaView 5.13)"));
   text += fact("", xdmf_path(answer.path) + "  (ParaView 5.11 and 5.12)");
   const Made made{answer.design != nullptr, answer.run != nullptr};

@@ -9,10 +9,10 @@ namespace rockfold {
 namespace {
 
 constexpr std::array<CommandHelp, 12> helps{{
-    {Command::demo, "demo", "", "the built-in rock slope: blocks, key blocks, response to gravity",
+    {Command::demo, "demo", "", "the built-in rock slope: blocks, key blocks, what slides",
      "Takes a jointed rock slope that is part of the program through all stages: blocks, key "
      "blocks with\n"
-     "their support, one second of its response to gravity. The result file is "
+     "their support, the first second of their motion. The result file is "
      "rockfold_demo.vtkhdf in\n"
      "the current folder, unless -o names another; rockfold_demo.html beside it is a page to look "
      "at it.\n",

@@ -1,22 +1,39 @@
-"""The demo: what it prints, what it writes."""
+"""The demo: what it prints, what it writes, and what slides."""
+import json
 import unittest
 
 from program import ProgramTest
 
+TIME, STEP, STEPS = 0.8, 0.02, 10  # s of motion; quasi-static steps before
+
 
 class Demo(ProgramTest):
     def test_goes_from_blocks_to_motion(self):
-        text = self.run_program("demo", "--threads", "2").stdout
-        self.assertRegex(text, r"blocks +5\d\d ")
-        self.assertRegex(text, r"batches +[2-9] ")
+        text = self.run_program("demo", "--threads", "2", "--json-file", "demo.json").stdout
+        self.assertRegex(text, r"blocks +100 ")
+        self.assertRegex(text, r"batches +2 \(7 \+ 1\)")
         self.assertRegex(text, r"largest displacement +\S+ m, in block \d+ at \(")
-        self.assertEqual(len([line for line in text.splitlines() if " slides " in line or " falls " in line]), 10 + 10)  # and of those that stay
+        self.assertRegex(text, r"key blocks that move +8 of 8 ")
+        rows = [line for line in text.splitlines() if line[:7].strip().isdigit()]
+        self.assertEqual(len(rows), 7 + 6 + 8)  # the first batch, what stays, and key blocks beside their motion
         self.assertIn("rockfold_demo.vtkhdf", text)
         self.assertIn("rockfold_demo.vtkhdf", self.files())
+        self.slide_as_by_hand(json.loads((self.folder / "demo.json").read_text(encoding="utf-8")))
+
+    def slide_as_by_hand(self, document):
+        """Wedges that nothing presses: net force over mass for 0.8 s, and a dt2/4 in each quasi-static step."""
+        keys = {key["block"]: key for key in document["support"]["keyblocks"]}
+        free = [c for c in document["confirmed"] if c["agree"] and c["predicted"]["mode"] == "two_planes"]
+        self.assertEqual(len(free), 4)
+        for wedge in free:
+            key = keys[wedge["block"]]
+            a = key["sliding_force"] / (key["weight"] / 9.81)
+            way = 0.5 * a * TIME**2 + STEPS * a * STEP**2 / 4
+            self.assertAlmostEqual(wedge["seen"]["moved"] / way, 1, delta=0.01)
 
     def test_is_the_example_called_slope(self):
         self.copy_case("slope")
-        short = ("--set", "analysis.end_time=0.02")
+        short = ("--set", "step.1.steps=1", "--set", "step.2.end_time=0.01")
         demo, run = self.json_of("demo", *short), self.json_of("run", "slope.toml", *short)
         self.assertEqual((demo.pop("command"), run.pop("command")), ("demo", "run"))
         del demo["seconds"], run["seconds"]
