@@ -10,6 +10,8 @@ expected.json holds numbers of the document of `rockfold cut --json`:
     planes_identified, vertices_identified, near_decisions         as under "intent"; 0 where left out
     flagged                          as the key of this name
     keyblocks                        key blocks of each batch, from `rockfold support`
+    run                              {"a path in the document of `rockfold run`": [value, relative tolerance], …}; lists by number
+                                     (from 0, -1 is the last) or by the name of an entry
     warnings                         how many `cut` gives; 0 where left out
 
 Only blocks and solid_volume must be there. Numbers of blocks must be met exactly, areas and volumes to 1e-9, the volume of the
@@ -25,7 +27,18 @@ from program import CASES, ProgramTest
 CASES_BY_NAME = {path.parent.name: path.parent for path in sorted(CASES.glob("*/model.toml"))}
 INTENT = ("planes_identified", "vertices_identified", "near_decisions")
 KEYS = {"blocks", "faces", "solid_volume", "joint_area", "dangling_joint_area", "convex", "finite", "shells", "genus",
-        "smallest", "largest", "stages", "flagged", "keyblocks", "warnings", *INTENT}
+        "smallest", "largest", "stages", "flagged", "keyblocks", "run", "warnings", *INTENT}
+
+
+def at_path(value, path):
+    for key in path.split("."):
+        if isinstance(value, dict):
+            value = value[key]
+        elif key.lstrip("-").isdigit():
+            value = value[int(key)]
+        else:
+            (value,) = [entry for entry in value if entry["name"] == key]
+    return value
 
 
 class Examples(ProgramTest):
@@ -83,6 +96,20 @@ class Examples(ProgramTest):
                     shutil.copytree(folder, self.folder / f"{name}-support")
                     document = self.json_of("support", f"{name}-support/model.toml", "-q")
                     self.assertEqual(document["totals"]["batches"], expected["keyblocks"])
+
+    def test_moves_as_it_must(self):
+        for name, folder in CASES_BY_NAME.items():
+            expected = json.loads((folder / "expected.json").read_text(encoding="utf-8"))
+            if "run" in expected:
+                with self.subTest(example=name):
+                    shutil.copytree(folder, self.folder / f"{name}-run")
+                    document = self.json_of("run", f"{name}-run/model.toml", "-q")
+                    for path, (value, tolerance) in expected["run"].items():
+                        found = at_path(document, path)
+                        if isinstance(value, (bool, str)):
+                            self.assertEqual(found, value, path)
+                        else:
+                            self.close(found, value, path, tolerance)
 
 
 if __name__ == "__main__":
