@@ -82,14 +82,17 @@ class CellPolygons {
 
 class Builder {
  public:
-  Builder(const Complex& complex, const BlockArrays& blocks)
+  Builder(const Complex& complex, const BlockArrays& blocks, Index intact)
       : complex_(complex),
         blocks_(blocks),
+        intact_(intact),
         polygons_(face_polygons(blocks)),
         cell_polygons_(complex, blocks) {}
 
   SurfaceArrays run() {
     out_.tolerance = complex_.planes.width_tolerance();
+    for (Index b = 0; b < blocks_.block_count(); ++b)
+      goes_on_the_way_ |= blocks_.stage[b] != 0 && complex_.block_is_analysed[b] != 0;
     out_.block_mass = blocks_.mass;
     std::vector<Index> cell(complex_.cells.size());
     std::iota(cell.begin(), cell.end(), 0);
@@ -102,7 +105,7 @@ class Builder {
       const Index last_polygon = polygons_before(blocks_.face_begin[b + 1], polygon);
       const std::size_t first = next;
       while (next < cell.size() && complex_.cell_block[cell[next]] == b) ++next;
-      if (blocks_.stage[b] == 0)  // else excavated before the analysis begins
+      if (complex_.block_is_analysed[b] != 0)
         add_block(b, polygon, last_polygon, std::span(cell).subspan(first, next - first));
       polygon = last_polygon;
     }
@@ -174,8 +177,12 @@ class Builder {
   void end_face(Index origin) {
     out_.corner_begin.push_back(static_cast<Index>(out_.corner_vertex.size()));
     const bool joint = origin != none && blocks_.origins[origin].kind == FaceOrigin::Kind::joint;
-    out_.face_joint.push_back(joint ? origin : none);
-    out_.face_material.push_back(joint ? blocks_.origins[origin].joint_material : none);
+    const bool wall = origin != none && goes_on_the_way_ &&
+                      blocks_.origins[origin].kind == FaceOrigin::Kind::excavation;
+    out_.face_joint.push_back(joint || wall ? origin : none);
+    out_.face_material.push_back(joint  ? blocks_.origins[origin].joint_material
+                                 : wall ? intact_
+                                        : none);
   }
 
   void end_part(Index b) {
@@ -186,15 +193,17 @@ class Builder {
 
   const Complex& complex_;
   const BlockArrays& blocks_;
+  const Index intact_;
   const PolygonMesh polygons_;
   const CellPolygons cell_polygons_;
+  bool goes_on_the_way_ = false;  ///< some rock
   SurfaceArrays out_;
 };
 
 }  // namespace
 
-SurfaceArrays contact_surfaces(const Cutting& cutting, const BlockArrays& blocks) {
-  return Builder(*cutting.complex, blocks).run();
+SurfaceArrays contact_surfaces(const Cutting& cutting, const BlockArrays& blocks, Index intact) {
+  return Builder(*cutting.complex, blocks, intact).run();
 }
 
 }  // namespace rockfold

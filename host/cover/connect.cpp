@@ -107,12 +107,12 @@ class Connector {
     const bool welded = model_.cover->joints == JointTreatment::welded;
     for (const Fragment& f : complex_.fragments) {
       if ((f.joint != none && !welded) || f.narrow || complex_.touches_sliver(f)) continue;
-      if (!complex_.stays(f.cell[0]) || !complex_.stays(f.cell[1])) continue;
+      if (!complex_.is_analysed(f.cell[0]) || !complex_.is_analysed(f.cell[1])) continue;
       glue_.visit(f, [&](const GlueArea& c) { add_links(c); });
     }
     for (const Beam& b : complex_.beams)
       if (b.cell[1] != none && (b.joint == none || welded) && !b.narrow &&
-          complex_.stays(b.cell[0]) && complex_.stays(b.cell[1]))
+          complex_.is_analysed(b.cell[0]) && complex_.is_analysed(b.cell[1]))
         add_beam_links(b);
   }
 

@@ -38,7 +38,7 @@ std::vector<Vec3> rock_corners(const Complex& complex) {
 Real rock_volume(const Complex& complex) {
   Real volume = 0;
   for (Index c = 0; c < complex.cells.size(); ++c)
-    if (complex.stays(c)) volume += complex.moments[c].volume;
+    if (complex.is_analysed(c)) volume += complex.moments[c].volume;
   return volume;
 }
 

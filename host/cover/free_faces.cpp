@@ -45,7 +45,7 @@ class Visitor {
       if (wanted(part.origin)) split(complex_.polygon_of(part), part.cell, part.face);
     for (const Fragment& fragment : complex_.fragments)
       for (int side = 0; side < 2; ++side)
-        if (!complex_.stays(fragment.cell[1 - side]) && wanted(fragment.joint))
+        if (!complex_.is_analysed(fragment.cell[1 - side]) && wanted(fragment.joint))
           split(complex_.polygon_of(fragment), fragment.cell[side], fragment.face[side]);
   }
 
@@ -56,7 +56,7 @@ class Visitor {
 
   /// Splits a face of a cell of the complex over the elements.
   void split(const Polygon& polygon, Index rock, Index local_face) {
-    if (!complex_.stays(rock) || is_off_plane(polygon)) return;
+    if (!complex_.is_analysed(rock) || is_off_plane(polygon)) return;
     const HalfSpaceId inside = complex_.cells[rock].faces[local_face].inside;
     FacePolygon found;
     found.rock = rock;

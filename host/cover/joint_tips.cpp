@@ -17,7 +17,7 @@ void visit_glue_areas(const Complex& complex, GlueFinder& glue, bool joints, Vis
   for (const Fragment& f : complex.fragments) {
     if ((f.joint != none) != joints || complex.touches_sliver(f) || f.narrow) continue;
     if (joints && !f.dead_end) continue;
-    if (!complex.stays(f.cell[0]) || !complex.stays(f.cell[1])) continue;
+    if (!complex.is_analysed(f.cell[0]) || !complex.is_analysed(f.cell[1])) continue;
     glue.visit(f, visit);
   }
 }

@@ -137,7 +137,7 @@ Pieces cut_pieces(const Complex& complex, const LatticePlanes& lattice, const Pl
   const CellCutter cutter(complex, lattice, planes);
   parallel_for(n, 4, [&](std::int64_t c) {
     const auto rock = static_cast<Index>(c);
-    if (!complex.stays(rock)) return;  // excavated before the analysis starts
+    if (!complex.is_analysed(rock)) return;  // excavated before the analysis starts
     cutter.cut(rock, cells[c]);
     const auto count = done.fetch_add(1) + 1;
     if (interrupt_signal != 0)
@@ -164,7 +164,7 @@ Pieces cut_pieces(const Complex& complex, const LatticePlanes& lattice, const Pl
 Pieces block_pieces(const Complex& complex, const LatticePlanes& lattice) {
   Pieces all;
   for (Index rock = 0; rock < complex.cells.size(); ++rock) {
-    if (!complex.stays(rock)) continue;
+    if (!complex.is_analysed(rock)) continue;
     PieceRecord record = make_record(lattice, complex.planes, complex.cell_block[rock], 0, rock,
                                      complex.cells[rock]);
     if (complex.is_sliver[rock] != 0)

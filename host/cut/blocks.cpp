@@ -11,6 +11,7 @@
 #include "host/cut/union_find.hpp"
 #include "host/refuse.hpp"
 #include "src/base/vector.hpp"
+#include "src/model/openings.hpp"
 
 namespace rockfold {
 
@@ -176,6 +177,8 @@ void find_blocks(Complex& complex, const Model& model) {
     if (const auto* blocks = std::get_if<Merge::Blocks>(&merge.region))
       merge_parts(complex, *blocks, merge.place, part);
   number_blocks(complex, part);
+  for (const Index stage : complex.block_stage)
+    complex.block_is_analysed.push_back(is_there_at_first(model, stage) ? 1 : 0);
   find_dead_ends(complex);
   find_hidden(complex);
 }

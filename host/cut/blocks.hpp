@@ -6,7 +6,7 @@
 
 namespace rockfold {
 
-/// Fills cell_block, block_count, block_stage and the fragments' dead ends; blocks are ordered by centroid (z, then y, then x).
+/// Fills cell_block, block_count, block_stage, block_is_analysed and the fragments' dead ends; blocks are ordered by centroid (z, then y, then x).
 /// Joints inside what a [[merge]] by points joins become virtual. Throws Error(model) for such a point outside of the rock.
 void find_blocks(Complex& complex, const Model& model);
 

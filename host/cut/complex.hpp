@@ -145,7 +145,8 @@ struct Complex {
   /// [cells] slivers that other blocks, or free faces, show through: what is on their two sides is the surface, not they.
   std::vector<std::uint8_t> is_hidden;
   Index block_count = 0;
-  std::vector<Index> block_stage;  ///< [blocks] at which it is excavated; 0 = it stays
+  std::vector<Index> block_stage;               ///< [blocks] at which it is excavated; 0 = it stays
+  std::vector<std::uint8_t> block_is_analysed;  ///< [blocks] 1: it is there as an analysis begins
 
   std::vector<Fragment> fragments;   ///< ordered by plane
   std::vector<FreePart> free_parts;  ///< ordered by plane
@@ -153,8 +154,8 @@ struct Complex {
   std::vector<Beam> beams;           ///< ordered by where they start
 
   const Zone& zone(Index cell) const { return zones[cell_zone[cell]]; }
-  /// Whether no stage removes the block of a cell.
-  bool stays(Index cell) const { return block_stage[cell_block[cell]] == 0; }
+  /// Whether the block of a cell is there as an analysis begins.
+  bool is_analysed(Index cell) const { return block_is_analysed[cell_block[cell]] != 0; }
   bool touches_hidden(const Fragment& f) const {
     return is_hidden[f.cell[0]] != 0 || is_hidden[f.cell[1]] != 0;
   }

@@ -22,6 +22,7 @@
 #include "host/refuse.hpp"
 #include "src/base/sum.hpp"
 #include "src/base/vector.hpp"
+#include "src/model/openings.hpp"
 
 namespace rockfold {
 
@@ -277,7 +278,7 @@ UncutRock check_cutting(const Model& model, const std::vector<Vec3>& points) {
   for (std::size_t i = 0; i < rock.of_rock.size(); ++i) {
     const Index cell = rock.of_rock[i];
     for (const Vertex& v : rock.cells[cell].vertices) of_cell[i].add(v.x);
-    const bool stays = uncut.complex->zones[rock.zone[cell]].stage == 0;
+    const bool stays = is_there_at_first(model, uncut.complex->zones[rock.zone[cell]].stage);
     at[i] = stays ? UncutRock::At::stays : UncutRock::At::excavated;
     if (stays) volume += rock.measures[i].moments.volume;
   }

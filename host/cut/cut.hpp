@@ -50,7 +50,7 @@ struct Cutting {
 /// The rock before joints cut it.
 struct UncutRock {
   enum class At : std::uint8_t { outside, excavated, stays };
-  Real volume = 0;  ///< m³, of what no stage removes
+  Real volume = 0;  ///< m³, of what is there as an analysis begins
   std::vector<At>
       of_point;  ///< [points] where each lies; on a boundary to 1e-9 of the model's size: in what stays
 };

@@ -118,6 +118,7 @@ void place_boxes(const Surfaces& s, const Grids& g, const BroadPhase& w) {
 template <class Found>
 KOKKOS_INLINE_FUNCTION void for_each_neighbour(const Surfaces& s, const Grids& g,
                                                const BroadPhase& w, Index p, const Found& found) {
+  if (w.gone(p) != 0) return;
   for (Index l = w.level(p); l <= last_level; ++l) {
     const Index end = lower_bound(w.cells.key, s.parts, cell_key(l + 1, 0, 0, 0));
     const Index begin = lower_bound(w.cells.key, end, cell_key(l, 0, 0, 0));
@@ -136,7 +137,8 @@ KOKKOS_INLINE_FUNCTION void for_each_neighbour(const Surfaces& s, const Grids& g
         for (Index i = lower_bound(w.cells.key, end, cell_key(l, first[0], y, z));
              i < end && w.cells.key(i) <= to; ++i) {
           const Index q = w.cells.value(i);
-          if ((l == w.level(p) && q <= p) || s.part_block(q) == s.part_block(p)) continue;
+          if ((l == w.level(p) && q <= p) || s.part_block(q) == s.part_block(p) || w.gone(q) != 0)
+            continue;
           bool meet = true;
           for (int d = 0; d < 3; ++d)
             meet = meet && w.low(p, d) <= w.high(q, d) && w.low(q, d) <= w.high(p, d);
@@ -161,6 +163,7 @@ BroadPhase make_broad_phase(const Surfaces& s) {
   BroadPhase w;
   w.low = device::make_field("contact::low", s.parts);
   w.high = device::make_field("contact::high", s.parts);
+  w.gone = Array<std::uint8_t>("rockfold::contact::gone", s.parts);
   w.level = device::allocate<Index>("contact::level", s.parts);
   w.pair_begin = device::allocate<Index>("contact::pair_begin", s.parts + 1);
   reserve(w.cells, s.parts);

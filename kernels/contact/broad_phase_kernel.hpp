@@ -3,6 +3,8 @@
 // direction there and in each coarser level. O(n log n) for boxes of any sizes.
 #pragma once
 
+#include <cstdint>
+
 #include "kernels/contact/point_set_kernel.hpp"
 #include "kernels/contact/sort_kernel.hpp"
 
@@ -10,7 +12,8 @@ namespace rockfold::contact {
 
 /// Work space of find_pairs; grows, never shrinks.
 struct BroadPhase {
-  Field low, high;  ///< [P] m, the boxes
+  Field low, high;           ///< [P] m, the boxes
+  Array<std::uint8_t> gone;  ///< [P] 1: the part touches nothing any more
   Array<Index> level, pair_begin;
   SortedKeys cells, found;
 };

@@ -10,6 +10,7 @@
 //   joint_stress.cpp          joints under the initial stress at step 0
 //   law                       traction, tangent and memory of one point over a step
 //   evaluate.cpp              forces and tangents of all points; accept; energies
+//   gone.cpp                  rock that is excavated on the way
 //   state.cpp                 the whole state as bytes
 //
 // A time step calls (contact_kernel.hpp has the same on the device):

@@ -81,6 +81,14 @@ Real accept(DeviceContacts& contacts, const Motion& motion);
 /// The next step starts with that share of the speeds that the last one ended with.
 void scale_speeds(const DeviceContacts& contacts, Real share);
 
+/// J, elastic, of the points accepted last.
+Real stored_energy(DeviceContacts& contacts);
+
+/// Blocks, [B] 1, that touch nothing any more.
+void set_gone(const DeviceContacts& contacts, const std::vector<std::uint8_t>& block);
+/// Nor have they touched anything at the last accepted step, at whose end vertices are said to have been at x, theirs at rest.
+void forget_gone(DeviceContacts& contacts, const Field& x);
+
 /// Pairs are found in new arrays each time, and need no copy.
 void copy(const PointSet& from, PointSet& to);
 

@@ -69,17 +69,17 @@ KOKKOS_INLINE_FUNCTION Real elastic_energy(const ContactPoint& p, const JointLaw
          0.5 * law.shear_stiffness * (m.shear[0] * m.shear[0] + m.shear[1] * m.shear[1]);
 }
 
-/// Of four.
-void make_room_for_sums(DeviceContacts& c) {
+/// Of four, over so many points.
+void make_room_for_sums(DeviceContacts& c, Index points) {
   device::grow(c.partial, "contact::partial",
-               4 * static_cast<std::size_t>(device::chunk_count(c.current.count)));
+               4 * static_cast<std::size_t>(device::chunk_count(points)));
 }
 
 }  // namespace
 
 ContactEnergy evaluate(DeviceContacts& c, const Motion& m, const Field& force,
                        const Tangents& tangent) {
-  make_room_for_sums(c);
+  make_room_for_sums(c, c.current.count);
   const auto point = c.current.point;
   const auto laws = c.laws;
   const auto into = c.total;
@@ -164,7 +164,7 @@ Index break_bonds(DeviceContacts& c, const Motion& m) {
 }
 
 Real accept(DeviceContacts& c, const Motion& m) {
-  make_room_for_sums(c);
+  make_room_for_sums(c, c.current.count);
   const auto point = c.current.point;
   const auto laws = c.laws;
   const auto into = c.total;
@@ -184,6 +184,21 @@ Real accept(DeviceContacts& c, const Motion& m) {
     Kokkos::deep_copy(c.speed_before, 0.0);
   std::swap(c.accepted, c.current);
   c.detected = false;
+  return device::to_host(c.total)[0];
+}
+
+Real stored_energy(DeviceContacts& c) {
+  make_room_for_sums(c, c.accepted.count);
+  const auto point = c.accepted.point;
+  const auto laws = c.laws;
+  const auto into = c.total;
+  device::sum_then<1>(
+      "rockfold::contact::stored_energy", c.accepted.count, c.partial,
+      KOKKOS_LAMBDA(const Index i, device::Sums<1>& sum) {
+        const ContactPoint& p = point(i);
+        sum.value[0] += p.area * elastic_energy(p, laws(p.law));
+      },
+      KOKKOS_LAMBDA(const device::Sums<1>& sum) { into(0) = sum.value[0]; });
   return device::to_host(c.total)[0];
 }
 

@@ -100,7 +100,8 @@ Energy Motion::energy() const {
   e.damping = work.damping;
   e.quiet = work.quiet;
   e.ratio = work.ratio;
-  e.dissipated = m.now.initial_energy + e.loads + e.supports -
+  e.excavated = work.excavated;
+  e.dissipated = m.now.initial_energy + e.loads + e.supports - e.excavated -
                  (e.kinetic + e.strain + e.potential + e.contact);
   e.numerical = e.dissipated - (e.damping + e.quiet + e.ratio + e.friction + e.impact);
   return e;

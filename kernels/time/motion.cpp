@@ -86,6 +86,7 @@ void make_data(Motion::Data& m, const MotionSetup& setup) {
   m.now.dynamic_ratio = setup.dynamic_ratio;
   m.system.springs.multiplier = m.now.multiplier;  // one and the same array: saved with the state
   m.increment = device::make_field("motion::increment", m.unknowns);
+  m.gone = device::Array<std::uint8_t>("rockfold::motion::gone", m.unknowns);
   m.correction = device::make_field("motion::correction", m.unknowns);
   m.right = device::make_field("motion::right", m.unknowns);
   m.work = device::make_field("motion::work", m.unknowns);
@@ -159,7 +160,10 @@ void Motion::begin_stage(Real dynamic_ratio) {
 SolveReport Motion::start(Real dt) {
   if (data_->contact) motion::begin_contact(*data_);
   if (data_->now.dynamic_ratio == 0) return {};  // no acceleration is handed on
-  return motion::solve_initial_acceleration(*data_, dt);
+  const SolveReport report = motion::solve_initial_acceleration(*data_, dt);
+  for (const Field& field : {data_->now.velocity, data_->now.acceleration})
+    motion::leave_out_gone(*data_, field);
+  return report;
 }
 
 SolveReport Motion::step(Real dt, bool first, const TrackedPoints* watched) {

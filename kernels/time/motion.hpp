@@ -79,6 +79,12 @@ class Motion {
   /// rest: before such steps, and after them. A moving one goes on by start().
   void begin_stage(Real dynamic_ratio);
 
+  /// Rock is gone from here on, with its contacts and supports: its covers stay in place and unstrained, and nothing acts on them.
+  /// `gone` holds all rock that is. Only where blocks touch each other. Call start() before the next step.
+  void excavate(const GoneRock& gone);
+  /// The same for a state restored from bytes, in which it has been done.
+  void leave_out(const GoneRock& gone);
+
   /// The acceleration at t = 0. Fixed points are held against accelerating as steps of length dt will hold them.
   SolveReport start(Real dt);
   /// A step of length dt, or a part of one; the first hands the velocity on (without a velocity to hand on all parts are steps of their own).

@@ -17,7 +17,8 @@ namespace motion {
 
 /// J since the motion was given; see Energy.
 struct Work {
-  Real supports = 0, loads = 0, damping = 0, quiet = 0, ratio = 0, friction = 0, impact = 0;
+  Real supports = 0, loads = 0, damping = 0, quiet = 0, ratio = 0, friction = 0, impact = 0,
+       excavated = 0;
 };
 
 /// The numbers of a state.
@@ -75,6 +76,8 @@ struct Motion::Data {
   device::Field prescribed;   ///< of the fixed points, for the unknown being solved for
   device::Field support_way;  ///< of the fixed points in the step
   device::Array<Real> partial, sums;
+  device::Array<std::uint8_t> gone;        ///< [unknowns] 1: of rock that has been excavated
+  std::vector<std::uint8_t> gone_element;  ///< [elements] likewise; empty: none
 
   Real handed = 1;  ///< share of the velocity that the step now taken was handed
   Vec3 gravity{};
@@ -114,6 +117,8 @@ solve::ConstraintOptions solve_options(Motion::Data& m, Real reference);
 /// Where there is no next step in which the multipliers could go on.
 void close_gaps(solve::ConstraintOptions& how);
 
+/// Zeroes what belongs to rock that has been excavated.
+void leave_out_gone(const Motion::Data& m, const Field& x);
 /// See Motion::begin_stage.
 void begin_stage(Motion::Data& m, Real dynamic_ratio);
 SolveReport solve_initial_acceleration(Motion::Data& m, Real dt);

@@ -94,12 +94,17 @@ Forces find_residual(Motion::Data& m, const Step& step) {
   }
   const auto load = m.load, varying = m.varying, before = m.varying_before, right = m.right,
              internal = m.work;
+  const auto gone = m.gone;
   const bool varies = m.varying_loads.any(), middle = step.middle;
   const Real times = middle ? 2 : 1, share = step.load;
   const auto out = m.sums;
   device::sum_then<3>(
       "rockfold::motion::residual", m.unknowns, m.partial,
       KOKKOS_LAMBDA(const Index p, Sums<3>& sum) {
+        if (gone(p) != 0) {
+          for (int d = 0; d < 3; ++d) right(p, d) = 0;
+          return;
+        }
         for (int d = 0; d < 3; ++d) {
           const Real constant = share * times * load(p, d);
           const Real changing = varies ? share * (varying(p, d) + (middle ? before(p, d) : 0)) : 0;

@@ -9,7 +9,7 @@ namespace rockfold {
 namespace {
 
 /// Of the layout below: changed with it.
-constexpr std::uint64_t format = 0x0005'5441'5453'4652;  // "RFSTAT", 5
+constexpr std::uint64_t format = 0x0006'5441'5453'4652;  // "RFSTAT", 6
 
 /// Everything but the fields.
 struct Plain {
@@ -19,7 +19,7 @@ struct Plain {
   std::int64_t history;  ///< numbers behind the fields …
   std::int64_t contact;  ///< … and bytes of contacts behind those
 };
-static_assert(std::is_trivially_copyable_v<Plain> && sizeof(Plain) == 19 * 8);
+static_assert(std::is_trivially_copyable_v<Plain> && sizeof(Plain) == 20 * 8);
 
 std::size_t length_of(const device::Field& field) {
   return field.extent(0) * sizeof(Vec3);

@@ -189,6 +189,7 @@ bool solve_correction(Motion::Data& m, const Step& step, const Newton& newton, S
     Kokkos::deep_copy(m.correction, 0.0);
     total.add(solve::solve_constrained(m.system, m.right, m.prescribed, m.correction,
                                        m.now.displacement, how));
+    leave_out_gone(m, m.correction);
     if (total.converged || total.residual * newton.reference < good) return true;
     if (m.rock->linear() || interrupt_signal) return false;
   }

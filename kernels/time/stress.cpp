@@ -62,7 +62,10 @@ std::vector<std::array<Real, 6>> Motion::element_stress() const {
   const auto stress = device::allocate<Real>("motion::element_stress",
                                              6 * static_cast<std::size_t>(data_->elements));
   data_->rock->element_stress(data_->now.displacement, stress);
-  return motion::fetch(stress);
+  motion::Stresses result = motion::fetch(stress);
+  for (std::size_t e = 0; e < data_->gone_element.size(); ++e)
+    if (data_->gone_element[e] != 0) result[e] = {};
+  return result;
 }
 
 }  // namespace rockfold

@@ -189,6 +189,7 @@ std::optional<Continuum> continuum_after(const Model& model, Index stage,
   rock.fixed.clear();
   rock.tractions.clear();
   rock.point_loads.clear();
+  rock.analysis.reset();  // whose steps may excavate later
   for (Solid& solid : rock.solids) solid.interface = none;
   std::erase_if(rock.excavations, [&](const Excavation& e) { return e.stage > stage; });
   found.original_solids = static_cast<Index>(rock.solids.size());

@@ -28,6 +28,7 @@
 #include "src/app/signals.hpp"
 #include "src/app/support_design.hpp"
 #include "src/app/threads.hpp"
+#include "src/check/contact_needs.hpp"
 #include "src/check/key_use.hpp"
 #include "src/check/needs.hpp"
 #include "src/check/rock_check.hpp"
@@ -36,6 +37,7 @@
 #include "src/model/openings.hpp"
 #include "src/page/write_page.hpp"
 #include "src/printed/printed_report.hpp"
+#include "src/run/contact_setup.hpp"
 #include "src/run/run_analysis.hpp"
 #include "src/store/design_files.hpp"
 #include "src/store/histories.hpp"
@@ -74,7 +76,8 @@ CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockAr
   rock.velocities = rigid_velocities(rock.covering, blocks.block_count(), model);
   rock.block_vertices = locate_block_vertices(rock.covering, blocks);
   if (has_contact(model) && blocks.block_count() > 1) {
-    SurfaceArrays surfaces = contact_surfaces(cutting, blocks, rock.covering.arrays);
+    SurfaceArrays surfaces =
+        contact_surfaces(cutting, blocks, rock.covering.arrays, intact_law(model));
     MaterialPoints points = locate_vertices(rock.covering, surfaces.vertex, surfaces.vertex_block);
     rock.contact = ContactSurfaces{std::move(surfaces), std::move(points)};
   }
@@ -209,7 +212,7 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
   if (wants_run(options)) {
     check_contact(model, blocks, terminal);
     warn_of_contact(model, blocks, terminal);
-    warn_of_unbalanced_start(model, blocks_in_touch(blocks) > 0, terminal);
+    warn_of_unbalanced_start(model, blocks_in_touch(model, blocks) > 0, terminal);
     warn_of_keys_without_use(model, terminal);
     warn_of_conditional_stability(model, terminal);
     rock = clock.measure("cover", [&] { return cover_rock(cutting, model, blocks, terminal); });
@@ -255,6 +258,7 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
     warn_of_large_rotation(model, *run, terminal);
     warn_of_lost_energy(model, *run, terminal);
     warn_of_divided_steps(model, *run, terminal);
+    warn_of_made_energy(*run, terminal);
     warn_of_missing_factors(model, *run, terminal);
     if (!run->interrupted) warn_of_support_gap(model, *run, rock->fixed, terminal);
     warn_of_interruption(*run, model, terminal);

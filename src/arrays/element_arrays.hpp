@@ -63,6 +63,9 @@ struct Energy {
   Real impact = 0;     ///< of joints: by what closes, or lets go, within a step
   Real numerical = 0;  ///< by the scheme itself: rounding alone for average acceleration
 
+  Real excavated =
+      0;  ///< what rock had when it was excavated on the way, and what was stored in its joints
+
   Real loads = 0;     ///< work of loads that change in time and of the accelerated base
   Real supports = 0;  ///< work of fixed points on the rock
 };

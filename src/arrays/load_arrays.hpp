@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "src/arrays/cover_arrays.hpp"
@@ -39,6 +40,13 @@ struct InitialStress {
   std::array<Real, 6> gradient{};  ///< Pa a metre of depth
   Real reference_z = 0;            ///< m
   bool any = false;
+};
+
+/// Rock that is excavated on the way, by all that goes with it: 1 where it is gone.
+struct GoneRock {
+  std::vector<std::uint8_t> block;    ///< [B]
+  std::vector<std::uint8_t> cover;    ///< [covers]
+  std::vector<std::uint8_t> element;  ///< [elements] in the numbering of CoverArrays
 };
 
 /// A rigid motion given to blocks at t = 0, about their common mass centre.

@@ -42,15 +42,6 @@ void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& mode
                             Terminal& terminal);
 /// No block is finite, or none of the finite ones has a free face: block theory has nothing to look at.
 void warn_of_immobile_blocks(const BlockArrays& blocks, Terminal& terminal);
-/// How many blocks lean on another one once the excavations are made.
-Index blocks_in_touch(const BlockArrays& blocks);
-/// Several blocks that come apart: warns where they have no contact, and throws Error(model) where they have it with a scheme that makes
-/// energy in impacts.
-void check_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal);
-/// Blocks that touch each other: time steps in which they move far, and joints so stiff that they cost many iterations.
-void warn_of_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal);
-/// Blocks that `meet` at joints and whose weight a dynamic analysis puts on at once, though the joints do not bear it yet.
-void warn_of_unbalanced_start(const Model& model, bool meet, Terminal& terminal);
 /// Whether the model has joints, known before the rock is cut.
 bool has_joints(const Model& model);
 /// Strains are linear in the displacement yet, which is right for small rotations only.

@@ -83,6 +83,8 @@ struct ResultState {
       {};  ///< [K] Pa at the mesh's points; may be empty
   const std::vector<ContactSample>* contacts = nullptr;  ///< null: blocks do not touch each other
   std::uint64_t hash = 0;                                ///< of step, time and motion
+  /// [B] 1: excavated on the way; empty where nothing goes in any state.
+  std::span<const std::uint8_t> gone = {};
 };
 
 /// Writes one result file: the constructor, write_blocks, then for a `run` write_elements and

@@ -87,6 +87,7 @@ struct ResultWriter::Implementation {
   std::size_t block_count = 0, block_vertices = 0, unknowns = 0, elements = 0;
   std::vector<Index> polygon_block, polygon_material;  ///< [cells of Blocks]
   std::vector<Index> joint_vertex;  ///< [points of Joints] into BlockArrays::vertex
+  std::vector<Index> joint_block;   ///< [cells of Joints]
   const ElementMesh* mesh = nullptr;
   std::vector<Index> point_material;  ///< [K] of the mesh's points
   StressFields stresses;
@@ -188,8 +189,8 @@ void ResultWriter::Implementation::write_joint_grid(File& file, const BlockArray
                                      joints.polygon_begin, connectivity);
   vtkhdf::write_cell_field(file, grid, "joint",
                            gather<Index>(blocks.face_origin, joints.polygon_face, 1));
-  vtkhdf::write_cell_field(file, grid, "block",
-                           gather<Index>(block_of_face(blocks), joints.polygon_face, 1));
+  joint_block = gather<Index>(block_of_face(blocks), joints.polygon_face);
+  vtkhdf::write_cell_field(file, grid, "block", from_one(joint_block));
   grids.push_back(std::move(grid));
 }
 
@@ -281,7 +282,8 @@ std::int64_t ResultWriter::Implementation::bytes_of(const ResultState& state) co
   };
   return native + vtkhdf::state_bytes(points, 3) + stress(state.stress, mesh->element.size()) +
          stress(state.nodal_stress, mesh->point_count()) +
-         stress(state.block_stress, polygon_block.size());
+         stress(state.block_stress, polygon_block.size()) +
+         (state.gone.empty() ? 0 : std::ssize(polygon_block) + std::ssize(joint_block));
 }
 
 /// Stress of the elements, and its mean at their points.
@@ -312,6 +314,11 @@ void ResultWriter::Implementation::append_grids(File& file, const ResultState& s
       stresses.append(file, grid, {false, "", state.block_stress, polygon_block, polygon_material},
                       number);
     const bool joints = grid.name == "Joints";
+    if (!state.gone.empty())
+      vtkhdf::append_cell_field(
+          file, grid, "excavated", number,
+          gather<std::uint8_t>(std::vector(state.gone.begin(), state.gone.end()),
+                               joints ? joint_block : polygon_block));
     const auto of_joints = [&](const auto& values) {
       std::vector<std::array<float, 3>> out;
       for (const Index v : joint_vertex) out.push_back(values[v]);

@@ -161,6 +161,8 @@ template void append_point_field(File&, Grid&, const std::string&, std::int64_t,
 template void append_point_field(File&, Grid&, const std::string&, std::int64_t,
                                  const std::vector<Six>&);
 template void append_cell_field(File&, Grid&, const std::string&, std::int64_t,
+                                const std::vector<std::uint8_t>&);
+template void append_cell_field(File&, Grid&, const std::string&, std::int64_t,
                                 const std::vector<float>&);
 template void append_cell_field(File&, Grid&, const std::string&, std::int64_t,
                                 const std::vector<Three>&);

@@ -12,6 +12,11 @@ namespace {
 /// 2^n joint pyramids are told of.
 constexpr std::size_t largest_theory_sets = 10;
 
+/// Behind what asks for contact.
+const std::string contact_needs =
+    ", which this analysis does not have: it needs cover.joints = \"separate\", cover.order = 0 or "
+    "1, no cover.mixed, analysis.kinematics = \"large\" and no static analysis";
+
 /// Collects what is missing; the parts below read as the list of needs.
 class Needs {
  public:
@@ -139,11 +144,12 @@ class Needs {
       for (const Monitor& monitor : model_.monitors)
         if (!monitor.joint.empty())
           found_.push_back({key_of(monitor.place, "joint"),
-                            "records contact, which this analysis does not have: it needs "
-                            "cover.joints = \"separate\", cover.order = 0 or 1, no cover.mixed, "
-                            "analysis.kinematics = \"large\" and no static "
-                            "analysis (in \"" +
-                                monitor.name + "\")"});
+                            "records contact" + contact_needs + " (in \"" + monitor.name + "\")"});
+      const auto& steps = model_.analysis->stages;
+      for (const AnalysisStage& step : steps)
+        if (step.excavate != 0 && &step != &steps.front())
+          found_.push_back(
+              {key_of(step.place, "excavate"), "takes rock out of contact" + contact_needs});
       return;
     }
     if (model_.contact.max_penetration > 0)

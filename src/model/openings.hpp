@@ -1,4 +1,4 @@
-// Rock that is excavated or subtracted, and what block theory takes the in-situ stress round it for.
+// Rock that is excavated or subtracted: when, and what block theory takes the in-situ stress round it for.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +10,23 @@ namespace rockfold {
 inline bool has_openings(const Model& model) {
   return !model.excavations.empty() || std::any_of(model.solids.begin(), model.solids.end(),
                                                    [](const Solid& solid) { return !solid.add; });
+}
+
+/// Whether a step of the analysis takes rock away: one after the first, whose rock goes before anything moves.
+inline bool excavates_on_the_way(const Model& model) {
+  const auto& stages = model.analysis ? model.analysis->stages : std::vector<AnalysisStage>{};
+  return std::any_of(stages.begin(), stages.end(), [&](const AnalysisStage& step) {
+    return &step != &stages.front() && step.excavate != 0;
+  });
+}
+
+/// Whether rock of a stage of excavation (0: of none) is there as the analysis begins.
+inline bool is_there_at_first(const Model& model, Index stage) {
+  if (stage == 0) return true;
+  if (!model.analysis) return false;
+  const auto& stages = model.analysis->stages;
+  return std::any_of(stages.begin() + 1, stages.end(),
+                     [&](const AnalysisStage& step) { return step.excavate == stage; });
 }
 
 /// Whether the rock may stand for an elastic body that goes on: every solid's material has a Young's modulus, and some face continues.

@@ -117,7 +117,9 @@ Confirmed confirm(const Keyblock* key, std::vector<Index> members, const RunRepo
 std::vector<Confirmed> confirmed_motion(const RunReport& report) {
   std::vector<Confirmed> list;
   std::vector<std::uint8_t> told(report.blocks.volume.size(), 0);
+  const auto is_gone = [&](Index b) { return !report.run.gone.empty() && report.run.gone[b] != 0; };
   for (const Keyblock& key : report.keyblocks->keyblocks) {
+    if (std::any_of(key.members.begin(), key.members.end(), is_gone)) continue;
     list.push_back(confirm(&key, key.members, report));
     for (const Index b : key.members) told[b] = 1;
   }

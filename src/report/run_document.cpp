@@ -109,6 +109,7 @@ Json blocks_json(const RunReport& report) {
                {"rotation", motion.rotation},
                {"volume", motion.volume},
                {"stress", report.run.block_stress[b]}};
+    if (!report.run.gone.empty()) block["excavated"] = report.run.gone[b] != 0;
     add_measures(block, report.run.block_stress[b],
                  material_at(report.model, report.blocks.material[b]));
     list.push_back(std::move(block));
@@ -126,11 +127,11 @@ Json strength_json(const RockStrength& strength) {
 }
 
 Json energy_json(const Energy& e) {
-  return {{"kinetic", e.kinetic},  {"strain", e.strain},         {"potential", e.potential},
-          {"contact", e.contact},  {"dissipated", e.dissipated}, {"damping", e.damping},
-          {"quiet", e.quiet},      {"ratio", e.ratio},           {"friction", e.friction},
-          {"impact", e.impact},    {"numerical", e.numerical},   {"loads", e.loads},
-          {"supports", e.supports}};
+  return {{"kinetic", e.kinetic},   {"strain", e.strain},         {"potential", e.potential},
+          {"contact", e.contact},   {"dissipated", e.dissipated}, {"damping", e.damping},
+          {"quiet", e.quiet},       {"ratio", e.ratio},           {"friction", e.friction},
+          {"impact", e.impact},     {"numerical", e.numerical},   {"loads", e.loads},
+          {"supports", e.supports}, {"excavated", e.excavated}};
 }
 
 Json contacts_json(const RunResult& run) {

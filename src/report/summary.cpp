@@ -100,7 +100,9 @@ std::string check_summary(const Model& model, const std::vector<NamedExtent>& ex
     for (const AnalysisStage& stage : model.analysis->stages)
       text += fact(
           stage.name.empty() ? "analysis" : stage.name,
-          fmt::format("{}, {}", analysis_name(stage.type), counted(stage.steps, "step", "steps")));
+          fmt::format("{}, {}", analysis_name(stage.type), counted(stage.steps, "step", "steps")) +
+              (stage.excavate != 0 ? fmt::format(", without the rock of stage {}", stage.excavate)
+                                   : ""));
   for (const auto& [command, purpose] :
        {std::pair{"support", Purpose::support}, {"run", Purpose::run}})
     for (const auto& lack : missing_for(model, purpose))
@@ -177,8 +179,11 @@ std::string largest_text(const char* what, const LargestAtJoint& largest,
 
 std::string rest_facts(const RunReport& report) {
   const Rest& rest = *report.run.rest;
-  const Index blocks = report.blocks.block_count();
+  const Index gone = count_true(report.run.gone);
+  const Index blocks = report.blocks.block_count() - gone;
   std::string text =
+      gone == 0 ? "" : fact("excavated", counted(gone, "block", "blocks") + " on the way");
+  text +=
       fact("moved",
            fmt::format("{} of {} blocks by more than a hundredth of their size; {}",
                        grouped(rest.moved), grouped(blocks),
@@ -211,11 +216,11 @@ Vec3 sum_of_forces(const std::vector<Reaction>& conditions) {
 /// Without what is nothing but rounding and the solver's tolerance.
 std::string energy_text(const Energy& energy) {
   const std::pair<const char*, Real> parts[] = {
-      {"kinetic", energy.kinetic},          {"strain", energy.strain},
-      {"potential", energy.potential},      {"contact", energy.contact},
-      {"friction", energy.friction},        {"impact", energy.impact},
-      {"dissipated", energy.dissipated},    {"work of loads", energy.loads},
-      {"work of supports", energy.supports}};
+      {"kinetic", energy.kinetic},           {"strain", energy.strain},
+      {"potential", energy.potential},       {"contact", energy.contact},
+      {"friction", energy.friction},         {"impact", energy.impact},
+      {"dissipated", energy.dissipated},     {"work of loads", energy.loads},
+      {"work of supports", energy.supports}, {"excavated", energy.excavated}};
   Real largest = 0;
   for (const auto& [name, value] : parts) largest = std::max(largest, std::abs(value));
   std::string text;

@@ -59,6 +59,10 @@ JointLaw law_of(const JointMaterial& m, Real stiffness) {
 
 }  // namespace
 
+Index intact_law(const Model& model) {
+  return std::max<Index>(1, static_cast<Index>(model.joint_materials.size()));
+}
+
 ContactOptions contact_options(const Model& model, const BlockArrays& blocks) {
   const Real size = size_of(blocks);
   Real youngs_modulus = std::numeric_limits<Real>::infinity();
@@ -70,6 +74,9 @@ ContactOptions contact_options(const Model& model, const BlockArrays& blocks) {
   ContactOptions options;
   for (const JointMaterial& m : model.joint_materials) options.laws.push_back(law_of(m, stiffness));
   if (options.laws.empty()) options.laws.push_back(law_of({}, stiffness));  // smooth
+  JointLaw intact = law_of({}, stiffness);
+  intact.cohesion = intact.tensile_strength = std::numeric_limits<Real>::infinity();
+  options.laws.push_back(intact);
   options.material = std::max(model.contact.material, 0);
   options.restitution = model.contact.restitution;
   options.search_distance = reach_of_size * size;

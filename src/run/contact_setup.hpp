@@ -9,6 +9,10 @@ namespace rockfold {
 
 /// Laws of the joint materials and the rest of [contact]. A stiffness that is not given closes by 1e-5 of a block under its overburden,
 /// ρ g H / (1e-5 h), but is no more than E/h: a joint need not be stiffer than the rock. h is the cube root of the mean volume.
+/// Behind the joint materials comes the law of what no joint parts: `intact_law`.
 ContactOptions contact_options(const Model& model, const BlockArrays& blocks);
+
+/// Into the laws: of the faces between rock that is excavated on the way and other rock. Its bonds bear whatever comes.
+Index intact_law(const Model& model);
 
 }  // namespace rockfold

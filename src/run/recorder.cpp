@@ -2,6 +2,7 @@
 
 #include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
+#include "src/model/openings.hpp"
 #include "src/run/block_stress.hpp"
 #include "src/run/contact_samples.hpp"
 #include "src/run/contact_setup.hpp"
@@ -33,6 +34,7 @@ Recorder::Recorder(const RunInput& input, const PieceMoments& moments, const Sto
     history.name = monitor.name;
     history.material = material_of(input.covers, input.monitors.element[n]);
   }
+  if (excavates_on_the_way(input.model)) gone_.resize(input.blocks.block_count());
   if (!input.contact) return;
   laws_ = contact_options(input.model, input.blocks).laws;
   joints_.emplace(input, laws_, result.joint_monitors);
@@ -44,6 +46,14 @@ void Recorder::count_from(std::vector<Vec3> displacement) {
   zero_of_monitors_.clear();
   for (std::size_t n = 0; n < input_.monitors.size(); ++n)
     zero_of_monitors_.push_back(interpolate(input_.monitors, n, zero_));
+}
+
+void Recorder::leave_out(const GoneRock& gone) {
+  gone_ = gone.block;
+  if (zero_.empty()) return;
+  for (std::size_t p = 0; p < zero_.size(); ++p)
+    if (gone.cover[p % gone.cover.size()] != 0) zero_[p] = {};
+  count_from(std::move(zero_));
 }
 
 std::vector<Vec3> Recorder::counted(std::vector<Vec3> displacement) const {
@@ -69,7 +79,7 @@ std::vector<ContactSample> Recorder::contacts(const Motion& motion) const {
 void Recorder::store(const Motion& motion, Index step) {
   if (stored_ == step || !store_) return;
   const Timer timer;
-  StoredState state{step, motion.state(), motion.element_stress(), {}, {}, {}};
+  StoredState state{step, motion.state(), motion.element_stress(), {}, {}, {}, gone_};
   state.motion.displacement = counted(std::move(state.motion.displacement));
   if (input_.contact) state.contacts = contacts(motion);
   state.block_stress = average_block_stress(input_.covers, moments_, state.element_stress,

@@ -23,6 +23,10 @@ class Recorder {
 
   /// Displacements count from `displacement` of the covers from now on.
   void count_from(std::vector<Vec3> displacement);
+  /// Rock is gone, whose displacement is none: it counts from nothing.
+  void leave_out(const GoneRock& gone);
+  /// [B] 1: gone; empty where nothing goes in the analysis.
+  const std::vector<std::uint8_t>& gone() const { return gone_; }
   /// After `step` steps. Stores the state at the first and last, and at those that are a multiple of output.every.
   void record(const Motion& motion, Index step, bool last);
   /// What has been displaced since.
@@ -55,6 +59,7 @@ class Recorder {
   Index states_ = 0;                    ///< how many were
   std::vector<Vec3> zero_;              ///< of the covers' displacement; empty: none
   std::vector<Vec3> zero_of_monitors_;  ///< likewise
+  std::vector<std::uint8_t> gone_;      ///< [B]
 };
 
 }  // namespace rockfold

@@ -44,7 +44,8 @@ Real largest_speed(const std::vector<BlockMotion>& velocity) {
 
 Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
                const std::vector<BlockMotion>& whole, const std::vector<BlockMotion>& velocity,
-               const std::vector<ContactPoint>& start, const std::vector<Vec3>& covers) {
+               const std::vector<ContactPoint>& start, const std::vector<Vec3>& covers,
+               const std::vector<std::uint8_t>& gone) {
   Rest rest;
   const auto& volume = input.blocks.volume;
   for (std::size_t b = 0; b < counted.size(); ++b) {
@@ -54,6 +55,7 @@ Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
   for (const ContactPoint& p : start) {
     if (p.joint == none) continue;
     const Index block[2] = {block_of[p.vertex[0]], block_of[p.vertex[3]]};
+    if (!gone.empty() && (gone[block[0]] != 0 || gone[block[1]] != 0)) continue;
     const Vec3 normal = rotated({p.normal[0], p.normal[1], p.normal[2]}, whole[block[1]].rotation);
     const Vec3 apart = way_apart(input, p, covers);
     const Real opening = dot(normal, apart);

@@ -11,10 +11,11 @@ Real resting_speed(const RunInput& input);
 /// Of the fastest block.
 Real largest_speed(const std::vector<BlockMotion>& velocity);
 
-/// [B] `counted` displacements say what moved, `whole` ones how the blocks have turned; `velocity`: averages of the velocity likewise, m/s. `start`: the contact points of step 0; those of joints say how far
+/// [B] `gone`: 1 of blocks that are no more (empty: none); what they touched does not count. `counted` displacements say what moved, `whole` ones how the blocks have turned; `velocity`: averages of the velocity likewise, m/s. `start`: the contact points of step 0; those of joints say how far
 /// what lay opposite each other has gone apart (opening) and along the joint (slip), under `covers` m of the unknowns.
 Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
                const std::vector<BlockMotion>& whole, const std::vector<BlockMotion>& velocity,
-               const std::vector<ContactPoint>& start, const std::vector<Vec3>& covers);
+               const std::vector<ContactPoint>& start, const std::vector<Vec3>& covers,
+               const std::vector<std::uint8_t>& gone);
 
 }  // namespace rockfold

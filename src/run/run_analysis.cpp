@@ -19,6 +19,7 @@
 #include "src/run/block_stress.hpp"
 #include "src/run/contact_samples.hpp"
 #include "src/run/contact_setup.hpp"
+#include "src/run/gone_rock.hpp"
 #include "src/run/loose_parts.hpp"
 #include "src/run/recorder.hpp"
 #include "src/run/rest.hpp"
@@ -84,12 +85,6 @@ std::string number(Real value) {
   text.precision(3);
   text << value;
   return text.str();
-}
-
-Index block_of(const CoverArrays& covers, Index element) {
-  const Index parts = covers.parts_per_cell(), whole = parts * covers.regular_count();
-  return element < whole ? covers.regular_block[element / parts]
-                         : covers.piece_block[covers.piece_begin[element - whole]];
 }
 
 /// Two blocks that press each other, and where.
@@ -366,6 +361,11 @@ void Run::record_contacts() {
 void Run::begin(const AnalysisStage& stage) {
   if (!at_.begun) {
     if (at_.stage > 0) motion_.begin_stage(stage.share_handed_on());
+    if (at_.stage > 0 && stage.excavate != 0) {
+      const GoneRock gone = gone_rock(input_, at_.stage);
+      motion_.excavate(gone);
+      recorder_.leave_out(gone);
+    }
     if (stage.reset_displacement) recorder_.count_from(motion_.state().displacement);
     at_.begun = 1;
   }
@@ -412,6 +412,10 @@ void Run::restore(std::span<const std::byte> checkpoint) try {
   std::vector<std::byte> motion;
   archive.pass(motion);
   motion_.restore(motion);
+  const GoneRock gone = gone_rock(input_, at_.begun ? at_.stage : at_.stage - 1);
+  if (gone.block.empty()) return;
+  motion_.leave_out(gone);
+  recorder_.leave_out(gone);
 } catch (const Error&) {
   throw;
 } catch (const std::exception& error) {
@@ -467,6 +471,7 @@ void Run::summarise() {
   result.energy = result.energies.back();
   result.reactions = motion_.reactions();
   const std::vector<Vec3> whole = motion_.state().displacement, counted = recorder_.counted(whole);
+  result.gone = recorder_.gone();
   const Index blocks = input_.blocks.block_count();
   const bool large = analysis_.large();
   result.conditions =
@@ -483,7 +488,7 @@ void Run::summarise() {
     result.rest =
         find_rest(input_, result.blocks, in_all,
                   average_block_motion(input_.covers, moments_, motion_.state().velocity, blocks),
-                  start_, whole);
+                  start_, whole, result.gone);
     result.rest->since = recorder_.at_rest_since();
     for (const Index e : input_.fixed.points.element)
       if (e != none) result.courses[block_of(input_.covers, e)].held = 1;

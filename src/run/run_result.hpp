@@ -27,6 +27,7 @@ struct StoredState {
   std::vector<Stress> block_stress;    ///< [B] mean over each block's volume
   std::vector<Stress> nodal_stress;    ///< [K] at RunInput::mesh's points; empty without one
   std::optional<std::vector<ContactSample>> contacts;  ///< where blocks touch each other
+  std::vector<std::uint8_t> gone;  ///< [B] 1: excavated on the way; empty where nothing goes in any
 };
 
 /// One material point over time; every vector has one entry for t = 0 and one for each step done.
@@ -151,6 +152,7 @@ struct RunResult {
   ContactHistory contact_history;    ///< at the times of the energies; empty without contact
   std::optional<Rest> rest;          ///< with contact
   std::vector<BlockCourse> courses;  ///< [B] with contact
+  std::vector<std::uint8_t> gone;    ///< [B] 1: excavated on the way; empty where nothing goes
   std::vector<JointHistory>
       joint_monitors;  ///< in the order of those of Model::monitors that have a joint
   Real support_gap =

@@ -49,7 +49,7 @@ constexpr std::pair<const char*, Real Energy::*> energy_parts[] = {
     {"quiet", &Energy::quiet},           {"friction", &Energy::friction},
     {"impact", &Energy::impact},         {"numerical", &Energy::numerical},
     {"ratio", &Energy::ratio},           {"loads", &Energy::loads},
-    {"supports", &Energy::supports}};
+    {"supports", &Energy::supports},     {"excavated", &Energy::excavated}};
 
 }  // namespace
 

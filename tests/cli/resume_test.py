@@ -63,6 +63,20 @@ every = 1
 checkpoint_every = 0.02
 """
 
+# What the stack stands on is dug away, all but what is held.
+DUG = """
+[[excavation]]
+name = "pit"
+shape = "box"
+min = [0.6, -1, -1]
+max = [2, 2, 1]
+[[step]]
+name = "dig"
+type = "dynamic"
+steps = 40
+excavate = 1
+"""
+
 
 class Resume(ProgramTest):
     def setUp(self):
@@ -114,6 +128,15 @@ class Resume(ProgramTest):
             self.assertTrue(filecmp.cmp(self.folder / "whole.vtkhdf", self.folder / "part.vtkhdf", shallow=False))
             self.assertNotIn("part.vtkhdf.journal", self.files())
             (self.folder / "part.vtkhdf").unlink()
+
+    def test_rock_that_was_excavated_on_the_way_stays_away(self):
+        self.write("stack.toml", STACK + DUG)
+        whole = self.whole_run()
+        self.assertEqual([block["excavated"] for block in whole["blocks"]].count(True), 1)
+        self.assertEqual(self.stopped(signal.SIGINT, 98), 130)
+        self.assertGreater(self.json_of("info", "part.vtkhdf")["states"]["step"][-1], 50)
+        self.assertEqual(self.resumed(), whole)
+        self.assertTrue(filecmp.cmp(self.folder / "whole.vtkhdf", self.folder / "part.vtkhdf", shallow=False))
 
     def test_killed_runs_too_with_all_states_that_were_stored(self):
         whole = self.whole_run()

@@ -22,6 +22,7 @@ struct NotYet {
 TEST(NotSupportedYet, IsSaidByTheRunAlone) {
   const NotYet cases[] = {
       {"[cover]\nspacing = 1\norder = 2\n[[joint]]\nname = 'bed'\nnormal = [0, 0, 1]\npoint = [1, 1, 1]\n[[monitor]]\nname = 'crest'\npoint = [1, 1, 1]\njoint = 'bed'\n", 21, 1, "monitor[1].joint"},
+      {"[cover]\nspacing = 1\norder = 2\n[[excavation]]\nshape = 'box'\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n[[step]]\n[[step]]\nexcavate = 1\n", 22, 1, "step[2].excavate"},
       {BLOCKS "[contact]\nmax_penetration = 1e-4\n", 16, 1, "contact.max_penetration"},
   };
   for (const auto& [text, line, column, key] : cases) {

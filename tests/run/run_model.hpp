@@ -48,7 +48,7 @@ inline void run_model(const std::string& text, ModelAnswer& answer,
                  loads, quiet,           velocities, vertices};
   ContactSurfaces contact;
   if (has_contact(model) && blocks.block_count() > 1) {
-    contact.surfaces = contact_surfaces(cutting, blocks, covering.arrays);
+    contact.surfaces = contact_surfaces(cutting, blocks, covering.arrays, intact_law(model));
     contact.points =
         locate_vertices(covering, contact.surfaces.vertex, contact.surfaces.vertex_block);
     input.contact = &contact;

@@ -1,7 +1,9 @@
 // [analysis], [solver] and [output].
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 
 #include "src/model/read/draft.hpp"
 #include "src/model/read/read_value.hpp"
@@ -151,6 +153,26 @@ void read_stage(TableReader& in, AnalysisStage& stage, StageDefaults& given) {
   read_dynamic_ratio(in, stage);
 }
 
+/// An excavation has the stage, and no step before takes its rock.
+void check_excavate(TableReader& in, const Draft& draft, const std::vector<AnalysisStage>& before,
+                    Index stage) {
+  std::set<Index> known;
+  for (const Excavation& e : draft.model.excavations) known.insert(e.stage);
+  const auto takes_it = [&](const AnalysisStage& step) { return step.excavate == stage; };
+  const auto earlier = std::find_if(before.begin(), before.end(), takes_it);
+  if (known.empty()) {
+    in.wrong("excavate", "found " + std::to_string(stage) + ", but there is no [[excavation]]");
+  } else if (!known.contains(stage)) {
+    std::string stages;
+    for (const Index s : known) stages += (stages.empty() ? "" : ", ") + std::to_string(s);
+    in.wrong("excavate", "found " + std::to_string(stage) +
+                             ", must be a stage of an [[excavation]]: " + stages);
+  } else if (earlier != before.end()) {
+    in.wrong("excavate", "found " + std::to_string(stage) + ", whose rock \"" + earlier->name +
+                             "\" takes away already");
+  }
+}
+
 /// [[step]]: analyses in order. `usual`: what [analysis] says.
 void read_stages(Draft& draft, const StageDefaults& usual) {
   std::vector<AnalysisStage> stages;
@@ -163,7 +185,10 @@ void read_stages(Draft& draft, const StageDefaults& usual) {
     in.read("name", stage.name, Need::optional);
     read_stage(in, stage, given);
     in.read("reset_displacement", stage.reset_displacement, Need::optional);
-    for (const char* later : {"excavate", "release", "base_acceleration"}) in.not_yet(later);
+    if (in.has("excavate") &&
+        in.read("excavate", stage.excavate, IntegerRange{.low = 1}, Need::optional))
+      check_excavate(in, draft, stages, stage.excavate);
+    for (const char* later : {"release", "base_acceleration"}) in.not_yet(later);
     stages.push_back(stage);
   });
   if (stages.empty()) return;

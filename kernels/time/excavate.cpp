@@ -1,0 +1,72 @@
+// Rock that is excavated on the way. Its covers belong to no other block: their unknowns stay in the system, at rest in place, where the forces
+// on them are left out.
+#include <vector>
+
+#include "kernels/time/step_kernel.hpp"
+
+namespace rockfold {
+namespace motion {
+namespace {
+
+/// Points that it was held at hold nothing.
+void let_go(const Motion::Data& m) {
+  const solve::Springs s = m.system.springs;
+  if (!s.any()) return;
+  const auto gone = m.gone;
+  const Field reaction = m.now.reaction;
+  device::for_each(
+      "rockfold::motion::let_go", s.points.count, KOKKOS_LAMBDA(const Index n) {
+        const Index first = s.points.begin(n);
+        if (first == s.points.begin(n + 1) || gone(s.points.unknown(first)) == 0) return;
+        for (int d = 0; d < 3; ++d) {
+          s.given_stiffness(n, d) = s.stiffness(n, d) = s.augmented(n, d) = 0;
+          s.by_multiplier(n, d) = s.compliance(n, d) = s.multiplier(n, d) = 0;
+          s.target(n, d) = reaction(n, d) = 0;
+        }
+      });
+}
+
+/// J, of motion and all that is stored.
+Real mechanical_energy(const Motion& motion) {
+  const Energy e = motion.energy();
+  return e.kinetic + e.strain + e.potential + e.contact;
+}
+
+}  // namespace
+
+void leave_out_gone(const Motion::Data& m, const Field& x) {
+  if (m.gone_element.empty()) return;
+  const auto gone = m.gone;
+  device::for_each(
+      "rockfold::motion::leave_out_gone", m.unknowns, KOKKOS_LAMBDA(const Index p) {
+        if (gone(p) != 0)
+          for (int d = 0; d < 3; ++d) x(p, d) = 0;
+      });
+}
+
+}  // namespace motion
+
+void Motion::leave_out(const GoneRock& gone) {
+  Data& m = *data_;
+  std::vector<std::uint8_t> unknown;
+  for (Index p = 0; p < m.unknowns; ++p) unknown.push_back(gone.cover[p % m.covers]);
+  Kokkos::deep_copy(m.gone, device::to_device("motion::gone", unknown));
+  m.gone_element = gone.element;
+  motion::let_go(m);
+  contact::set_gone(m.contact->contacts, gone.block);
+}
+
+void Motion::excavate(const GoneRock& gone) {
+  Data& m = *data_;
+  const Real before = motion::mechanical_energy(*this);
+  leave_out(gone);
+  for (const device::Field& field : {m.now.displacement, m.now.velocity, m.now.acceleration})
+    motion::leave_out_gone(m, field);
+  m.now.multiplier_history.forget();
+  contact::set_motion(*m.contact, m.now.displacement, m.now.velocity, 0, 0);
+  contact::forget_gone(m.contact->contacts, m.contact->motion.x);
+  m.now.contact_energy = contact::stored_energy(m.contact->contacts);
+  m.now.work.excavated += before - motion::mechanical_energy(*this);
+}
+
+}  // namespace rockfold

@@ -1,0 +1,157 @@
+#include "src/check/contact_needs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "src/base/error.hpp"
+#include "src/base/vector.hpp"
+#include "src/model/openings.hpp"
+#include "src/report/error_text.hpp"
+
+namespace rockfold {
+
+namespace {
+
+Index blocks_at_first(const Model& model, const BlockArrays& blocks) {
+  return static_cast<Index>(
+      std::count_if(blocks.stage.begin(), blocks.stage.end(),
+                    [&](Index stage) { return is_there_at_first(model, stage); }));
+}
+
+/// How many blocks could go through others: those that lean on each other; where motions are large and go on, any.
+Index blocks_that_may_meet(const Model& model, const BlockArrays& blocks) {
+  const bool travels = model.analysis->large() && !model.analysis->has(AnalysisType::static_);
+  return travels ? blocks_at_first(model, blocks) : blocks_in_touch(model, blocks);
+}
+
+}  // namespace
+
+Index blocks_in_touch(const Model& model, const BlockArrays& blocks) {
+  const auto is_there = [&](Index b) { return is_there_at_first(model, blocks.stage[b]); };
+  std::vector<std::uint8_t> touches(blocks.stage.size());
+  for (const auto& shared : blocks.interfaces)
+    if (is_there(shared.block[0]) && is_there(shared.block[1]))
+      for (const Index b : shared.block) touches[b] = 1;
+  return static_cast<Index>(std::count(touches.begin(), touches.end(), std::uint8_t{1}));
+}
+
+void check_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal) {
+  const Index count = blocks_that_may_meet(model, blocks);
+  if (count < 2 || model.cover->joints == JointTreatment::welded) return;
+  if (has_contact(model)) {
+    const Analysis& analysis = *model.analysis;
+    if (!analysis.has(AnalysisType::dynamic) ||
+        (analysis.newmark_beta == 0.25 && analysis.newmark_gamma == 0.5))
+      return;
+    Place place = analysis.place;
+    place.key += ".newmark";
+    throw Error(ErrorKind::model,
+                {{place,
+                  "must be {beta = 0.25, gamma = 0.5} where blocks touch each other: only "
+                  "then is no energy made in impacts"}});
+  }
+  terminal.warn(fmt::format(
+      "the {} blocks move through each other: contact needs cover.order = 0 or 1, no cover.mixed, "
+      "analysis.kinematics = \"large\" and no static analysis (\"quasi_static\" finds the same "
+      "rest). With cover.joints = \"welded\" the rock moves as one mass",
+      count));
+}
+
+namespace {
+
+/// Of their size, by which blocks move in a step that contact finds its way through, and in one that it hardly does.
+constexpr Real good_way = 0.02, long_way = 0.2;
+/// Times E/h: joints as stiff as a hundred of these yield a hundredth of what the rock does; the iterations grow with k h/E.
+constexpr Real stiff = 1000;
+/// Of the energy that the rock has given, what contact may make out of nothing before it shows in the motion.
+constexpr Real largest_made_share = 0.01;
+
+/// m: the cube root of the mean volume.
+Real size_of(const BlockArrays& blocks) {
+  Real volume = 0;
+  for (const Real v : blocks.volume) volume += v;
+  return std::cbrt(volume / static_cast<Real>(blocks.block_count()));
+}
+
+/// m/s: of blocks that have fallen by their own size, or as fast as they start.
+Real expected_speed(const Model& model, Real size) {
+  Real speed = std::sqrt(2 * norm(model.gravity) * size);
+  for (const InitialVelocity& v : model.initial_velocities)
+    speed = std::max(speed, norm(v.velocity));
+  return speed;
+}
+
+void warn_of_contact_steps(const Model& model, Real size, Terminal& terminal) {
+  Real longest = 0;
+  for (const AnalysisStage& stage : model.analysis->stages)
+    if (stage.type == AnalysisType::dynamic) longest = std::max(longest, stage.time_step);
+  const Real speed = expected_speed(model, size), way = longest * speed / size;
+  if (way <= long_way) return;
+  terminal.warn(fmt::format(
+      "analysis.time_step = {:.3g} s is long for contact: blocks of {:.2g} m at {:.2g} m/s (their "
+      "start, or a fall by their size) move by {:.2g} of their size in a step, which takes many "
+      "iterations or is divided. {:.1g} s is a good start",
+      longest, size, speed, way, good_way * size / speed));
+}
+
+void warn_of_stiff_joints(const Model& model, Real size, Terminal& terminal) {
+  Real modulus = 0;
+  for (const Material& m : model.materials) modulus = std::max(modulus, m.young_modulus);
+  const Real rock = modulus / size;
+  for (const JointMaterial& joint : model.joint_materials)
+    for (const auto& [key, k] : {std::pair{"normal_stiffness", joint.normal_stiffness},
+                                 std::pair{"shear_stiffness", joint.shear_stiffness}})
+      if (k && *k >= stiff * rock)
+        terminal.warn(fmt::format(
+            "{}.{} = {:.3g} Pa/m is {:.2g} times E/h of the blocks (h = {:.2g} m, E/h = {:.2g} "
+            "Pa/m): contact so stiff takes many iterations; from 100 times E/h on joints yield a "
+            "hundredth of what the rock does",
+            joint.place.key, key, *k, *k / rock, size, rock));
+}
+
+}  // namespace
+
+void warn_of_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal) {
+  if (blocks_at_first(model, blocks) < 2 || model.cover->joints == JointTreatment::welded ||
+      !has_contact(model))
+    return;
+  const Real size = size_of(blocks);
+  warn_of_contact_steps(model, size, terminal);
+  warn_of_stiff_joints(model, size, terminal);
+}
+
+void warn_of_unbalanced_start(const Model& model, bool meet, Terminal& terminal) {
+  if (!meet || !has_contact(model) || model.gravity == Vec3{} || model.initial_stress.any) return;
+  const AnalysisStage& first = model.analysis->stages.front();
+  if (first.share_handed_on() == 0) return;
+  Place place = first.place;
+  place.key += ".type";
+  terminal.warn(diagnostic_line(
+      {place,
+       "is \"dynamic\" from the start, which is no equilibrium: gravity comes on at once, the "
+       "joints bear nothing yet, blocks bounce on them and those near their limit may slip. A "
+       "[[step]] of type = \"quasi_static\" before it brings the rock to rest under its weight"}));
+}
+
+void warn_of_made_energy(const RunResult& run, Terminal& terminal) {
+  Real made = 0, given = 0;
+  Index steps = 0;
+  for (std::size_t n = 1; n < run.energies.size(); ++n) {
+    const Energy &now = run.energies[n], &before = run.energies[n - 1];
+    given = std::max({given, std::abs(now.potential), now.kinetic, now.dissipated});
+    if (now.impact >= before.impact) continue;
+    made += before.impact - now.impact;
+    ++steps;
+  }
+  if (made <= largest_made_share * given) return;
+  terminal.warn(fmt::format(
+      "contact made {:.3g} J out of nothing in {} of {} steps (energy.impact falls there), {:.2g} "
+      "% "
+      "of what the rock gave: blocks moved or turned so far in a step that they touch on other "
+      "areas at its end. A shorter time_step makes less",
+      made, steps, run.steps, 100 * made / given));
+}
+
+}  // namespace rockfold

@@ -1,0 +1,35 @@
+#include "src/run/gone_rock.hpp"
+
+#include <algorithm>
+
+#include "src/arrays/shape_functions.hpp"
+
+namespace rockfold {
+
+Index block_of(const CoverArrays& covers, Index element) {
+  const Index parts = covers.parts_per_cell(), whole = parts * covers.regular_count();
+  return element < whole ? covers.regular_block[element / parts]
+                         : covers.piece_block[covers.piece_begin[element - whole]];
+}
+
+GoneRock gone_rock(const RunInput& input, Index stage) {
+  const auto& stages = input.model.analysis->stages;
+  GoneRock gone;
+  for (const Index of_block : input.blocks.stage)
+    gone.block.push_back(
+        std::any_of(stages.begin() + 1, stages.begin() + stage + 1, [&](const AnalysisStage& step) {
+          return step.excavate != 0 && step.excavate == of_block;
+        }));
+  if (std::count(gone.block.begin(), gone.block.end(), 1) == 0) return {};
+  const CoverArrays& covers = input.covers;
+  gone.cover.resize(covers.cover_count());
+  for (Index e = 0; e < covers.element_count(); ++e) {
+    gone.element.push_back(gone.block[block_of(covers, e)]);
+    if (gone.element.back() == 0) continue;
+    const ElementNodes nodes = element_nodes(covers, e);
+    for (int a = 0; a < covers.nodes_per_part(); ++a) gone.cover[nodes.cover[a]] = 1;
+  }
+  return gone;
+}
+
+}  // namespace rockfold

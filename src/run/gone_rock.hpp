@@ -1,0 +1,15 @@
+// Rock that the steps of an analysis have taken away.
+#pragma once
+
+#include "src/arrays/load_arrays.hpp"
+#include "src/run/run_analysis.hpp"
+
+namespace rockfold {
+
+/// What is gone once stage `stage` of the analysis has begun: by Analysis::stages 1 … `stage`. Empty vectors where nothing is.
+GoneRock gone_rock(const RunInput& input, Index stage);
+
+/// The block of an element.
+Index block_of(const CoverArrays& covers, Index element);
+
+}  // namespace rockfold

@@ -1,0 +1,134 @@
+// Rock that a step of the analysis takes away: `excavate` of [[step]].
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "src/base/vector.hpp"
+#include "tests/run/run_model.hpp"
+
+namespace rockfold {
+namespace {
+
+constexpr Real gravity = 9.81, density = 2500;
+
+const std::string rock =
+    "[[material]]\ndensity = 2500\nyoung_modulus = 1e9\npoisson_ratio = 0.2\n"
+    "[[joint_material]]\nname = 'clean'\nfriction_angle = 30\n"
+    "[cover]\nlattice = 'block'\n";
+
+std::string box(const std::string& name, const std::string& min, const std::string& max) {
+  return "[[solid]]\nname = '" + name + "'\nshape = 'box'\nmin = " + min + "\nmax = " + max + "\n";
+}
+
+std::string taken(const std::string& min, const std::string& max, int stage = 1) {
+  return "[[excavation]]\nname = 'cut" + std::to_string(stage) +
+         "'\nstage = " + std::to_string(stage) + "\nshape = 'box'\nmin = " + min +
+         "\nmax = " + max + "\n";
+}
+
+const std::string settle =
+    "[analysis]\nkinematics = 'large'\n"
+    "[[step]]\nname = 'gravity'\ntype = 'quasi_static'\ntime_step = 1\nsteps = 10\n";
+const std::string then_fall =
+    "[[step]]\nname = 'fall'\ntype = 'dynamic'\ntime_step = 0.002\nend_time = 0.1\nexcavate = 1\n";
+
+/// Three cubes on each other, on the lowest of which, held, all rest.
+std::string tower(const std::string& analysis) {
+  return rock + box("rock", "[0, 0, 0]", "[1, 1, 3]") +
+         "[[joint_set]]\nname = 'bed'\nmaterial = 'clean'\ndip = 0\ndip_direction = 0\n"
+         "spacing = 1\norigin = [0, 0, 1]\n"
+         "[[fixed]]\nwhere = {block_at = [0.5, 0.5, 0.5]}\n"
+         "[[monitor]]\nname = 'top'\npoint = [0.5, 0.5, 2.5]\n" +
+         analysis;
+}
+
+/// What the account of energies leaves open from step `first` on, over the largest of them.
+Real imbalance(const RunResult& run, std::size_t first) {
+  Real worst = 0, largest = 0;
+  for (std::size_t n = first; n < run.energies.size(); ++n) {
+    const Energy& e = run.energies[n];
+    largest = std::max({largest, std::abs(e.potential), std::abs(e.kinetic)});
+    worst = std::max(worst, std::abs(e.numerical - run.energies[first].numerical));
+  }
+  return worst / largest;
+}
+
+TEST(Excavation, LetsFallFreelyWhatItHeld) {
+  const std::string middle = taken("[-1, -1, 1]", "[2, 2, 2]");
+  const ModelAnswer answer = run_model(tower(middle + settle + then_fall));
+  const MonitorHistory& top = answer.result.monitors[0];
+  ASSERT_EQ(top.time.size(), 61u);
+  EXPECT_NEAR(top.displacement[10][2], 0, 1e-3);  // it stood
+  for (std::size_t n = 10; n < 61; ++n) {
+    const Real t = top.time[n] - top.time[10];
+    // Its centroid: the rock that was pressed together vibrates about it.
+    EXPECT_NEAR(top.displacement[n][2] - top.displacement[10][2], -0.5 * gravity * t * t, 1e-9);
+  }
+  const RunResult& run = answer.result;
+  EXPECT_EQ(run.gone, (std::vector<std::uint8_t>{0, 1, 0}));
+  EXPECT_EQ(run.contacts.stick + run.contacts.slide, 0);
+  EXPECT_EQ(norm(run.blocks[1].displacement), 0);
+  EXPECT_EQ(run.block_stress[1], Stress{});
+  EXPECT_LT(imbalance(run, 10), 1e-9);
+  // The cube that went, and both joints, had been pressed together; it had come down a little.
+  EXPECT_EQ(run.energies[10].excavated, 0);
+  EXPECT_NE(run.energy.excavated, 0);
+  EXPECT_EQ(run.energy.excavated, run.energies[11].excavated);
+}
+
+TEST(Excavation, TakesWhatRestsOnSupportsOffThem) {
+  const std::string side = taken("[1, -1, -1]", "[3, 2, 4]");
+  const std::string model = rock + box("rock", "[0, 0, 0]", "[2, 1, 2]") +
+                            "[[joint]]\nname = 'wall'\nmaterial = 'clean'\ndip = 90\n"
+                            "dip_direction = 90\npoint = [1, 0, 0]\n"
+                            "[[fixed]]\nwhere = {face = 'rock.zmin'}\n" +
+                            side + settle +
+                            "[[step]]\ntype = 'quasi_static'\ntime_step = 1\nsteps = 10\n"
+                            "excavate = 1\n";
+  const ModelAnswer answer = run_model(model);
+  Real held = 0;
+  for (const Vec3& force : answer.result.reactions) held += force[2];
+  EXPECT_NEAR(held / (density * gravity * 2), 1, 1e-6);
+}
+
+TEST(Excavation, BoundariesPartNothingBeforehand) {
+  // A block hangs from what is held; the excavation takes the upper half of what hangs.
+  const std::string hanging = rock + box("rock", "[0, 0, 0]", "[1, 1, 3]") +
+                              "[[fixed]]\nwhere = {block_at = [0.5, 0.5, 2.5]}\n"
+                              "[[monitor]]\nname = 'low'\npoint = [0.5, 0.5, 0.5]\n" +
+                              taken("[-1, -1, 1]", "[2, 2, 2]") + settle + then_fall;
+  const ModelAnswer answer = run_model(hanging);
+  const MonitorHistory& low = answer.result.monitors[0];
+  EXPECT_LT(std::abs(low.displacement[10][2]), 1e-3);
+  EXPECT_NEAR(low.displacement.back()[2] - low.displacement[10][2], -0.5 * gravity * 0.01, 1e-9);
+}
+
+TEST(Excavation, GoesStageByStage) {
+  // The upper of two supports bears until its own stage comes; the lower one goes first and changes nothing.
+  const std::string model =
+      tower(taken("[-1, -1, 1]", "[2, 2, 2]", 2) + taken("[0.6, -1, 0]", "[2, 2, 1]", 1) + settle +
+            "[[step]]\ntype = 'dynamic'\ntime_step = 0.002\nsteps = 20\nexcavate = 1\n"
+            "[[step]]\ntype = 'dynamic'\ntime_step = 0.002\nsteps = 20\nexcavate = 2\n");
+  const ModelAnswer answer = run_model(model);
+  const MonitorHistory& top = answer.result.monitors[0];
+  EXPECT_LT(std::abs(top.displacement[30][2]), 1e-3);
+  const Real speed = top.velocity[30][2];
+  const Real t = 0.04;
+  EXPECT_NEAR(top.displacement[50][2] - top.displacement[30][2], speed * t - 0.5 * gravity * t * t,
+              1e-9);
+}
+
+TEST(Excavation, BeforeTheFirstStepIsAsWithoutOne) {
+  const std::string middle = taken("[-1, -1, 1]", "[2, 2, 2]");
+  const std::string fall =
+      "[analysis]\nkinematics = 'large'\n"
+      "[[step]]\ntype = 'dynamic'\ntime_step = 0.002\nsteps = 10\n";
+  const ModelAnswer plain = run_model(tower(middle + fall)),
+                    named = run_model(tower(middle + fall + "excavate = 1\n"));
+  EXPECT_EQ(plain.result.monitors[0].displacement, named.result.monitors[0].displacement);
+}
+
+}  // namespace
+}  // namespace rockfold
