@@ -158,28 +158,42 @@ class PlaneSearch {
                at(pose.x, s_.edge_vertex(2 * p.first)) - at(pose.x, s_.edge_vertex(2 * p.second)));
   }
 
+  /// How good a plane with that gap at the end is. False where it is none of those looked for.
+  KOKKOS_INLINE_FUNCTION bool find_score(const Plane& p, const Vector& n, Real gap,
+                                         Real& score) const {
+    score = gap;
+    if (q_.how != Search::swept) return true;
+    // Edges that were not extreme at the start say nothing about it: there the direction itself is asked.
+    const Vector m = direction(s_, before_, p);
+    if (!(dot(m, n) > near_direction)) return false;
+    const Real start =
+        p.kind == Plane::edges ? gap_along(s_, before_, q_.a, q_.b, m) : gap_of(before_, p, m);
+    if (!(start > 0)) return false;
+    score = gap > 0 ? 1 + gap : start / (start - gap);  // the time of crossing, up to 1
+    return true;
+  }
+
+  KOKKOS_INLINE_FUNCTION bool is_better(const Plane& p, Real score) const {
+    // A plane of edges has to be better by more than rounding: faces carry more points.
+    const Real margin = p.kind == Plane::edges ? s_.tolerance : 0;
+    return best_.plane.kind == Plane::unknown || score > best_.score + margin;
+  }
+
   KOKKOS_INLINE_FUNCTION void try_plane(const Plane& p) {
     const Vector n = direction(s_, now_, p);
     if (dot(n, n) == 0) return;
     if (q_.how == Search::local && dot(n, q_.near) < near_direction) return;
-    const Real gap = gap_of(now_, p, n);
-    Real score = gap;
-    if (q_.how == Search::swept) {
-      // Edges that were not extreme at the start say nothing about it: there the direction itself is asked.
-      const Vector m = direction(s_, before_, p);
-      if (!(dot(m, n) > near_direction)) return;
-      const Real start =
-          p.kind == Plane::edges ? gap_along(s_, before_, q_.a, q_.b, m) : gap_of(before_, p, m);
-      if (!(start > 0)) return;
-      score = gap > 0 ? 1 + gap : start / (start - gap);  // the time of crossing, up to 1
+    Real gap = gap_of(now_, p, n), score = 0;
+    if (!find_score(p, n, gap, score) || !is_better(p, score)) return;
+    // Of edges that are parallel but for rounding, and of faces that are no wider than it, it may point anywhere: then parts reach beyond.
+    const Real whole = gap_along(s_, now_, q_.a, q_.b, p, n);
+    if (p.kind == Plane::edges ? whole < gap - s_.tolerance : whole < gap - q_.enough) {
+      gap = whole;
+      if (!find_score(p, n, gap, score) || !is_better(p, score)) return;
     }
-    // A plane of edges has to be better by more than rounding: faces carry more points.
-    const Real margin = p.kind == Plane::edges ? s_.tolerance : 0;
-    if (best_.plane.kind == Plane::unknown || score > best_.score + margin) {
-      best_.plane = p;
-      best_.score = score;
-      best_.gap = gap;
-    }
+    best_.plane = p;
+    best_.score = score;
+    best_.gap = gap;
     done_ = gap > q_.enough;
   }
 

@@ -227,6 +227,32 @@ TEST(BlocksOnAPlane, SlideOverJointsThatCrossIt) {
   EXPECT_GE(answer.result.energies.back().impact, 0);
 }
 
+/// A plate of 0.3 m on a slab, both turned, in map coordinates: corners that should lie in one plane are off it by 1e-9 m, and
+/// edges that should be parallel by as much.
+TEST(BlockOnAPlane, StaysInMapCoordinates) {
+  const ModelAnswer answer = run_model(
+      rock(49.65) +
+      "[[solid]]\nname = 'slab'\nshape = 'prism'\n"
+      "base = [[5000002.599984501, 399998.7792735497, 800.865972016236], "
+      "[5000000.756332703, 400003.65375091427, 794.7963411814779], "
+      "[4999997.01499843, 400002.2386827662, 794.7963411814779], "
+      "[4999998.858650228, 399997.3642054016, 800.865972016236]]\n"
+      "extrude = [-0.26840441452659736, 0.7096411831765627, 0.6514356924535243]\n"
+      "[[solid]]\nname = 'plate'\nshape = 'prism'\ninterface = 'clean'\n"
+      "base = [[5000000.582895022, 399999.8722286832, 800.3793519271724], "
+      "[5000000.352438547, 400000.4815383538, 799.6206480728276], "
+      "[4999999.417104979, 400000.12777131674, 799.6206480728276], "
+      "[4999999.647561454, 399999.51846164616, 800.3793519271724]]\n"
+      "extrude = [-0.08052132435797921, 0.2128923549529688, 0.19543070773605728]\n"
+      "[[fixed]]\nwhere = {block_at = [5000000.134202207, 399999.6451794084, 799.6742821537732]}\n"
+      "[cover]\n" +
+      block_covers + "\n[analysis]\ntype = 'quasi_static'\ntime_step = 0.1\nsteps = 15\n");
+  const ContactCount& points = answer.result.contacts;
+  EXPECT_GT(points.stick + points.slide, 0);
+  EXPECT_LT(norm(answer.result.blocks[1].displacement), 1e-4);
+  EXPECT_GE(answer.result.energy.impact, 0);
+}
+
 TEST(RockingBlock, ThatDoesNotSettleIsNamedWithItsPlace) {
   std::ifstream model(ROCKFOLD_SOURCE_DIR "/tests/cases/rocking_block/model.toml");
   const std::string text{std::istreambuf_iterator<char>(model), {}};
