@@ -45,7 +45,7 @@ void check_volumes(const Covered& c, Faults& faults) {
   std::vector<long double> expected(complex.block_count, 0), found(complex.block_count, 0);
   long double all = 0, sum = 0;
   for (Index cell = 0; cell < complex.cells.size(); ++cell)
-    if (complex.stays(cell)) expected[complex.cell_block[cell]] += complex.moments[cell].volume;
+    if (complex.is_analysed(cell)) expected[complex.cell_block[cell]] += complex.moments[cell].volume;
   for (const Index b : a.regular_block) found[b] += lattice_cell_volume(a);
   for (Index q = 0; q < a.piece_count(); ++q)
     found[a.piece_block[q]] += share * exact_piece_volume(a, q);
@@ -72,7 +72,7 @@ Index body_count(const Covered& c, Real least) {
   UnionFind bodies(complex.block_count);
   if (c.model.cover->joints == JointTreatment::welded) {
     for (const Fragment& f : complex.fragments)
-      if (!complex.touches_sliver(f) && complex.stays(f.cell[0]) && complex.stays(f.cell[1])) {
+      if (!complex.touches_sliver(f) && complex.is_analysed(f.cell[0]) && complex.is_analysed(f.cell[1])) {
         std::vector<Vec3> corner;
         const Polygon polygon = complex.polygon_of(f);
         for (const Vertex& v : polygon.corner) corner.push_back(v.x);
@@ -80,7 +80,7 @@ Index body_count(const Covered& c, Real least) {
           bodies.join(complex.cell_block[f.cell[0]], complex.cell_block[f.cell[1]]);
       }
     for (const Beam& b : complex.beams)
-      if (b.cell[1] != none && complex.stays(b.cell[0]) && complex.stays(b.cell[1]) &&
+      if (b.cell[1] != none && complex.is_analysed(b.cell[0]) && complex.is_analysed(b.cell[1]) &&
           width_in_plane(b.polygon, complex.planes.normal(plane_of(
                                         complex.cells[b.cell[0]].faces[b.face[0]].inside))) > least)
         bodies.join(complex.cell_block[b.cell[0]], complex.cell_block[b.cell[1]]);
@@ -130,7 +130,7 @@ void check_surface(const Covered& c, Faults& faults) {
   SurfaceSplitter splitter(complex, c.covering);
   const Real rounding = 1e-13 * complex.planes.model_size() * complex.planes.model_size();
   for (const FreePart& f : complex.free_parts) {
-    if (!complex.stays(f.cell)) continue;
+    if (!complex.is_analysed(f.cell)) continue;
     Real area = 0;
     Index strangers = 0;
     splitter.split(complex.polygon_of(f), f.cell, f.face, [&](const Holder& h, const Polygon& q) {
