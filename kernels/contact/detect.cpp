@@ -117,13 +117,12 @@ KOKKOS_INLINE_FUNCTION void inherit(const Scene& e, Index pair, const Plane& pla
 }
 
 /// Planes of all candidates, and the pairs near enough to have points. Returns how many.
-Index find_planes(DeviceContacts& c, const Scene& scene, const Array<Plane>& plane) {
-  const Index pairs = scene.pairs.count;
+Index find_planes(DeviceContacts& c, const Scene& e, const Array<Plane>& plane) {
+  const Index pairs = e.pairs.count;
   grow(c.near, "contact::near", pairs + 1);
   grow(c.near_pair, "contact::near_pair", pairs);
   const auto near = c.near;
   const auto near_pair = c.near_pair;
-  const Scene e = scene;
   device::for_each(
       "rockfold::contact::planes", pairs,
       KOKKOS_LAMBDA(const Index i) {
@@ -165,14 +164,13 @@ KOKKOS_INLINE_FUNCTION Index stage_pair(const Scene& e, Index pair, Plane& plane
 }
 
 /// The points of the near pairs, each pair in a place of its own.
-void stage_points(DeviceContacts& c, const Scene& scene, const Array<Plane>& plane, Index near) {
+void stage_points(DeviceContacts& c, const Scene& e, const Array<Plane>& plane, Index near) {
   grow(c.staged_count, "contact::staged_count", near + 1);
   for (;;) {
     grow(c.staged, "contact::staged", static_cast<std::size_t>(near) * c.capacity);
     const auto near_pair = c.near_pair, staged_count = c.staged_count;
     const auto staged = c.staged;
     const Index capacity = c.capacity;
-    const Scene e = scene;
     device::for_each(
         "rockfold::contact::points", near,
         KOKKOS_LAMBDA(const Index k) {

@@ -45,7 +45,8 @@ void check_volumes(const Covered& c, Faults& faults) {
   std::vector<long double> expected(complex.block_count, 0), found(complex.block_count, 0);
   long double all = 0, sum = 0;
   for (Index cell = 0; cell < complex.cells.size(); ++cell)
-    if (complex.is_analysed(cell)) expected[complex.cell_block[cell]] += complex.moments[cell].volume;
+    if (complex.is_analysed(cell))
+      expected[complex.cell_block[cell]] += complex.moments[cell].volume;
   for (const Index b : a.regular_block) found[b] += lattice_cell_volume(a);
   for (Index q = 0; q < a.piece_count(); ++q)
     found[a.piece_block[q]] += share * exact_piece_volume(a, q);
@@ -72,7 +73,8 @@ Index body_count(const Covered& c, Real least) {
   UnionFind bodies(complex.block_count);
   if (c.model.cover->joints == JointTreatment::welded) {
     for (const Fragment& f : complex.fragments)
-      if (!complex.touches_sliver(f) && complex.is_analysed(f.cell[0]) && complex.is_analysed(f.cell[1])) {
+      if (!complex.touches_sliver(f) && complex.is_analysed(f.cell[0]) &&
+          complex.is_analysed(f.cell[1])) {
         std::vector<Vec3> corner;
         const Polygon polygon = complex.polygon_of(f);
         for (const Vertex& v : polygon.corner) corner.push_back(v.x);
