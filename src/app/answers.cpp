@@ -60,16 +60,16 @@ std::string report_fact(const std::string& path) {
 }
 
 /// As exact as it is.
-std::string estimate_facts(const Estimate& estimate) {
+std::string estimate_facts(const Estimate& estimate, bool contact) {
   const std::string tried = estimate.steps > 0 ? fmt::format(" ({} of {} steps were tried)",
                                                              estimate.tried, estimate.steps)
                                                : "";
   return fact("estimate",
-              fmt::format("`rockfold {}` takes about {} and {}{}", estimate.command,
+              fmt::format("`rockfold {}` takes about {} and {}{}{}", estimate.command,
                           size_text(estimate.memory),
                           estimate.seconds < 120 ? fmt::format("{:.2g} s", estimate.seconds)
                                                  : fmt::format("{:.2g} min", estimate.seconds / 60),
-                          tried));
+                          contact ? " or more: contact costs more once blocks slide" : "", tried));
 }
 
 std::string page_summary(const std::string& path, const PageFacts& facts) {
@@ -267,7 +267,8 @@ void print_check(const Options& options, const Model& model,
     return made;
   };
   deliver(options, terminal.warnings(), {}, {}, document, [&] {
-    return check_summary(model, extents) + (estimate ? estimate_facts(*estimate) : "");
+    return check_summary(model, extents) +
+           (estimate ? estimate_facts(*estimate, has_contact(model)) : "");
   });
 }
 

@@ -283,20 +283,21 @@ void warn_of_lost_energy(const Model& model, const RunResult& run, Terminal& ter
       lost, largest));
 }
 
-namespace {
-Real longest_step(const Analysis& analysis) {
-  Real longest = 0;
-  for (const AnalysisStage& stage : analysis.stages) longest = std::max(longest, stage.time_step);
-  return longest;
-}
-}  // namespace
-
 void warn_of_divided_steps(const Model& model, const RunResult& run, Terminal& terminal) {
   if (run.divided_steps == 0) return;
+  std::string keys;
+  for (std::size_t s = 0; s < run.divided_in_stage.size(); ++s) {
+    const AnalysisStage& stage = model.analysis->stages[s];
+    if (run.divided_in_stage[s] == 0) continue;
+    const std::string of_stage =
+        fmt::format("{} of {} in \"{}\", ", run.divided_in_stage[s], stage.steps, stage.name);
+    keys += fmt::format("{}{}{}.time_step = {:.3g} s", keys.empty() ? "" : "; ",
+                        stage.name.empty() ? "" : of_stage, stage.place.key, stage.time_step);
+  }
   terminal.warn(fmt::format(
-      "{} of {} steps did not converge at once and were divided, into {} parts at most: with an "
-      "analysis.time_step shorter than {:.3g} s all steps would be alike",
-      run.divided_steps, run.steps, run.most_parts, longest_step(*model.analysis)));
+      "{} of {} steps did not converge at once and were divided, into {} parts at most ({}): with "
+      "a shorter one all steps would be alike",
+      run.divided_steps, run.steps, run.most_parts, keys));
 }
 
 void warn_of_support_gap(const Model& model, const RunResult& run, const FixedPoints& fixed,

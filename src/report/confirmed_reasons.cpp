@@ -46,11 +46,11 @@ Reason Reasons::of_stay(const Confirmed& c) const {
   const auto& courses = report_.run.courses;
   if (std::any_of(c.members.begin(), c.members.end(), [&](Index b) { return courses[b].held; }))
     return Reason::held;
-  if (c.key->batch > 1) return Reason::batch;
   Real mass = 0;
   for (const Index b : c.members) mass += report_.blocks.mass[b];
   const Real way = way_from_rest(c.key->sliding_force / mass, *report_.model.analysis);
   if (!has_moved({way, 0, 0}, c.key->volume)) return Reason::time;
+  if (c.key->batch > 1) return Reason::batch;
   if (other_loads()) return Reason::loads;
   if (report_.model.initial_stress.any) return Reason::in_situ_stress;
   return has_tensile_strength() ? Reason::strength : Reason::neighbours;

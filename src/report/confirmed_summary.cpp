@@ -1,8 +1,10 @@
 // Key blocks beside their motion, as text.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "src/base/vector.hpp"
 #include "src/report/confirmed.hpp"
@@ -85,6 +87,27 @@ std::string counts(const std::vector<Confirmed>& keys) {
   return text;
 }
 
+/// Block theory's forces have cohesion in them; a joint that slips has what is left of it.
+std::string cohesion_note(const RunReport& report, const std::vector<Confirmed>& keys) {
+  const auto& materials = report.model.joint_materials;
+  std::set<std::string> weaker;
+  for (const FaceOrigin& origin : report.blocks.origins)
+    if (origin.joint_material != none && materials[origin.joint_material].cohesion >
+                                             materials[origin.joint_material].residual_cohesion)
+      weaker.insert(origin.name);
+  std::set<std::string> slipped;
+  for (const Confirmed& c : keys)
+    if (c.seen == SeenMode::sliding)
+      for (const std::string& plane : c.key->planes)
+        if (weaker.contains(plane)) slipped.insert(plane);
+  if (slipped.empty()) return "";
+  return fmt::format(
+      "\n  Blocks on {} go farther than their net force says: cohesion is gone at the first slip "
+      "but "
+      "for residual_cohesion.\n",
+      fmt::join(slipped, ", "));
+}
+
 }  // namespace
 
 std::string confirmed_summary(const RunReport& report, std::size_t most) {
@@ -104,8 +127,9 @@ std::string confirmed_summary(const RunReport& report, std::size_t most) {
   std::string text;
   if (other_count > 0) text += fact("others that move", others);
   if (keys.empty()) return text;
+  const std::string note = cohesion_note(report, keys);
   return fact("key blocks that move", counts(keys)) + text + "\n" + keyblock_table(keys, most) +
-         "\n";
+         note + "\n";
 }
 
 }  // namespace rockfold

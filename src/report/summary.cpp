@@ -177,6 +177,13 @@ std::string largest_text(const char* what, const LargestAtJoint& largest,
                      largest.block[1] + 1);
 }
 
+/// Whether displacements count from a later step than the first.
+bool resets(const Model& model) {
+  const auto& steps = model.analysis->stages;
+  return std::any_of(steps.begin(), steps.end(),
+                     [](const AnalysisStage& step) { return step.reset_displacement; });
+}
+
 std::string rest_facts(const RunReport& report) {
   const Rest& rest = *report.run.rest;
   const Index gone = count_true(report.run.gone);
@@ -191,7 +198,9 @@ std::string rest_facts(const RunReport& report) {
                                     : fmt::format("the fastest moves at {:.3g} m/s", rest.speed)));
   for (const auto& [what, largest] :
        {std::pair{"largest slip", rest.slip}, {"largest opening", rest.opening}})
-    if (largest.block[0] != none) text += fact("", largest_text(what, largest, report.blocks));
+    if (largest.block[0] != none)
+      text += fact("", largest_text(what, largest, report.blocks) +
+                           (resets(report.model) ? ", since t = 0" : ""));
   const ContactCount& c = report.run.contacts;
   return text + fact("contact points", fmt::format("{} stick, {} slide, {} open", grouped(c.stick),
                                                    grouped(c.slide), grouped(c.open)));
@@ -233,8 +242,8 @@ std::string energy_text(const Energy& energy) {
 /// The preconditioner of the last solve, and the fallback by its name where one was taken.
 std::string preconditioner_text(const RunResult& run) {
   const std::int64_t count = run.iterations.fallbacks;
-  const std::string name = preconditioner_name(run.preconditioner),
-                    fallback = preconditioner_name(Preconditioner::direct);
+  const std::string fallback = preconditioner_name(Preconditioner::direct);
+  std::string name = preconditioner_name(run.preconditioner);
   if (count == 0) return name;
   return fmt::format("{}, {}as fallback in {} solve{}", name,
                      name == fallback ? "" : fallback + " ", grouped(count), count == 1 ? "" : "s");
@@ -256,9 +265,11 @@ std::string run_summary(const RunReport& report) {
       fact("steps", fmt::format("{} to t = {:.6g} s, {} solver iterations ({})", steps, run.time,
                                 grouped(run.iterations.pcg), preconditioner_text(run)));
   const LargestDisplacement& largest = run.largest_displacement;
+  const bool counts_anew = resets(report.model);
   if (largest.block != none)
-    text += fact("largest displacement", fmt::format("{:.4g} m, in block {} at {}", largest.length,
-                                                     largest.block + 1, point_text(largest.point)));
+    text += fact("largest displacement",
+                 fmt::format("{:.4g} m, in block {} at {}{}", largest.length, largest.block + 1,
+                             point_text(largest.point), counts_anew ? ", since the reset" : ""));
   if (run.rest) text += rest_facts(report);
   for (const auto& monitor : run.monitors) text += monitor_facts(monitor);
   for (const auto& monitor : run.joint_monitors) text += monitor_facts(monitor);

@@ -89,9 +89,10 @@ std::string doubtful_summary(const KeyblockReport& report) {
   for (const auto& block : report.stable)
     if (block.support_force > 0) ++count, force += block.support_force;
   if (count == 0) return "";
-  return fact("below the target", fmt::format("{} more blocks stay, but need {:.4g} kN for the "
-                                              "target factor of safety",
-                                              count, force / 1e3));
+  return fact("below the target",
+              fmt::format("{} {}, but {} {:.4g} kN for the target factor of safety", count,
+                          count == 1 ? "more block stays" : "more blocks stay",
+                          count == 1 ? "needs" : "need", force / 1e3));
 }
 
 /// What blocks need together.

@@ -313,6 +313,8 @@ bool Run::take_step(Index step, Real dt) {
   result_.largest_substeps = std::max(result_.largest_substeps, at.parts);
   if (at.needed > 1 && !result_.interrupted) {
     ++result_.divided_steps;
+    result_.divided_in_stage.resize(analysis_.stages.size());
+    ++result_.divided_in_stage[at_.stage];
     result_.most_parts = std::max(result_.most_parts, at.needed);
   }
   result_.seconds.solve += timer.seconds();

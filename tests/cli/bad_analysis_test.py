@@ -82,7 +82,7 @@ class DividedSteps(ProgramTest):
         self.assertGreater(totals["divided_steps"], 0)
         self.assertEqual(warnings, [
             f"{totals['divided_steps']} of 3 steps did not converge at once and were divided, into {totals['largest_substeps']} "
-            "parts at most: with an analysis.time_step shorter than 0.2 s all steps would be alike"])
+            "parts at most (analysis.time_step = 0.2 s): with a shorter one all steps would be alike"])
 
     def test_as_the_user_asked_are_no_news(self):
         totals, warnings = self.run_spun("--set", "analysis.time_step=0.05", "--set", "analysis.max_displacement_ratio=1")

@@ -64,7 +64,7 @@ TEST(WrongSupport, OfBolts) {
       {TYPE "force_capacity = -1\ndisplacement_capacity = 1", 8, 18, "bolt_type[1].force_capacity", "must be > 0 (N)"},
       {TYPE "force_capacity = 1\ndisplacement_capacity = 0", 9, 25, "bolt_type[1].displacement_capacity", "found 0, must be > 0 (m)"},
       {TYPE "force_capacity = 1", 6, 1, "bolt_type[1].displacement_capacity", "is missing, must be > 0 (m)"},
-      {TYPE CAPACITIES "bond_strength = 0", 10, 17, "bolt_type[1].bond_strength", "must be > 0 (N per m of bolt)"},
+      {TYPE CAPACITIES "bond_strength = 0", 10, 17, "bolt_type[1].bond_strength", "must be > 0 (N/m)"},
       {TYPE CAPACITIES "plate_capacity = -1", 10, 18, "bolt_type[1].plate_capacity", "must be >= 0 (N)"},
       {TYPE CAPACITIES "shear_capacity = -1", 10, 18, "bolt_type[1].shear_capacity", "must be >= 0 (N)"},
       {TYPE CAPACITIES "coupling = 'cmc'", 10, 12, "bolt_type[1].coupling", "did you mean \"CMC\"?"},

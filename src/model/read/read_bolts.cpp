@@ -46,7 +46,7 @@ BoltType read_capacities(TableReader& in) {
       in.read("displacement_capacity", type.displacement_capacity, positive("m"));
   if (!in.read("plate_capacity", type.plate_capacity, not_negative("N"), Need::optional))
     type.plate_capacity = type.force_capacity;
-  in.read("bond_strength", type.bond_strength, positive("N per m of bolt"));
+  in.read("bond_strength", type.bond_strength, positive("N/m"));
   in.read("shear_capacity", type.shear_capacity, not_negative("N"), Need::optional);
   if (!in.read("stiffness", type.stiffness, positive("N/m"), Need::optional) && force &&
       displacement)
