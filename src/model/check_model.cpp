@@ -145,9 +145,8 @@ class Needs {
         if (!monitor.joint.empty())
           found_.push_back({key_of(monitor.place, "joint"),
                             "records contact" + contact_needs + " (in \"" + monitor.name + "\")"});
-      const auto& steps = model_.analysis->stages;
-      for (const AnalysisStage& step : steps)
-        if (step.excavate != 0 && &step != &steps.front())
+      for (const AnalysisStage& step : model_.analysis->stages)
+        if (step.excavate != 0)
           found_.push_back(
               {key_of(step.place, "excavate"), "takes rock out of contact" + contact_needs});
       return;

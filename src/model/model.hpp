@@ -431,7 +431,7 @@ struct AnalysisStage {
   Index steps = 100;                ///< resolved from `steps` or `end_time`; 1 for static
   Real dynamic_ratio = 1.0;         ///< [0, 1]: share of the velocity handed to the next step
   bool reset_displacement = false;  ///< displacements and monitors count from its start
-  /// Stage of excavation whose rock goes at its start; 0: none.
+  /// Stage of excavation whose rock goes at its start; 0: none, as in the first.
   Index excavate = 0;
   Place place = {};
   /// Of the velocity, to the next step.

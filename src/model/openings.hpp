@@ -12,21 +12,18 @@ inline bool has_openings(const Model& model) {
                                                    [](const Solid& solid) { return !solid.add; });
 }
 
-/// Whether a step of the analysis takes rock away: one after the first, whose rock goes before anything moves.
+/// Whether a step of the analysis takes rock away.
 inline bool excavates_on_the_way(const Model& model) {
-  const auto& stages = model.analysis ? model.analysis->stages : std::vector<AnalysisStage>{};
-  return std::any_of(stages.begin(), stages.end(), [&](const AnalysisStage& step) {
-    return &step != &stages.front() && step.excavate != 0;
-  });
+  return model.analysis &&
+         std::any_of(model.analysis->stages.begin(), model.analysis->stages.end(),
+                     [](const AnalysisStage& step) { return step.excavate != 0; });
 }
 
 /// Whether rock of a stage of excavation (0: of none) is there as the analysis begins.
 inline bool is_there_at_first(const Model& model, Index stage) {
-  if (stage == 0) return true;
-  if (!model.analysis) return false;
-  const auto& stages = model.analysis->stages;
-  return std::any_of(stages.begin() + 1, stages.end(),
-                     [&](const AnalysisStage& step) { return step.excavate == stage; });
+  const auto takes_it = [&](const AnalysisStage& step) { return step.excavate == stage; };
+  return stage == 0 || (model.analysis && std::any_of(model.analysis->stages.begin(),
+                                                      model.analysis->stages.end(), takes_it));
 }
 
 /// Whether the rock may stand for an elastic body that goes on: every solid's material has a Young's modulus, and some face continues.

@@ -16,10 +16,10 @@ GoneRock gone_rock(const RunInput& input, Index stage) {
   const auto& stages = input.model.analysis->stages;
   GoneRock gone;
   for (const Index of_block : input.blocks.stage)
-    gone.block.push_back(
-        std::any_of(stages.begin() + 1, stages.begin() + stage + 1, [&](const AnalysisStage& step) {
-          return step.excavate != 0 && step.excavate == of_block;
-        }));
+    gone.block.push_back(of_block != 0 && std::any_of(stages.begin(), stages.begin() + stage + 1,
+                                                      [&](const AnalysisStage& step) {
+                                                        return step.excavate == of_block;
+                                                      }));
   if (std::count(gone.block.begin(), gone.block.end(), 1) == 0) return {};
   const CoverArrays& covers = input.covers;
   gone.cover.resize(covers.cover_count());

@@ -6,7 +6,7 @@
 
 namespace rockfold {
 
-/// What is gone once stage `stage` of the analysis has begun: by Analysis::stages 1 … `stage`. Empty vectors where nothing is.
+/// What is gone once the stages of the analysis up to `stage` have begun. Empty vectors where nothing is.
 GoneRock gone_rock(const RunInput& input, Index stage);
 
 /// The block of an element.

@@ -185,6 +185,7 @@ class Run {
 
  private:
   void begin(const AnalysisStage& stage);
+  void excavate();
   void record_start();
   void go_on(const AnalysisStage& stage, Progress& progress);
   void pass(Archive& archive);
@@ -360,14 +361,18 @@ void Run::record_contacts() {
   at_.newton = substeps_ = 0;
 }
 
+/// Takes away the rock that the stage now begun takes; there may be none.
+void Run::excavate() {
+  const GoneRock gone = gone_rock(input_, at_.stage);
+  if (gone.block.empty()) return;
+  motion_.excavate(gone);
+  recorder_.leave_out(gone);
+}
+
 void Run::begin(const AnalysisStage& stage) {
   if (!at_.begun) {
     if (at_.stage > 0) motion_.begin_stage(stage.share_handed_on());
-    if (at_.stage > 0 && stage.excavate != 0) {
-      const GoneRock gone = gone_rock(input_, at_.stage);
-      motion_.excavate(gone);
-      recorder_.leave_out(gone);
-    }
+    if (stage.excavate != 0) excavate();
     if (stage.reset_displacement) recorder_.count_from(motion_.state().displacement);
     at_.begun = 1;
   }

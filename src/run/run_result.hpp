@@ -173,10 +173,10 @@ struct RunResult {
   } seconds;
 
   LargestDisplacement largest_displacement;  ///< at the end
-  Index largest_substeps = 1;  ///< the finest subdivision of a step, whatever asked for it
-  Index divided_steps = 0;     ///< steps that did not converge until they were divided …
+  Index largest_substeps = 1;           ///< the finest subdivision of a step, whatever asked for it
+  Index divided_steps = 0;              ///< steps that did not converge until they were divided …
   std::vector<Index> divided_in_stage;  ///< [stages] … of each stage; empty: none
-  Index most_parts = 1;        ///< into how many at most
+  Index most_parts = 1;                 ///< into how many at most
 };
 
 }  // namespace rockfold

@@ -120,6 +120,14 @@ TEST(Excavation, GoesStageByStage) {
               1e-9);
 }
 
+TEST(Excavation, OfNoRockChangesNothing) {
+  const std::string beside = taken("[5, 5, 5]", "[6, 6, 6]");
+  const std::string go_on = "[[step]]\ntype = 'dynamic'\ntime_step = 0.002\nsteps = 3\n";
+  const ModelAnswer plain = run_model(tower(settle + go_on)),
+                    named = run_model(tower(beside + settle + go_on + "excavate = 1\n"));
+  EXPECT_EQ(plain.result.monitors[0].displacement, named.result.monitors[0].displacement);
+}
+
 TEST(Excavation, BeforeTheFirstStepIsAsWithoutOne) {
   const std::string middle = taken("[-1, -1, 1]", "[2, 2, 2]");
   const std::string fall =

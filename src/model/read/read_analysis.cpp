@@ -192,6 +192,7 @@ void read_stages(Draft& draft, const StageDefaults& usual) {
     stages.push_back(stage);
   });
   if (stages.empty()) return;
+  stages.front().excavate = 0;  // gone before anything moves, as what no step names
   if (!draft.model.analysis) draft.model.analysis.emplace().place = stages[0].place;
   draft.model.analysis->stages = stages;
 }
