@@ -54,18 +54,41 @@ KOKKOS_INLINE_FUNCTION void add_stretch(const Vector& s, const Vector& n, const 
   p.memory.shear[1] += dot(s, cross(n, a));
 }
 
-/// Copies the memories of points that live on. Points born into a pair that had some are as whole as all of those were; those of a joint
-/// are opened by dilation as it is in the mean. Returns how many were born.
-KOKKOS_INLINE_FUNCTION Index keep_memories(const Span& old, const Span& now) {
+/// What a point born into a pair remembers: it is as whole as all were that the pair had; those of a joint have slipped and are opened by
+/// dilation as it is in the mean; and the mean closing speed of those that touched is the one that its rebound is measured by: an impact goes
+/// on where corners change their names in it.
+KOKKOS_INLINE_FUNCTION ContactMemory memory_of_newborn(const Span& old) {
   ContactMemory newborn;
-  Real dilation = 0, area = 0;
+  Real dilation = 0, slip = 0, of_joint = 0, approach = 0, touching = 0;
+  newborn.met = newborn.parting = 1;
   for (Index j = 0; j < old.count; ++j) {
-    newborn.broken = newborn.broken || old[j].memory.broken;
-    newborn.met = j == 0 ? old[j].memory.met : newborn.met && old[j].memory.met;
+    const ContactMemory& memory = old[j].memory;
+    newborn.broken = newborn.broken || memory.broken;
+    newborn.met = newborn.met && memory.met;
+    if (memory.state != Contact::open) {
+      approach += old[j].area * memory.approach;
+      touching += old[j].area;
+      newborn.parting = newborn.parting && memory.parting;
+    }
     if (old[j].joint == none) continue;
-    dilation += old[j].area * old[j].memory.dilation;
-    area += old[j].area;
+    dilation += old[j].area * memory.dilation;
+    slip += old[j].area * memory.slip;
+    of_joint += old[j].area;
   }
+  if (of_joint > 0) {
+    newborn.dilation = dilation / of_joint;
+    newborn.slip = slip / of_joint;
+  }
+  if (touching > 0)
+    newborn.approach = approach / touching;
+  else
+    newborn.parting = 0;
+  return newborn;
+}
+
+/// Copies the memories of points that live on. Returns how many were born.
+KOKKOS_INLINE_FUNCTION Index keep_memories(const Span& old, const Span& now) {
+  const ContactMemory newborn = memory_of_newborn(old);
   Index born = 0;
   for (Index i = 0; i < now.count; ++i) {
     ContactPoint& p = now[i];
@@ -81,10 +104,9 @@ KOKKOS_INLINE_FUNCTION Index keep_memories(const Span& old, const Span& now) {
     ++born;
     if (old.count == 0) continue;
     p.memory = newborn;
-    if (p.joint == none)
-      p.memory.broken = 1;  // no bonds grow where no joint was
-    else if (area > 0)
-      p.memory.dilation = dilation / area;
+    if (p.joint != none) continue;
+    p.memory.broken = 1;  // no bonds grow where no joint was
+    p.memory.dilation = p.memory.slip = 0;
   }
   return born;
 }

@@ -289,6 +289,25 @@ TEST(Cubes, StackedSettleByTheirJointsClosure) {
   EXPECT_NEAR(lowest.opening.back() / (-3 * weight / 1e9), 1, 1e-3);
 }
 
+/// At the bottom the corners of what overlaps change from those of the cube to those of the floor and back, as it bulges between the walls.
+TEST(Cubes, ThatFallIntoASlotOfTheirWidthMakeNoEnergy) {
+  const auto box = [](const std::string& name, const std::string& min, const std::string& max) {
+    return "[[solid]]\nname = '" + name + "'\nshape = 'box'\nmin = " + min + "\nmax = " + max +
+           "\n";
+  };
+  const ModelAnswer answer = run_model(
+      "[[material]]\ndensity = 2500\nyoung_modulus = 1e9\npoisson_ratio = 0.2\n"
+      "[[joint_material]]\nname = 'clean'\nfriction_angle = 20\n" +
+      box("floor", "[-2, -2, -1]", "[2, 2, 0]") + box("left", "[-2, -2, 0]", "[-0.5, 2, 2]") +
+      box("right", "[0.5, -2, 0]", "[2, 2, 2]") +
+      box("cube", "[-0.5, -0.5, 2.1]", "[0.5, 0.5, 3.1]") +
+      "[[fixed]]\nwhere = {block_at = [0, 0, -0.5]}\n"
+      "[[initial_velocity]]\nwhere = {block_at = [0, 0, 2.6]}\nvelocity = [0, 0, -4]\n[cover]\n" +
+      block_covers + "\n[analysis]\ntype = 'dynamic'\ntime_step = 0.004\nend_time = 0.5\n");
+  expect_closed_accounts(answer.result);
+  EXPECT_LT(answer.result.blocks[1].displacement[2], -1.9);  // it is down there
+}
+
 TEST(Cubes, ThrownAtEachOtherDoNotPass) {
   // Rigid ones; elastic ones have waves that part them again.
   const std::string text =
