@@ -9,8 +9,8 @@
 namespace rockfold::contact {
 
 /// Rock under load strains by less than this, so that faces turn and their sides shift by as little. Faces steeper than that (cosine to the
-/// normal) are left out, and so are overlaps beside a joint of a smaller share of its area: there are many, and the pivot of a block moves
-/// by no more.
+/// normal) are left out, and so are overlaps beside a joint that are narrower than this share of its size: there are many, and the pivot of
+/// a block moves by no more.
 inline constexpr Real most_strain = 1e-4;
 
 /// The share κ by which corners alone carry an overlap (exact to degree 1). A joint has a stiffness against turning, which points inside
@@ -73,13 +73,18 @@ class PairPoints {
     return s_.face_joint(fa) == s_.face_joint(fb) ? s_.face_joint(fa) : none;
   }
 
+  /// Of an overlap beside a joint: narrower than sides shift.
+  KOKKOS_INLINE_FUNCTION bool is_left_out(const OverlapRule& rule) const {
+    return rule.width * rule.width < most_strain * most_strain * joint_area_;
+  }
+
   KOKKOS_INLINE_FUNCTION void add_overlap(Index fa, Index fb, bool joined) {
     const Chart chart = make_chart(at(pose_.x, s_.corner_vertex(s_.corner_begin(fb))), n_);
     const Outline one(s_, pose_.x, chart, fa, true), two(s_, pose_.x, chart, fb, false);
     if (are_apart(one, two)) return;
     OverlapRule rule = overlap_rule(one, two, s_.tolerance);
     width_ = math::fmax(width_, rule.width);
-    if (!(rule.area > 0) || (!joined && rule.area < most_strain * joint_area_)) return;
+    if (!(rule.area > 0) || (!joined && is_left_out(rule))) return;
     if (joined)
       joint_area_ += rule.area;
     else
