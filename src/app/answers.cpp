@@ -24,8 +24,8 @@ namespace rockfold {
 namespace {
 
 RunReport run_report(const Answer& answer) {
-  return {answer.model, answer.blocks,    *answer.covers,
-          *answer.run,  answer.keyblocks, answer.design};
+  return {answer.model,     answer.blocks, *answer.covers,  *answer.run,
+          answer.keyblocks, answer.design, answer.reduction};
 }
 
 Json answer_document(const Answer& answer, BlockList list = BlockList::whole) {
@@ -90,8 +90,9 @@ std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
     text.append("\n").append(measure_summary(*answer.measures));
   if (answer.keyblocks) text.append("\n").append(support_summary(*answer.keyblocks, answer.blocks));
   if (answer.design) text += design_summary(answer.model, *answer.keyblocks, *answer.design);
+  if (answer.reduction) text.append("\n").append(reduction_summary(run_report(answer)));
   if (answer.run) text.append("\n").append(run_summary(run_report(answer)));
-  if (answer.run && answer.run->rest && answer.keyblocks)
+  if (answer.run && has_confirmed(run_report(answer)))
     text.append("\n").append(confirmed_summary(run_report(answer)));
   text.append("\n").append(fact("result", answer.path + "  (rockfold info, or ParaView 5.13)"));
   text += fact("", xdmf_path(answer.path) + "  (ParaView 5.11 and 5.12)");

@@ -20,7 +20,7 @@
 #include "src/report/documents.hpp"
 #include "src/report/phase_seconds.hpp"
 #include "src/report/terminal.hpp"
-#include "src/run/run_result.hpp"
+#include "src/run/reduction.hpp"
 
 namespace rockfold {
 
@@ -35,6 +35,7 @@ struct Answer {
   const SupportDesign* design;  ///< with the key blocks
   const CoverArrays* covers;
   const RunResult* run;
+  const Reduction* reduction;       ///< of the run
   std::string path;                 ///< of the result file
   std::vector<std::string> unused;  ///< keys of the model that the command does not use
 };

@@ -4,6 +4,8 @@
 
 #include <sys/resource.h>
 
+#include "src/run/reduction.hpp"
+
 namespace rockfold {
 
 namespace {
@@ -22,7 +24,9 @@ Real peak_memory() {
 }  // namespace
 
 Probe::Probe(const Model& model) {
-  if (model.analysis) steps_ = model.analysis->steps();
+  if (!model.analysis) return;
+  steps_ = model.analysis->steps();
+  if (model.reduction) steps_ *= most_trials(*model.reduction) + 1;
 }
 
 Watch Probe::watch() {

@@ -37,7 +37,9 @@
 #include "src/model/openings.hpp"
 #include "src/page/write_page.hpp"
 #include "src/printed/printed_report.hpp"
+#include "src/report/summary.hpp"
 #include "src/run/contact_setup.hpp"
+#include "src/run/reduction.hpp"
 #include "src/run/run_analysis.hpp"
 #include "src/store/design_files.hpp"
 #include "src/store/histories.hpp"
@@ -88,39 +90,59 @@ CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockAr
 }
 
 struct Analysed {
-  RunResult run;
+  std::optional<RunResult> run;  ///< none: a signal ended the search for a reduction before it
   std::unique_ptr<RunJournal> journal;  ///< until the result is whole
+  std::optional<Reduction> reduction;   ///< where the model asks for one
 };
+
+/// By how much the joints' strength may be divided, as found now or before the run that is gone on with.
+Reduction reduce_strength(const RunInput& input, const Resumption* resumption, Terminal& terminal) {
+  if (resumption && !resumption->journal.origin.search.empty())
+    return unpacked_reduction(resumption->journal.origin.search);
+  return find_reduction(input, terminal);
+}
 
 /// Steps through the analysis and stores its states. If it fails, the states so far are kept.
 Analysed analyse(const CoveredRock& rock, const Model& model, const BlockArrays& blocks,
                  ResultWriter& writer, const Options& options, const Resumption* resumption,
                  Probe* probe, Terminal& terminal) {
-  const RunInput input{model,
-                       rock.covering.arrays,
-                       blocks,
-                       rock.fixed,
-                       rock.monitors,
-                       rock.loads,
-                       rock.quiet,
-                       rock.velocities,
-                       rock.block_vertices,
-                       &rock.mesh,
-                       rock.contact ? &*rock.contact : nullptr};
+  Model weakened;  // the model itself but where a reduction has been found
+  const auto input_of = [&](const Model& of) {
+    return RunInput{of,
+                    rock.covering.arrays,
+                    blocks,
+                    rock.fixed,
+                    rock.monitors,
+                    rock.loads,
+                    rock.quiet,
+                    rock.velocities,
+                    rock.block_vertices,
+                    &rock.mesh,
+                    rock.contact ? &*rock.contact : nullptr};
+  };
+  const DeviceScope device(options.threads);
+  std::optional<Reduction> reduction;
+  if (model.reduction && !probe) {
+    reduction = reduce_strength(input_of(model), resumption, terminal);
+    if (reduction->interrupted) return {{}, nullptr, reduction};
+    weakened = model;
+    weakened.joint_materials = with_strength_divided(model.joint_materials, reduction->shown());
+  }
+  const RunInput input = input_of(reduction ? weakened : model);
   const StoreState show = [&](const StoredState& state) {
     add_stored_state(writer, rock.block_vertices, state);
   };
-  auto journal = open_journal(options, model, writer.path(), resumption, show);
+  auto journal = open_journal(options, model, writer.path(), resumption, show,
+                              reduction ? packed(*reduction) : std::vector<std::byte>{});
   const StoreState store = [&](const StoredState& state) {
     journal->add_state(state.step, state.motion.time, hash_of(state), packed(state));
     show(state);
   };
-  const DeviceScope device(options.threads);
   try {
     const Checkpoints checkpoints = checkpoints_in(*journal, model, resumption);
     if (probe)
-      return {run_analysis(input, store, terminal, {}, probe->watch()), std::move(journal)};
-    return {run_analysis(input, store, terminal, checkpoints), std::move(journal)};
+      return {run_analysis(input, store, terminal, {}, probe->watch()), std::move(journal), {}};
+    return {run_analysis(input, store, terminal, checkpoints), std::move(journal), reduction};
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::usage) throw;  // what is there is as it was
     keep_states(writer, error.kind(), terminal);
@@ -159,6 +181,16 @@ void require_no_limit_met(const RunResult& run, const Model& model, const std::s
       "resume {}` goes on",
       run.steps, model.analysis->steps(), run.time, path, path));
   if (error) throw *error;
+}
+
+/// Of a search for a reduction that a signal or a limit ended: what it knows so far, since nothing is stored. Returns the exit status.
+int end_search(const Reduction& reduction, Terminal& terminal) {
+  const std::string known = fmt::format(
+      "in the search for the factor of [reduction], {}; no result is stored",
+      reduction.trials.empty() ? "before its first trial" : "which " + bounds_text(reduction));
+  if (const auto error = stop_error("stopped " + known)) throw *error;
+  terminal.warn("interrupted " + known);
+  return interrupted_status();
 }
 
 /// demo, cut, support, run: each is the same way, left earlier or later.
@@ -245,12 +277,15 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
   polygons = {};  // as large as the blocks, and states need it no more
 
   std::optional<RunResult> run;
+  std::optional<Reduction> reduction;
   std::unique_ptr<RunJournal> journal;
   if (rock) {
     clock.measure("output", "writing elements",
                   [&] { writer.write_elements(rock->covering.arrays, rock->mesh); });
     auto analysed = analyse(*rock, model, blocks, writer, options, resumption, probe, terminal);
+    if (!analysed.run) return end_search(*analysed.reduction, terminal);
     run = std::move(analysed.run);
+    reduction = std::move(analysed.reduction);
     journal = std::move(analysed.journal);
     add_histories(writer, model, *run);
     write_history_files(*run, model, path);
@@ -272,6 +307,7 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
                       design ? &*design : nullptr,
                       rock ? &rock->covering.arrays : nullptr,
                       run ? &*run : nullptr,
+                      reduction ? &*reduction : nullptr,
                       path,
                       unused_keys(options, model)};
   clock.measure("output", [&] {

@@ -117,9 +117,9 @@ hid_t dataset_properties() {
   return properties;
 }
 
-void set_compression(hid_t properties) {
+void set_compression(hid_t properties, unsigned level) {
   H5Pset_shuffle(properties);
-  H5Pset_deflate(properties, deflate_level);
+  H5Pset_deflate(properties, level);
 }
 
 hid_t fixed_text(std::size_t length) {
@@ -238,7 +238,7 @@ void File::write_rows(const std::string& path, Type type, const Shape& shape, co
   if (compressed) {
     chunk[0] = std::clamp<std::int64_t>(chunk_bytes * shape[0] / bytes, 1, shape[0]);
     H5Pset_chunk(properties, static_cast<int>(chunk.size()), extents(chunk).data());
-    set_compression(properties);
+    set_compression(properties, deflate_level);
   }
   const Id space(H5Screate_simple(static_cast<int>(shape.size()), extents(shape).data(), nullptr),
                  H5Sclose);
@@ -303,7 +303,8 @@ void File::make_growing(const std::string& path, Type type, const Shape& block, 
   limit[0] = H5S_UNLIMITED;
   const Id properties(dataset_properties(), H5Pclose);
   H5Pset_chunk(properties, static_cast<int>(chunk.size()), extents(chunk).data());
-  if (compressed && bytes > compress_above) set_compression(properties);
+  if ((compressed || growing_level_ > 0) && bytes > compress_above)
+    set_compression(properties, growing_level_ > 0 ? growing_level_ : deflate_level);
   const Id space(
       H5Screate_simple(static_cast<int>(first.size()), extents(first).data(), limit.data()),
       H5Sclose);

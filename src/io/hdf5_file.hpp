@@ -95,6 +95,9 @@ class File {
   void write_text(const std::string& path, std::string_view text);
   void write_names(const std::string& path, const std::vector<std::string>& names);
 
+  /// Data sets that grow and are made from now on are deflated at this level, 1 to 9; 0: those only that repeat much.
+  void deflate_growing(unsigned level) { growing_level_ = level; }
+
   /// Appends rows at the end of a data set, which the first call makes; every call adds the same
   /// number of rows. Compressed is for rows that repeat much.
   template <typename T>
@@ -158,6 +161,7 @@ class File {
   std::string path_, shown_as_;
   std::int64_t id_ = -1;
   bool reserved_ = false;
+  unsigned growing_level_ = 0;
 };
 
 }  // namespace rockfold::hdf5

@@ -88,6 +88,7 @@ struct ResultWriter::Implementation {
   std::vector<Index> polygon_block, polygon_material;  ///< [cells of Blocks]
   std::vector<Index> joint_vertex;  ///< [points of Joints] into BlockArrays::vertex
   std::vector<Index> joint_block;   ///< [cells of Joints]
+  unsigned compression = 0;         ///< of states
   const ElementMesh* mesh = nullptr;
   std::vector<Index> point_material;  ///< [K] of the mesh's points
   StressFields stresses;
@@ -95,7 +96,9 @@ struct ResultWriter::Implementation {
   std::vector<Real> times;
 
   Implementation(std::string path, const Model& model)
-      : target(std::move(path)), stresses(model.materials) {}
+      : target(std::move(path)),
+        compression(static_cast<unsigned>(model.output.compression)),
+        stresses(model.materials) {}
   File extend() const { return {target.aside(), File::Mode::extend, target.path()}; }
   /// Adds what belongs to no state: a signal in between finds the states that were whole before.
   template <typename Write>
@@ -354,6 +357,7 @@ void ResultWriter::add_state(const ResultState& state) {
   if (my.damaged) fail(my.target.path(), "cannot write: an earlier state was written in part");
   const SignalsWait until_it_is_written;
   File file = my.extend();
+  file.deflate_growing(my.compression);
   file.reserve(my.bytes_of(state));
   my.damaged = true;
   my.target.set_worth_keeping(false);

@@ -50,6 +50,8 @@ void pass(Archive& archive, RunOrigin& origin) {
   archive.pass(count);
   origin.inputs.resize(std::min<std::uint64_t>(count, 1 << 20));
   for (RunOrigin::Input& input : origin.inputs) archive.all(input.path, input.bytes, input.hash);
+  if (archive.packs() || !archive.at_end())
+    archive.pass(origin.search);  // results of runs may have none
 }
 
 std::uint64_t hash_of(std::span<const std::byte> bytes) {

@@ -35,6 +35,7 @@ struct RunOrigin {
   std::vector<std::string> overrides, ignored, exports;
   std::optional<std::uint64_t> seed;
   std::vector<Input> inputs;
+  std::vector<std::byte> search;  ///< what a strength reduction found before it
 };
 
 std::vector<std::byte> packed(const RunOrigin& origin);

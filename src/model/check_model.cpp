@@ -149,8 +149,11 @@ class Needs {
         if (step.excavate != 0)
           found_.push_back(
               {key_of(step.place, "excavate"), "takes rock out of contact" + contact_needs});
+      if (model_.reduction)
+        found_.push_back({model_.reduction->place, "is of joints in contact" + contact_needs});
       return;
     }
+    if (model_.reduction) reduction();
     if (model_.contact.max_penetration > 0)
       found_.push_back({key_of(model_.contact.place, "max_penetration"),
                         "is not supported yet: penetration is what normal_stiffness makes of the "
@@ -160,6 +163,22 @@ class Needs {
   std::vector<Diagnostic> found() && { return std::move(found_); }
 
  private:
+  /// What the search for a factor can tell rest by, and what it can reduce.
+  void reduction() {
+    const Place& place = model_.reduction->place;
+    if (model_.analysis->stages.back().type != AnalysisType::dynamic)
+      found_.push_back(
+          {place,
+           "needs an analysis that ends dynamically (analysis.type, or that of the last "
+           "[[step]]): the speeds at its end tell whether the mass has come to rest"});
+    const auto& joints = model_.joint_materials;
+    if (std::none_of(joints.begin(), joints.end(), [](const JointMaterial& joint) {
+          return joint.friction_angle > 0 || joint.cohesion > 0;
+        }))
+      found_.push_back(
+          {place, "divides friction and cohesion of joints, but no [[joint_material]] has any"});
+  }
+
   void missing(const char* key, const char* message) {
     found_.push_back({{model_.path, 1, 1, key}, message});
   }

@@ -483,6 +483,15 @@ struct SolverSpec {
 struct Output {
   Index every = 10;             ///< steps between stored states; 0 = first and last
   float checkpoint_every = 60;  ///< s of wall time, ≥ 0; 0 = after each step
+  Index compression = 0;        ///< of the states' motion: deflate's level, 0 (none) to 9
+};
+
+/// [reduction]: by how much the joints' strength may be divided before the mass no longer comes to rest.
+struct StrengthReduction {
+  std::array<Real, 2> factors{0.2, 5};  ///< between which it is looked for, 0 < first < second
+  Real tolerance = 0.01;                ///< to which it is found, > 0
+  Real max_displacement = 0.1;  ///< of a block's size, > 0: the mass fails where one moves further
+  Place place = {};
 };
 
 struct Monitor {
@@ -620,6 +629,7 @@ struct Model {
   ContactSpec contact;
   SolverSpec solver;
   Output output;
+  std::optional<StrengthReduction> reduction;
   std::vector<Monitor> monitors;
   std::optional<SupportSpec> support;
   std::vector<BoltType> bolt_types;

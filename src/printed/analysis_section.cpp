@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "src/printed/plot.hpp"
 #include "src/printed/sections.hpp"
@@ -178,6 +179,30 @@ void add_monitor_table(Html& html, const Json& monitors) {
                joints);
 }
 
+void add_reduction(Html& html, const Json& reduction) {
+  std::vector<Json> trials(reduction.at("trials").begin(), reduction.at("trials").end());
+  std::sort(trials.begin(), trials.end(),
+            [](const Json& a, const Json& b) { return a.at("factor") < b.at("factor"); });
+  Rows rows;
+  for (const Json& t : trials)
+    rows.push_back({digits(t.at("factor")), t.at("stands").get<bool>() ? "stands" : "fails",
+                    digits(t.at("time")), digits(t.at("speed"))});
+  std::vector<Index> ids = reduction.at("blocks").get<std::vector<Index>>();
+  const std::size_t failing = ids.size();
+  ids.resize(std::min(failing, most_rows));
+  html.heading(3, "Strength reduction");
+  html.facts({{"Factor of safety", digits(reduction.at("factor"))},
+              {"Blocks that fail",
+               fmt::format("{}{}{}", fmt::join(ids, ", "), failing > most_rows ? " …" : "",
+                           failing == 0 ? "none" : "")},
+              {"Motion shown", "with tan φ and cohesion of the joints divided by " +
+                                   digits(reduction.at("shown"))}});
+  html.table(
+      "Analyses with reduced strength",
+      {{"divided by"}, {"the mass", "", true}, {"decided at", "s"}, {"fastest block", "m/s"}},
+      rows);
+}
+
 std::vector<std::string> confirmed_row(const Json& c) {
   const Json &predicted = c.at("predicted"), &seen = c.at("seen"), &reason = c.at("reason");
   const bool key = !predicted.is_null();
@@ -244,6 +269,7 @@ void add_analysis(Html& html, const ReportSource& source) {
                       "Pa");
     add_monitor_plots(html, monitors, "shear_stress", "Shear stress of joints", "Pa");
   }
+  if (answer.contains("reduction")) add_reduction(html, answer.at("reduction"));
   if (answer.contains("confirmed")) add_confirmed(html, answer.at("confirmed"));
   html.heading(3, answer.contains("rest") ? "Energies and contact" : "Energies");
   add_energy_plot(html, answer.at("energy_history"));

@@ -23,7 +23,7 @@
 #include "src/io/result_file.hpp"
 #include "src/model/model.hpp"
 #include "src/report/phase_seconds.hpp"
-#include "src/run/run_result.hpp"
+#include "src/run/reduction.hpp"
 
 namespace rockfold {
 
@@ -37,7 +37,10 @@ struct RunReport {
   const RunResult& run;
   const KeyblockReport* keyblocks = nullptr;  ///< null: the model asks for no support
   const SupportDesign* design = nullptr;      ///< with the key blocks
+  const Reduction* reduction = nullptr;       ///< what was looked for before the run, if anything
 };
+/// Whether key blocks stand beside a motion that may confirm them; that of joints with reduced strength says nothing of them.
+bool has_confirmed(const RunReport& report);
 
 /// Whether a document lists every block: the result file has them as arrays.
 enum class BlockList { whole, left_out };

@@ -165,6 +165,26 @@ Json energy_history_json(const RunResult& run) {
   return history;
 }
 
+Json reduction_json(const RunReport& report) {
+  const Reduction& reduction = *report.reduction;
+  Json trials = Json::array(), blocks = Json::array();
+  for (const ReductionTrial& t : reduction.trials)
+    trials.push_back(
+        {{"factor", t.factor}, {"stands", t.stands}, {"time", t.time}, {"speed", t.speed}});
+  if (reduction.fails())
+    for (const Index b : failing_blocks(report.model, report.blocks, report.run))
+      blocks.push_back(b + 1);
+  const auto or_null = [](const std::optional<Real>& value) {
+    return value ? Json(*value) : Json();
+  };
+  return {{"factor", or_null(reduction.factor())},
+          {"stands", or_null(reduction.stands())},
+          {"fails", or_null(reduction.fails())},
+          {"blocks", blocks},
+          {"shown", reduction.shown()},
+          {"trials", trials}};
+}
+
 Json reactions_json(const std::vector<Reaction>& conditions) {
   Json list = Json::array();
   for (std::size_t n = 0; n < conditions.size(); ++n)
@@ -188,6 +208,10 @@ Index mathematical_covers(const CoverArrays& covers) {
   return nodes;
 }
 
+bool has_confirmed(const RunReport& report) {
+  return report.keyblocks && report.run.rest && !report.reduction;
+}
+
 Json run_document(const DocumentHead& head, const RunReport& report, BlockList list) {
   Json document = head_json(head);
   document["totals"] = run_totals_json(report);
@@ -204,7 +228,8 @@ Json run_document(const DocumentHead& head, const RunReport& report, BlockList l
   if (report.keyblocks)
     add_support(document["support"] = Json::object(), report.model, report.blocks,
                 *report.keyblocks, *report.design, list);
-  if (report.keyblocks && report.run.rest) document["confirmed"] = confirmed_json(report);
+  if (has_confirmed(report)) document["confirmed"] = confirmed_json(report);
+  if (report.reduction) document["reduction"] = reduction_json(report);
   document["iterations"] = {{"pcg", report.run.iterations.pcg},
                             {"open_close", report.run.iterations.open_close},
                             {"fallbacks", report.run.iterations.fallbacks},

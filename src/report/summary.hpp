@@ -27,6 +27,10 @@ std::string support_summary(const KeyblockReport& report, const BlockArrays& blo
 /// Joint pyramids, the largest blocks of tunnels and slopes, scans, probabilities.
 std::string theory_summary(const TheoryReport& report);
 std::string run_summary(const RunReport& report);
+/// The factor of a strength reduction, and which blocks fail.
+std::string reduction_summary(const RunReport& report);
+/// "is at least 1.2 and below 1.3": what trials, of which there is one at least, say of the factor.
+std::string bounds_text(const Reduction& reduction);
 /// What block theory says of each key block, `most` of them, and what it did, and what else moved; with contact and key blocks.
 std::string confirmed_summary(const RunReport& report, std::size_t most = most_keyblocks);
 std::string info_summary(const ResultInfo& info, const std::string& path);

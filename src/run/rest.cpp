@@ -63,7 +63,10 @@ Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
     take_larger(norm(apart - opening * normal), p.joint, block, rest.slip);
   }
   rest.speed = largest_speed(velocity);
-  rest.at_rest = rest.speed <= resting_speed(input);
+  const Real limit = resting_speed(input);
+  rest.at_rest = rest.speed <= limit;
+  for (std::size_t b = 0; b < velocity.size(); ++b)
+    if (norm(velocity[b].displacement) > limit) rest.moving.push_back(static_cast<Index>(b));
   return rest;
 }
 

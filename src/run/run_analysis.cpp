@@ -511,7 +511,8 @@ StageKeys keys_of_analysis(const Model& model) {
                   "quiet_boundary", "initial_velocity", "initial_stress", "base_acceleration",
                   "monitor", "analysis", "step", "solver", "output"}};
   if (has_contact(model))
-    for (const char* section : {"joint_material", "contact"}) keys.keys.emplace_back(section);
+    for (const char* section : {"joint_material", "contact", "reduction"})
+      keys.keys.emplace_back(section);
   if (std::any_of(model.tables.begin(), model.tables.end(), std::mem_fn(&TableFile::is_history)))
     keys.keys.emplace_back("table");
   return keys;

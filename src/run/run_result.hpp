@@ -127,7 +127,8 @@ struct BlockCourse {
 struct Rest {
   Index moved = 0;  ///< displaced by more than share_that_is_motion
   LargestAtJoint slip, opening;
-  Real speed = 0;  ///< m/s, of the fastest block
+  Real speed = 0;             ///< m/s, of the fastest block
+  std::vector<Index> moving;  ///< blocks that are not at rest, ascending
   Real since = std::numeric_limits<
       Real>::quiet_NaN();  ///< s, of the first step after which it stayed at rest; NaN: it is not
   bool at_rest =

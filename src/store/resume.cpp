@@ -159,9 +159,13 @@ void require_same_inputs(const RunOrigin& origin, const Model& model) {
 
 std::unique_ptr<RunJournal> open_journal(const Options& options, const Model& model,
                                          const std::string& result, const Resumption* resumption,
-                                         const StoreState& store) {
-  if (!resumption || resumption->journal.end == 0)
-    return std::make_unique<RunJournal>(result, run_origin(options, model));
+                                         const StoreState& store,
+                                         const std::vector<std::byte>& search) {
+  if (!resumption || resumption->journal.end == 0) {
+    RunOrigin origin = run_origin(options, model);
+    origin.search = search;
+    return std::make_unique<RunJournal>(result, origin);
+  }
   const JournalContents& journal = resumption->journal;
   const auto states = static_cast<std::size_t>(facts_of(result, journal).states);
   if (states > journal.states.size())

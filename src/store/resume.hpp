@@ -29,11 +29,12 @@ std::optional<Resumption> find_run(const Options& options);
 /// Of the files that the model reads.
 void require_same_inputs(const RunOrigin& origin, const Model& model);
 
-/// The journal beside the result under way: a new one, or that of the run gone on with. States that it still has are handed to
-/// `store` again.
+/// The journal beside the result under way: a new one, which keeps what a `search` found before the run, or that of the run gone on with.
+/// States that it still has are handed to `store` again.
 std::unique_ptr<RunJournal> open_journal(const Options& options, const Model& model,
                                          const std::string& result, const Resumption* resumption,
-                                         const StoreState& store);
+                                         const StoreState& store,
+                                         const std::vector<std::byte>& search = {});
 
 /// Leaves checkpoints in the journal, and starts from the one gone on with.
 Checkpoints checkpoints_in(RunJournal& journal, const Model& model, const Resumption* resumption);

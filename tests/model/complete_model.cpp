@@ -343,6 +343,7 @@ preconditioner = "block_jacobi"
 
 [output]
 every = 0
+compression = 1
 
 [[monitor]]
 name = "crest"

@@ -61,6 +61,7 @@ void read_analysis(Draft& draft);
 void read_contact(Draft& draft);  // needs joint materials
 void read_solver(Draft& draft);
 void read_output(Draft& draft);
+void read_reduction(Draft& draft);
 void read_support(Draft& draft);
 void read_bolt_types(Draft& draft);
 void read_bolts(Draft& draft);           // needs bolt types

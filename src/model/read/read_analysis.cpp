@@ -241,6 +241,8 @@ void read_output(Draft& draft) {
     Real seconds = draft.model.output.checkpoint_every;
     in.read("checkpoint_every", seconds, Range{.low = 0, .high = 1e9, .unit = "s"}, Need::optional);
     draft.model.output.checkpoint_every = static_cast<float>(seconds);
+    in.read("compression", draft.model.output.compression, IntegerRange{.low = 0, .high = 9},
+            Need::optional);
   });
 }
 

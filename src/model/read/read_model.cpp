@@ -83,6 +83,7 @@ void read_top_level(Draft& draft, const Value& root) {
                           "step",
                           "solver",
                           "output",
+                          "reduction",
                           "monitor",
                           "support",
                           "bolt_type",
@@ -123,6 +124,7 @@ void read_sections(Draft& draft) {
   read_contact(draft);
   read_solver(draft);
   read_output(draft);
+  read_reduction(draft);
   read_support(draft);
   read_bolt_types(draft);
   read_bolts(draft);
