@@ -27,6 +27,8 @@ constexpr std::int64_t compress_above = 16 * 1024;  // bytes
 /// Rows of a compressed data set are packed in chunks of about this size (HDF5's chunk cache holds
 /// 1 MiB).
 constexpr std::int64_t chunk_bytes = 512 * 1024;
+/// … of one that grows: rows that are appended to a chunk that is not full pack it anew.
+constexpr std::int64_t growing_chunk_bytes = 32 * 1024;
 /// What HDF5's own structures may add to the data of one step of writing.
 constexpr std::int64_t metadata_bytes = 1024 * 1024;
 
@@ -120,6 +122,55 @@ hid_t dataset_properties() {
 void set_compression(hid_t properties, unsigned level) {
   H5Pset_shuffle(properties);
   H5Pset_deflate(properties, level);
+}
+
+/// What a growing data set is stored by. Its rows count along the first dimension, of three the second.
+struct Chunks {
+  std::vector<hsize_t> shape;
+  unsigned level = 0;  ///< of deflate; 0: none
+
+  explicit Chunks(hid_t dataset, std::size_t rank) : shape(rank) {
+    const Id properties(H5Dget_create_plist(dataset), H5Pclose);
+    H5Pget_chunk(properties, static_cast<int>(rank), shape.data());
+    unsigned flags = 0;
+    std::size_t values = 1;
+    if (H5Pget_filter_by_id2(properties, H5Z_FILTER_DEFLATE, &flags, &values, &level, 0, nullptr,
+                             nullptr) < 0)
+      level = 0;
+  }
+  std::size_t along() const { return shape.size() == 3 ? 1 : 0; }
+};
+
+/// Writes `count` at `start` with the chunk that the rows before them have begun. False if HDF5 cannot.
+bool append_packed(hid_t dataset, Type type, const Chunks& chunks, std::vector<hsize_t> start,
+                   std::vector<hsize_t> count, const void* data) {
+  const std::size_t along = chunks.along();
+  ChunkedRows rows;
+  rows.element_bytes = rows.row_bytes = size_of(type);
+  for (std::size_t d = along + 1; d < count.size(); ++d)
+    rows.row_bytes *= static_cast<std::int64_t>(count[d]);
+  rows.data = {static_cast<const std::uint8_t*>(data),
+               count[along] * static_cast<std::size_t>(rows.row_bytes)};
+  rows.rows_a_chunk = static_cast<std::int64_t>(chunks.shape[along]);
+  rows.first_row = static_cast<std::int64_t>(start[along]);
+  rows.level = chunks.level;
+  rows.worthwhile = 1;
+  const hsize_t begun = start[along] % chunks.shape[along];
+  std::vector<std::uint8_t> before(begun * static_cast<std::size_t>(rows.row_bytes));
+  rows.before = before;
+  if (begun > 0) {
+    std::vector<hsize_t> from = start, there = count;
+    from[along] -= begun;
+    there[along] = begun;
+    const Id space(H5Dget_space(dataset), H5Sclose);
+    const Id memory(H5Screate_simple(static_cast<int>(there.size()), there.data(), nullptr),
+                    H5Sclose);
+    if (H5Sselect_hyperslab(space, H5S_SELECT_SET, from.data(), nullptr, there.data(), nullptr) <
+            0 ||
+        H5Dread(dataset, memory_type(type), memory, space, H5P_DEFAULT, before.data()) < 0)
+      return false;
+  }
+  return write_packed(dataset, start, along, rows);
 }
 
 hid_t fixed_text(std::size_t length) {
@@ -252,7 +303,8 @@ void File::write_rows(const std::string& path, Type type, const Shape& shape, co
         size_of(type),
         bytes / shape[0],
         chunk[0]};
-    check(write_packed(dataset, static_cast<int>(shape.size()), rows) ? 0 : -1, "write");
+    const std::vector<hsize_t> at(shape.size(), 0);
+    check(write_packed(dataset, at, 0, rows) ? 0 : -1, "write");
   } else if (bytes > 0) {
     check(H5Dwrite(dataset, memory_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "write");
   }
@@ -299,12 +351,17 @@ void File::make_growing(const std::string& path, Type type, const Shape& block, 
   constexpr std::int64_t largest = std::int64_t{1} << 30;  // HDF5's own limit is 4 GiB
   if (bytes > largest && block[0] > 1)
     chunk[0] = (block[0] + bytes / largest) / (bytes / largest + 1);
+  const bool deflated = (compressed || growing_level_ > 0) && bytes > compress_above;
+  if (deflated) {  // threads take a chunk each
+    const std::size_t along = block.size() == 3 ? 1 : 0;
+    const std::int64_t chunks = (bytes + growing_chunk_bytes - 1) / growing_chunk_bytes;
+    chunk[along] = std::max<std::int64_t>(1, (block[along] + chunks - 1) / chunks);
+  }
   std::vector<hsize_t> limit = extents(block);
   limit[0] = H5S_UNLIMITED;
   const Id properties(dataset_properties(), H5Pclose);
   H5Pset_chunk(properties, static_cast<int>(chunk.size()), extents(chunk).data());
-  if ((compressed || growing_level_ > 0) && bytes > compress_above)
-    set_compression(properties, growing_level_ > 0 ? growing_level_ : deflate_level);
+  if (deflated) set_compression(properties, growing_level_ > 0 ? growing_level_ : deflate_level);
   const Id space(
       H5Screate_simple(static_cast<int>(first.size()), extents(first).data(), limit.data()),
       H5Sclose);
@@ -324,6 +381,10 @@ void File::append_block(const std::string& path, Type type, const Shape& block, 
   start[0] = size[0];
   size[0] += static_cast<hsize_t>(block[0]);
   check(H5Dset_extent(dataset, size.data()), "write");
+  if (const Chunks chunks(dataset, size.size());
+      chunks.level > 0 && std::endian::native == std::endian::little)
+    return void(
+        check(append_packed(dataset, type, chunks, start, extents(block), data) ? 0 : -1, "write"));
   const Id space(H5Dget_space(dataset), H5Sclose);
   const std::vector<hsize_t> count = extents(block);
   check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),

@@ -100,6 +100,15 @@ export interface Setup {
   };
 }
 
+/// The factor of safety of the whole mass: with tan(friction) and cohesion divided by `stands` it stands, by `fails` it does not.
+export interface Reduction {
+  factor: number | null;
+  stands: number | null;
+  fails: number | null;
+  shown: number; // the factor of the run whose motion the result holds
+  blocks: number[]; // that fail
+}
+
 export interface Answer extends Support {
   setup?: Setup;
   totals?: Record<string, unknown>;
@@ -108,6 +117,7 @@ export interface Answer extends Support {
   contacts_history?: Record<string, number[]>;
   support?: Support;
   marks?: Mark[];
+  reduction?: Reduction;
 }
 
 export interface PageDocument {

@@ -7,7 +7,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
-from program import BINARY, ProgramTest  # noqa: E402
+from program import BINARY, SANITIZED, ProgramTest  # noqa: E402
 
 
 def block_on_plane(dip, law, reduction="", analysis=""):
@@ -141,6 +141,20 @@ class StrengthReduction(ProgramTest):
         key, found = document["support"]["stable"][0], document["reduction"]
         self.assertAlmostEqual(found["factor"], key["factor_of_safety"], delta=0.01)
         self.assertEqual(found["blocks"], key["blocks"])
+
+    @unittest.skipIf(SANITIZED, "the same code, with more blocks")
+    def test_of_a_slope_that_topples_is_limit_equilibriums(self):
+        # Goodman & Bray (1976): tan φ = 0.785544. That has each force at the edge about which a block turns; blocks that have not turned yet lean on
+        # whole faces and stand with less. A slope that was steeper for a while, without inertia, has them where they turn.
+        self.copy_case("toppling_slope")
+        text = (self.folder / "toppling_slope.toml").read_text(encoding="utf-8")
+        steps = ('[[step]]\ntype = "quasi_static"\ntime_step = 0.1\nsteps = 30\n[[step]]\ntype = "dynamic"\ntime_step = 0.02\nend_time = 6.0\n'
+                 "reset_displacement = true\n[reduction]\nfactors = [1.24, 1.32]\ntolerance = 0.01\n")
+        tilt = "table = [[0, 0, 0, 0], [0.3, 0, 0, 0], [0.4, 0.5, 0, 0], [0.7, 0.5, 0, 0], [1.7, 0, 0, 0]]"
+        rock = text[: text.index("[analysis]")].replace("friction_angle = 37.97", "friction_angle = 45").replace("table = [[0, 0.5, 0, 0], [0.3, 0.5, 0, 0], [1.3, 0, 0, 0]]", tilt)
+        self.assertIn(tilt, rock)
+        found = self.factor_of(rock + steps)["reduction"]
+        self.assertAlmostEqual(found["factor"], 1 / 0.785544, delta=0.01)
 
     def test_goes_on_from_where_a_run_was_killed(self):
         model = block_on_plane(30, "friction_angle = 38", "factors = [1, 1.5]\ntolerance = 0.05").replace("end_time = 1.0", "end_time = 3.0")

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { readSurface } from '../surface';
-import { digits, dipText, niceStep, quantity, ticks, unitFor } from '../ui/format';
+import { digits, dipText, niceStep, quantity, reductionText, ticks, unitFor } from '../ui/format';
 import { greatCircle, meanNormal, project } from '../ui/stereonet';
 import { thinned } from '../ui/plots';
 import { blockFlags } from '../visibility';
@@ -42,6 +42,7 @@ test('numbers and units', () => {
   assert.equal(digits(-12345), '−12 345');
   assert.equal(niceStep(10, 4), 5);
   assert.deepEqual(ticks(0, 1, 5), [0, 0.2, 0.4, 0.6, 0.8, 1]);
+  assert.deepEqual(ticks(-49.84, 49.34, 4), [-40, -20, 0, 20, 40]); // steps of 50 would leave 0 alone
   assert.equal(dipText([Math.sin(0.5), 0, Math.cos(0.5)]), '29°/090°');
 });
 
@@ -60,4 +61,12 @@ test('long curves keep their peaks', () => {
   const values = time.map((t) => (t === 4321 ? 50 : Math.sin(t)));
   const thin = thinned(time, values, 0, 9999, 100);
   assert.ok(thin.length <= 200 && thin.some(([t, v]) => t === 4321 && v === 50));
+});
+
+test('what a strength reduction found is said with what it bounds', () => {
+  const found = reductionText({ factor: 1.2862, stands: 1.281, fails: 1.2914, shown: 1.2914, blocks: [3, 4] });
+  assert.equal(found.factor, 'Factor of safety 1.286');
+  assert.equal(found.more, 'By strength reduction: the mass stands at 1.281, fails at 1.291 (2 blocks). The motion shown is that with tan(friction) and cohesion divided by 1.291.');
+  assert.equal(reductionText({ factor: null, stands: 5, fails: null, shown: 5, blocks: [] }).factor, 'Factor of safety at least 5');
+  assert.equal(reductionText({ factor: null, stands: null, fails: 0.2, shown: 0.2, blocks: [1] }).factor, 'Factor of safety below 0.2');
 });

@@ -1,4 +1,5 @@
 // Numbers as an engineer writes them.
+import type { Reduction } from '../data';
 
 const prefixes: [number, string][] = [[1e9, 'G'], [1e6, 'M'], [1e3, 'k'], [1, ''], [1e-3, 'm'], [1e-6, 'µ']];
 const prefixed = new Set(['N', 'Pa', 'J', 'N/m']);
@@ -36,9 +37,12 @@ export function niceStep(span: number, most: number): number {
   return 10 * power;
 }
 
+/// At least two where the range is no point.
 export function ticks(low: number, high: number, most: number): number[] {
   if (!(high > low)) return [low];
-  const step = niceStep(high - low, most);
+  const count = (step: number): number => Math.floor(high / step + 1e-6) - Math.ceil(low / step - 1e-6) + 1;
+  let step = niceStep(high - low, most);
+  for (let more = most + 1; count(step) < 2; ++more) step = niceStep(high - low, more);
   const out: number[] = [];
   for (let i = Math.ceil(low / step - 1e-6); i * step <= high + 1e-6 * step; ++i) out.push(Number((i * step).toPrecision(12)));
   return out;
@@ -55,4 +59,14 @@ export function dipOf([x, y, z]: ArrayLike<number> & Iterable<number>): { dip: n
 export function dipText(normal: number[]): string {
   const { dip, direction } = dipOf(normal);
   return `${Math.round(dip)}°/${String(Math.round(direction) % 360).padStart(3, '0')}°`;
+}
+
+/// What a strength reduction found, and what the motion on the page is then of.
+export function reductionText({ factor, stands, fails, shown, blocks }: Reduction): { factor: string; more: string } {
+  const bounds = [stands === null ? '' : `stands at ${digits(stands)}`, fails === null ? '' : `fails at ${digits(fails)}`].filter(Boolean);
+  const which = blocks.length ? ` (${blocks.length} block${blocks.length > 1 ? 's' : ''})` : '';
+  return {
+    factor: `Factor of safety ${factor !== null ? digits(factor) : fails === null ? `at least ${digits(stands!)}` : `below ${digits(fails)}`}`,
+    more: `By strength reduction: the mass ${bounds.join(', ')}${which}. The motion shown is that with tan(friction) and cohesion divided by ${digits(shown)}.`,
+  };
 }
