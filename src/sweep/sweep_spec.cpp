@@ -164,15 +164,7 @@ void read_root(TableReader& root, SweepSpec& spec) {
 
 }  // namespace
 
-SweepSpec read_sweep(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::error_code ignored;
-  if (!in || std::filesystem::is_directory(path, ignored))
-    throw Error(ErrorKind::io,
-                in ? "cannot be read: is a directory"
-                   : std::string("cannot be read: ") + std::strerror(errno),
-                Place{path, 0, 0, ""});
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+SweepSpec parse_sweep(const std::string& text, const std::string& path) {
   const Value root = parse_toml(text, 0, path);
   Diagnostics out({path});
   SweepSpec spec;
@@ -184,6 +176,17 @@ SweepSpec read_sweep(const std::string& path) {
   if (!out.empty()) throw out.error();
   spec.model = (std::filesystem::path(path).parent_path() / spec.model).string();
   return spec;
+}
+
+SweepSpec read_sweep(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::error_code ignored;
+  if (!in || std::filesystem::is_directory(path, ignored))
+    throw Error(ErrorKind::io,
+                in ? "cannot be read: is a directory"
+                   : std::string("cannot be read: ") + std::strerror(errno),
+                Place{path, 0, 0, ""});
+  return parse_sweep({std::istreambuf_iterator<char>(in), {}}, path);
 }
 
 }  // namespace rockfold::sweep

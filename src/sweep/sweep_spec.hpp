@@ -67,6 +67,9 @@ struct SweepSpec {
   std::vector<Event> events;
 };
 
+/// `path` is where the text stands. Throws Error(model) with all that is wrong in it, by line.
+SweepSpec parse_sweep(const std::string& text, const std::string& path);
+
 /// Throws Error(io) where the file cannot be read, Error(model) with all that is wrong in it, by line.
 SweepSpec read_sweep(const std::string& path);
 
