@@ -1,9 +1,12 @@
 #include "src/io/result_reader.hpp"
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -60,6 +63,32 @@ std::unique_ptr<File> open_result(const std::string& path) {
   }
   check_format(*file, path);
   return file;
+}
+
+std::vector<Index> read_indices(const File& file, const std::string& dataset, Index least,
+                                std::size_t end) {
+  std::vector<Index> indices;
+  for (const std::int64_t i : file.read_integers(dataset)) {
+    if (i < least || i >= static_cast<std::int64_t>(end)) throw std::out_of_range(dataset);
+    indices.push_back(static_cast<Index>(i));
+  }
+  return indices;
+}
+
+std::vector<Index> read_begins(const File& file, const std::string& dataset, std::size_t count) {
+  std::vector<Index> begin = read_indices(file, dataset, 0, count + 1);
+  if (begin.empty() || !std::is_sorted(begin.begin(), begin.end()))
+    throw std::out_of_range(dataset);
+  return begin;
+}
+
+std::vector<Vec3> read_points(const File& file, const std::string& dataset) {
+  const std::vector<double> xyz = file.read_numbers(dataset);
+  if (xyz.size() % 3 != 0) throw std::out_of_range(dataset);
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < xyz.size(); i += 3)
+    points.push_back({xyz[i], xyz[i + 1], xyz[i + 2]});
+  return points;
 }
 
 }  // namespace rockfold

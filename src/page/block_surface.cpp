@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <map>
-#include <span>
+#include <stdexcept>
 
 #include "src/base/vector.hpp"
+#include "src/io/result_reader.hpp"
 #include "src/page/page_surface.hpp"
 
 namespace rockfold {
@@ -15,11 +18,6 @@ constexpr Real same_direction =
     1 - 1e-9;                  // cosine between normals of one face's polygons: rounding
 constexpr int joint_kind = 0;  // FaceOrigin::Kind::joint
 
-std::vector<Index> indices(const File& file, const std::string& path) {
-  const std::vector<double> numbers = file.read_numbers(path);
-  return {numbers.begin(), numbers.end()};
-}
-
 /// The polygons of all blocks, in the order of the blocks.
 struct Polygons {
   std::vector<Index> begin, vertex;  // [Q+1], [C]
@@ -27,18 +25,18 @@ struct Polygons {
   std::vector<Vec3> point;           // [V]
 };
 
-Polygons read_polygons(const File& file) {
+Polygons read_polygons(const File& file, std::size_t origins) {
   const std::string grid = "/VTKHDF/Blocks/";
-  Polygons all{indices(file, grid + "Polygons/Offsets"),
-               indices(file, grid + "Polygons/Connectivity"),
-               indices(file, grid + "CellData/block"),
-               indices(file, grid + "CellData/origin"),
-               {}};
+  Polygons all;
+  all.point = read_points(file, grid + "Points");
+  all.vertex = read_indices(file, grid + "Polygons/Connectivity", 0, all.point.size());
+  all.begin = read_begins(file, grid + "Polygons/Offsets", all.vertex.size());
+  all.block = read_indices(file, grid + "CellData/block", 1, std::numeric_limits<Index>::max());
+  all.origin = read_indices(file, grid + "CellData/origin", 0, origins + 1);
+  if (all.block.size() + 1 != all.begin.size() || all.origin.size() != all.block.size())
+    throw std::out_of_range(grid);
   for (Index& b : all.block) --b;
   for (Index& o : all.origin) --o;
-  const std::vector<double> xyz = file.read_numbers(grid + "Points");
-  for (std::size_t i = 0; i + 2 < xyz.size(); i += 3)
-    all.point.push_back({xyz[i], xyz[i + 1], xyz[i + 2]});
   return all;
 }
 
@@ -83,7 +81,7 @@ void mark_edges(const Polygons& all, Index from, Index to, std::vector<std::uint
 }
 
 /// Whether any face of the block is a boundary of the rock or of an excavation.
-bool is_seen(const Polygons& all, Index from, Index to, const std::vector<Index>& kind) {
+bool is_seen(const Polygons& all, Index from, Index to, const std::vector<std::int64_t>& kind) {
   for (Index p = from; p < to; ++p)
     if (all.origin[p] < 0 || kind[all.origin[p]] != joint_kind) return true;
   return false;
@@ -119,8 +117,8 @@ PageSurface block_surface(const File& file, bool seen_only) {
   out.grid = "Blocks";
   out.point_begin = out.polygon_begin = {0};
   if (!file.exists("/VTKHDF/Blocks")) return out;
-  const Polygons all = read_polygons(file);
-  const std::vector<Index> kind = indices(file, "/rockfold/origins/kind");
+  const std::vector<std::int64_t> kind = file.read_integers("/rockfold/origins/kind");
+  const Polygons all = read_polygons(file, kind.size());
   std::vector<std::uint8_t> edge(all.vertex.size(), 1);
   const auto count = static_cast<Index>(all.block.size());
   for (Index from = 0, to = 0; from < count; from = to) {

@@ -2,8 +2,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
 #include "src/base/vector.hpp"
+#include "src/io/result_reader.hpp"
 #include "src/page/page_surface.hpp"
 
 namespace rockfold {
@@ -17,19 +19,6 @@ constexpr Real on_plane =
 constexpr Real same_side = 0.9;      // cosine: a triangle on a face has its normal
 constexpr Real distinct = 1 - 1e-6;  // cosine between faces that meet in an edge to be drawn
 const std::string grid = "/VTKHDF/Elements/";
-
-std::vector<Index> indices(const File& file, const std::string& path) {
-  const std::vector<double> numbers = file.read_numbers(path);
-  return {numbers.begin(), numbers.end()};
-}
-
-std::vector<Vec3> points(const File& file, const std::string& path) {
-  const std::vector<double> xyz = file.read_numbers(path);
-  std::vector<Vec3> out;
-  for (std::size_t i = 0; i + 2 < xyz.size(); i += 3)
-    out.push_back({xyz[i], xyz[i + 1], xyz[i + 2]});
-  return out;
-}
 
 struct Triangle {
   Index block = none;
@@ -85,15 +74,16 @@ struct Faces {
 Faces read_faces(const File& file) {
   const std::string blocks = "/rockfold/blocks/";
   Faces faces;
-  faces.begin = indices(file, blocks + "face_begin");
-  const std::vector<Vec3> normal = points(file, blocks + "face_normal");
-  const std::vector<Vec3> vertex = points(file, blocks + "vertex");
-  const std::vector<Index> loop = indices(file, blocks + "loop_begin"),
-                           corner = indices(file, blocks + "corner_begin"),
-                           at = indices(file, blocks + "corner_vertex"),
-                           origin = indices(file, blocks + "face_origin");
+  const std::vector<Vec3> normal = read_points(file, blocks + "face_normal");
+  const std::vector<Vec3> vertex = read_points(file, blocks + "vertex");
+  faces.begin = read_begins(file, blocks + "face_begin", normal.size());
+  const std::vector<Index> at = read_indices(file, blocks + "corner_vertex", 0, vertex.size());
+  const std::vector<Index> corner = read_indices(file, blocks + "corner_begin", 0, at.size() + 1);
+  const std::vector<Index> loop = read_indices(file, blocks + "loop_begin", 0, corner.size() + 1);
+  const std::vector<Index> origin = read_indices(
+      file, blocks + "face_origin", none, file.read_integers("/rockfold/origins/kind").size());
   for (std::size_t f = 0; f < normal.size(); ++f)
-    faces.list.push_back({normal[f], vertex[at[corner[loop[f]]]], origin[f]});
+    faces.list.push_back({normal[f], vertex.at(at.at(corner.at(loop.at(f)))), origin.at(f)});
   Real size = 0;
   for (const Vec3& v : vertex)
     for (int d = 0; d < 3; ++d) size = std::max(size, std::abs(v[d] - vertex[0][d]));
@@ -172,10 +162,15 @@ bool has_element_surface(const File& file) {
 }
 
 PageSurface element_surface(const File& file, const PageSurface& coarse) {
-  const std::vector<Vec3> point = points(file, grid + "Points");
-  const std::vector<Triangle> outer = outer_faces(indices(file, grid + "Connectivity"),
-                                                  indices(file, grid + "CellData/block"), point);
+  const std::vector<Vec3> point = read_points(file, grid + "Points");
+  const std::vector<Index> corner = read_indices(file, grid + "Connectivity", 0, point.size());
   const Faces faces = read_faces(file);
+  const std::vector<Index> of_tetrahedron =
+      read_indices(file, grid + "CellData/block", 1, faces.begin.size());
+  if (corner.size() != 4 * of_tetrahedron.size() ||
+      *std::max_element(coarse.block.begin(), coarse.block.end()) + 1 >= std::ssize(faces.begin))
+    throw std::out_of_range(grid);
+  const std::vector<Triangle> outer = outer_faces(corner, of_tetrahedron, point);
   PageSurface out;
   out.grid = "Elements";
   out.block = coarse.block;

@@ -212,7 +212,7 @@ PageContent read_page_content(const std::string& path, const PageChoice& choice)
   } catch (const nlohmann::json::exception& error) {
     fail(path, fmt::format("is damaged ({})", error.what()));
   } catch (const std::out_of_range&) {
-    fail(path, "is damaged (arrays of different lengths)");
+    fail(path, "is damaged (arrays that do not fit together)");
   }
 }
 

@@ -25,7 +25,7 @@ std::vector<ReportSource::Pole> read_poles(const File& file) {
   const std::string blocks = "/rockfold/blocks/";
   const auto names = file.read_names("/rockfold/origins/name");
   const auto kind = file.read_numbers("/rockfold/origins/kind");
-  const auto origin = file.read_numbers(blocks + "face_origin");
+  const auto origin = read_indices(file, blocks + "face_origin", 0, kind.size());
   const auto plane = file.read_numbers(blocks + "face_plane");
   const auto normal = file.read_numbers(blocks + "face_normal");
   std::vector<ReportSource::Pole> poles;
@@ -69,7 +69,7 @@ ReportSource read_report_source(const std::string& path) {
   } catch (const Json::exception& error) {
     fail(path, fmt::format("is damaged ({})", error.what()));
   } catch (const std::out_of_range&) {
-    fail(path, "is damaged (arrays of different lengths)");
+    fail(path, "is damaged (arrays that do not fit together)");
   }
 }
 
