@@ -36,6 +36,7 @@ export class App implements Context {
   readonly support;
   readonly whatIf: WhatIf | undefined;
   private readonly answered;
+  private firstPose = '';
   readonly timeline: Timeline | null;
   private readonly index = new Map<number, number>();
   private readonly ranges = new Map<string, [number, number]>();
@@ -100,7 +101,12 @@ export class App implements Context {
     this.control.onClick = (x, y) => this.pick(x, y);
     this.control.onDoubleClick = (x, y) => this.goTo(x, y);
     if (this.alone) new Keyboard(this, this.help, { lookFrom: (a, e) => this.lookFrom(a, e), reset: () => this.reset(), theme: () => this.nextTheme() });
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
+    new ResizeObserver(() => {
+      // What nobody has turned yet stays as a whole in the picture, whose shape may change while the page is laid out.
+      const untouched = this.control.pose.join() === this.firstPose;
+      this.resize();
+      if (untouched) this.reset(false);
+    }).observe(canvas.parentElement!);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.apply(new Set(['theme'])));
     if (this.alone) addEventListener('hashchange', () => this.followAddress());
     this.resize();
@@ -194,6 +200,7 @@ export class App implements Context {
   private reset(all = true): void {
     if (all) this.store.set({ ...this.first, camera: [] });
     this.lookFrom(...views.Slanted!, false);
+    this.firstPose = this.control.pose.join();
   }
 
   private pick(x: number, y: number): void {

@@ -5,14 +5,22 @@ import type { Motion } from './motion';
 import { radius, type Surface } from './surface';
 import { initialState, type ViewState } from './view_state';
 
+/// States that are looked at for how far rock moves.
+const mostLookedAt = 20;
+/// Of the model's size: displacements that are less are rounding.
+const leastDisplacement = 1e-10;
+
 /// Displacements are first drawn so large that the largest is a fortieth of the model, or as they are if that is less.
 export function firstMagnification(surface: Surface, motion: Motion): number {
-  if (motion.states === 0) return 1;
+  const last = motion.states - 1;
+  const size = radius(surface);
   let largest = 0;
-  const u = motion.displacement(motion.states - 1);
-  for (let i = 0; i < u.length; i += 3) largest = Math.max(largest, Math.hypot(u[i]!, u[i + 1]!, u[i + 2]!));
-  const wanted = radius(surface) / 40;
-  return largest > 0 && largest < wanted ? niceStep(wanted / largest, 1) / 2 || 1 : 1;
+  for (let k = Math.min(last, mostLookedAt - 1), n = k; k >= 0; --k) {
+    const u = motion.displacement(n > 0 ? Math.round((k * last) / n) : last);
+    for (let i = 0; i < u.length; i += 3) largest = Math.max(largest, Math.hypot(u[i]!, u[i + 1]!, u[i + 2]!));
+  }
+  const wanted = size / 40;
+  return largest > leastDisplacement * size && largest < wanted ? niceStep(wanted / largest, 1) / 2 || 1 : 1;
 }
 
 /// Rock all round an opening hides it: then the model is cut through the opening's middle, lengthwise.

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { makeFields, rangeOf, vonMises } from '../fields';
+import { firstMagnification } from '../first_view';
 import { historyAt, Motion, placeAt } from '../motion';
 import { readSurface } from '../surface';
 import { sampleData, sampleMotion } from './sample';
@@ -63,4 +64,18 @@ test('von Mises of uniaxial stress and of shear', () => {
   assert.ok(Math.abs(vonMises([5, 0, 0, 0, 0, 0]) - 5) < 1e-12);
   assert.ok(Math.abs(vonMises([0, 0, 0, 2, 0, 0]) - 2 * Math.sqrt(3)) < 1e-12);
   assert.ok(vonMises([7, 7, 7, 0, 0, 0]) < 1e-12);
+});
+
+test('displacements are magnified by the largest of all states, not by what rounding leaves in the last', () => {
+  const moved = (x: number): number[] => [x, ...new Array<number>(11).fill(0), ...new Array<number>(12).fill(0)];
+  const of = (...states: number[]): number => {
+    const data = sampleData({ state_time: Float64Array.from(states, (_, s) => s), state_step: Float64Array.from(states, (_, s) => s),
+      block_middle: Float32Array.of(0.5, 0.75, 0.25, 4, 0.5, 2), block_motion: Float32Array.from(states.flatMap(moved)) });
+    const surface = readSurface(data.arrays);
+    return firstMagnification(surface, new Motion(surface, data.arrays));
+  };
+  assert.equal(of(0, 1e-3, 1e-17), of(0, 1e-3));
+  assert.ok(of(0, 1e-3) > 10);
+  assert.equal(of(0, 1e-17), 1);
+  assert.equal(of(0, 1), 1);
 });
