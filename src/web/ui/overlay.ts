@@ -2,7 +2,7 @@
 import * as THREE from 'three';
 import type { Context } from '../context';
 import type { Mark } from '../data';
-import { h, svg } from './dom';
+import { h, svg, textWidth } from './dom';
 import { compass, legend, scaleBar } from './legend';
 import { overlayStyle, type Theme, variables } from './overlay_style';
 
@@ -43,7 +43,9 @@ export class Overlay {
     for (const { name } of this.named.slice(0, 40)) {
       const p = new THREE.Vector3().fromArray(this.context.monitorPlace(name)).project(scene.camera);
       if (p.z > 1 || Math.abs(p.x) > 1 || Math.abs(p.y) > 1) continue;
-      out.push(svg('text', { x: (0.5 + 0.5 * p.x) * scene.canvas.clientWidth + 10, y: (0.5 - 0.5 * p.y) * scene.canvas.clientHeight + 4, class: 'label' }, name));
+      const x = (0.5 + 0.5 * p.x) * scene.canvas.clientWidth;
+      const fits = x + 10 + textWidth(name, '600 12px') < scene.canvas.clientWidth;
+      out.push(svg('text', { x: fits ? x + 10 : x - 10, 'text-anchor': fits ? 'start' : 'end', y: (0.5 - 0.5 * p.y) * scene.canvas.clientHeight + 4, class: 'label' }, name));
     }
     return out;
   }

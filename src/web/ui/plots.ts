@@ -131,8 +131,9 @@ class Plot {
         svg('text', { x: size.left - 5, y: y + 3.5, 'text-anchor': 'end' }, digits(v, 3)));
     }
     for (const t of ticks(t0, t1, 5)) {
+      const last = t > t1 - 0.01 * (t1 - t0); // its words would reach beyond the picture
       out.push(svg('line', { x1: this.x(t), x2: this.x(t), y1: bottom, y2: bottom + 4, class: 'axis' }),
-        svg('text', { x: this.x(t), y: bottom + 15, 'text-anchor': t === t1 ? 'end' : 'middle' }, t === t1 || t + 1e-9 >= t1 ? `${digits(t, 3)} s` : digits(t, 3)));
+        svg('text', { x: this.x(t), y: bottom + 15, 'text-anchor': last ? 'end' : 'middle' }, last ? `${digits(t, 3)} s` : digits(t, 3)));
     }
     out.push(svg('line', { x1: size.left, x2: size.width - size.right, y1: bottom, y2: bottom, class: 'axis' }));
     return out;
