@@ -167,8 +167,8 @@ void main() {
   if (uPass == ${Pass.joints}) base = vJointColour;
   if (uTexture && uPass != ${Pass.joints}) base *= 1.0 + uDepth * (grain(rest, restNormal) - 0.5);
 
+  if (dot(normal, cameraPosition - at) < 0.0) normal = -normal;
   vec3 n = mat3(viewMatrix) * normal;
-  if (n.z < 0.0) { n = -n; normal = -normal; }
   float lit = 0.44 + 0.42 * max(0.0, dot(n, normalize(vec3(-0.45, 0.6, 0.66)))) + 0.17 * normal.z + 0.08 * n.z;
   if (capped) lit = 0.86;
   if (uBacks && !capped) lit *= 0.55;  // from within a block
