@@ -104,7 +104,8 @@ bool write_packed(std::int64_t dataset, std::span<const unsigned long long> at, 
     }
     // HDF5 itself is called from this thread alone.
     for (std::int64_t i = 0; i < n; ++i) {
-      place[along] = static_cast<hsize_t>((first_chunk + first + i) * rows.rows_a_chunk);
+      place[along] =
+          static_cast<hsize_t>(first_chunk + first + i) * static_cast<hsize_t>(rows.rows_a_chunk);
       if (!packers[i].write(dataset, place)) return false;
     }
   }
