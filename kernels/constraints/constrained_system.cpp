@@ -59,7 +59,10 @@ ConstrainedSystem make_constrained_system(const CoverArrays& covers, Operator op
   if (preconditioner != Preconditioner::block_jacobi &&
       preconditioner != Preconditioner::node_block_jacobi)
     system.factors.make = direct;
-  if (system.factors.make) system.start = device::make_field("solve::start", op.unknowns);
+  if (system.factors.make) {
+    system.start = device::make_field("solve::start", op.unknowns);
+    system.best = device::make_field("solve::best", op.unknowns);
+  }
   system.factors.functions = op.functions;
   if (op.functions > 1) system.cover_blocks = make_cover_blocks(op.covers, op.functions);
   system.op = std::move(op);

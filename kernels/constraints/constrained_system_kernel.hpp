@@ -45,10 +45,10 @@ struct ConstrainedSystem {
   bool grid_current = false;        ///< its values are those of the present combination
   Real stiffness_over_inertia = 0;  ///< Σ diag αK / Σ diag βM over functions 0
   Real mass_trace = 0;              ///< Σ diag M over functions 0
-  Field start;                      ///< work space: where a solve started
-  Field load;                       ///< work space: right-hand side with the springs' part
-  Field prescribed_part;            ///< work space: of x, what is prescribed
-  Field best_multiplier;            ///< work space: of the least gap in a search
+  Field start, best;  ///< work space: where a solve started, and the best that factors made of it
+  Field load;         ///< work space: right-hand side with the springs' part
+  Field prescribed_part;  ///< work space: of x, what is prescribed
+  Field best_multiplier;  ///< work space: of the least gap in a search
 };
 /// `others`: points of further terms, whose owners write their tangents before set_combination.
 ConstrainedSystem make_constrained_system(const CoverArrays& covers, Operator op,

@@ -166,6 +166,7 @@ PcgReport solve_with_factors(ConstrainedSystem& system, const Field& load, const
     done.iterations += before;
     if (small_enough(done, pcg)) return done;
   }
+  PcgReport best;
   for (const Real pivot : pivots_of(system)) {
     how.max_iterations = pcg.max_iterations - done.iterations;
     if (how.max_iterations <= 0 || interrupt_signal ||
@@ -175,9 +176,16 @@ PcgReport solve_with_factors(ConstrainedSystem& system, const Field& load, const
     const Index before = done.iterations;
     done = solve_with_present_factors(system, system.eliminated, load, x, how);
     done.iterations += before;
-    if (small_enough(done, pcg)) break;
+    if (small_enough(done, pcg)) return done;
+    if (!(done.residual < best.residual)) continue;
+    best = done;
+    Kokkos::deep_copy(system.best, x);
   }
-  return done;
+  if (!std::isfinite(best.residual)) return done;
+  Kokkos::deep_copy(x, system.best);
+  best.iterations = done.iterations;
+  best.converged = best.nothing_resists && best.residual < most_left;
+  return best;
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ struct KrylovWork {
   Field r, p;
   Field q;              ///< A p; needed no more while a residual is preconditioned
   Field z;              ///< B r
+  Field before;         ///< x before the last search
   Array<Real> partial;  ///< sums of chunks
   Array<Real> energy;   ///< r·z
   Array<Real> scalar;   ///< see pcg.cpp

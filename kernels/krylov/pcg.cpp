@@ -77,20 +77,30 @@ void take_step(const KrylovWork& work, const Apply& a, const Field& x) {
       KOKKOS_LAMBDA(const Sums<1>& sum) { w.scalar(squared_residual) = sum.value[0]; });
 }
 
-/// Iterates until the recurrence's residual is at most `target`, or a direction has no energy. False where A, B or b are not fit.
-bool iterate(const KrylovWork& work, const Apply& a, const ApplyInverse& b_inverse, const Field& x,
-             Real target, Index max_iterations, Index& iterations) {
+/// Of the energy of x: what is less is rounding of x, ε² in energy. What residual is then left lies where B is nothing (functions that
+/// depend on each other), and to follow it blows x up.
+constexpr Real least_energy =
+    std::numeric_limits<Real>::epsilon() * std::numeric_limits<Real>::epsilon();
+
+enum class End { target, limit, no_energy, broken };
+
+/// Iterates until the recurrence's residual is at most `target`, or a direction has no energy: rounding where A is singular or nearly so (no
+/// step was taken), or A is not positive. Broken where A, B or b are not fit. `energy`: the largest of x and of steps to it so far.
+End iterate(const KrylovWork& work, const Apply& a, const ApplyInverse& b_inverse, const Field& x,
+            Real target, Index max_iterations, Index& iterations, Real& energy) {
   for (bool first = true; iterations < max_iterations && !interrupt_signal; first = false) {
     turn(work, b_inverse, first);
     take_step(work, a, x);
     fetch_scalars(work);
     ++iterations;
     const Real residual = std::sqrt(work.host_scalar(squared_residual));
-    if (!std::isfinite(residual)) return false;
-    // A direction without energy: rounding where A is singular or nearly so (no step was taken), or A is not positive.
-    if (!(work.host_scalar(direction_energy) > 0) || residual <= target) return true;
+    if (!std::isfinite(residual)) return End::broken;
+    if (!(work.host_scalar(direction_energy) > 0)) return End::no_energy;
+    if (residual <= target) return End::target;
+    energy = std::max(energy, work.host_scalar(energy_before));
+    if (work.host_scalar(energy_before) <= least_energy * energy) return End::no_energy;
   }
-  return true;
+  return End::limit;
 }
 
 /// Share of the tolerance below which no reduction goes.
@@ -104,6 +114,7 @@ KrylovWork make_krylov_work(Index unknowns) {
   work.p = device::make_field("solve::krylov_p", unknowns);
   work.q = device::make_field("solve::krylov_q", unknowns);
   work.z = device::make_field("solve::krylov_z", unknowns);
+  work.before = device::make_field("solve::krylov_before", unknowns);
   work.partial = device::allocate<Real>("solve::krylov_partial", 2 * device::chunk_count(unknowns));
   work.energy = Array<Real>("rockfold::solve::krylov_energy", 1);
   work.scalar = Array<Real>("rockfold::solve::krylov_scalar", scalars);
@@ -154,15 +165,21 @@ PcgReport solve_pcg(const KrylovWork& work, const Apply& a, const ApplyInverse& 
   const Real target = options.reduction > 0 ? std::max(options.reduction * residual, floor)
                                             : options.tolerance * report.reference;
   // The recurrence drifts from the true residual: that is measured anew, and the search restarted where it had drifted.
-  Real before = std::numeric_limits<Real>::infinity();
+  Real before = std::numeric_limits<Real>::infinity(), energy = 0;
   while (!(residual <= target) && report.iterations < options.max_iterations && !interrupt_signal) {
     if (!(residual < 0.5 * before)) break;  // a restart that gains nothing: rounding, or NaN
     before = residual;
-    if (!iterate(work, a, b_inverse, x, target, options.max_iterations, report.iterations)) {
-      residual = std::numeric_limits<Real>::quiet_NaN();
-      break;
+    Kokkos::deep_copy(work.before, x);
+    energy = std::max(energy, dot(work, x, work.q));  // q = A x
+    const End end =
+        iterate(work, a, b_inverse, x, target, options.max_iterations, report.iterations, energy);
+    report.nothing_resists = end == End::no_energy;
+    residual =
+        end == End::broken ? std::numeric_limits<Real>::quiet_NaN() : find_residual(work, a, b, x);
+    if (end == End::no_energy && !(residual <= before)) {
+      Kokkos::deep_copy(x, work.before);
+      residual = before;
     }
-    residual = find_residual(work, a, b, x);
   }
   report.residual = residual / report.reference;
   report.converged = residual <= target;

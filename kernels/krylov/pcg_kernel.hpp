@@ -26,6 +26,9 @@ struct PcgReport {
       infinity();  ///< true ‖b − A x‖ / `reference` at the end; NaN if the solve broke down, infinite before it
   Real reference = 0;      ///< max(‖b‖, reference), or that asked for
   bool converged = false;  ///< the tolerance, or the reduction asked for, was reached
+  /// The search ended in a direction that A does not resist, or that B does not see: what is left of the residual is rounding of A x, as
+  /// far as both can tell.
+  bool nothing_resists = false;
 };
 
 /// Solves A x = b from the x given, A symmetric and positive semi-definite.
