@@ -1,6 +1,7 @@
 #include "src/app/estimate.hpp"
 
 #include <algorithm>
+#include <ctime>
 
 #include <sys/resource.h>
 
@@ -10,10 +11,12 @@ namespace rockfold {
 
 namespace {
 
-/// Steps that are tried: the first sets solvers up; a tenth of all, but no longer than it takes to see how long one takes.
+/// Steps that are tried of a stage: the first sets solvers up, the next ones bring loads and contacts on.
 constexpr Index least_tried = 3;
-constexpr Index share_tried = 10;
-constexpr Real longest_try = 2;  // s
+constexpr Real longest_try = 4;  // s
+
+/// s of computing until main began: libraries are found and linked.
+const Real started_in = static_cast<Real>(std::clock()) / CLOCKS_PER_SEC;
 
 Real peak_memory() {
   rusage usage{};
@@ -25,27 +28,34 @@ Real peak_memory() {
 
 Probe::Probe(const Model& model) {
   if (!model.analysis) return;
-  steps_ = model.analysis->steps();
-  if (model.reduction) steps_ *= most_trials(*model.reduction) + 1;
+  for (const AnalysisStage& stage : model.analysis->stages) steps_.push_back(stage.steps);
+  after_.resize(steps_.size());
+  if (model.reduction) times_ = most_trials(*model.reduction) + 1;
+}
+
+Then Probe::after(const StepDone& done) {
+  std::vector<Real>& after = after_[done.stage];
+  after.push_back(since_.seconds());
+  const auto tried = static_cast<Index>(after.size());
+  const bool enough = tried >= least_tried && after.back() - after.front() > longest_try;
+  return enough ? Then::end_stage : Then::go_on;
 }
 
 Watch Probe::watch() {
-  return [this](const StepDone&) {
-    after_.push_back(since_.seconds());
-    const auto tried = static_cast<Index>(after_.size());
-    return tried >= std::max(least_tried, steps_ / share_tried) ||
-           (tried >= least_tried && after_.back() - after_.front() > longest_try);
-  };
+  return [this](const StepDone& done) { return after(done); };
 }
 
 Estimate Probe::estimate(const std::string& command) const {
-  Estimate made{command, peak_memory(), since_.seconds(), 0, 0};
-  if (after_.empty()) return made;
-  made.steps = steps_;
-  made.tried = static_cast<Index>(after_.size());
-  if (made.tried > 1) {
-    const Real step = (after_.back() - after_.front()) / static_cast<Real>(made.tried - 1);
-    made.seconds += step * static_cast<Real>(steps_ - made.tried);
+  Estimate made{command, peak_memory(), since_.seconds() + started_in, 0, 0};
+  for (std::size_t stage = 0; stage < steps_.size(); ++stage) {
+    const std::vector<Real>& after = after_[stage];
+    const Index tried = static_cast<Index>(after.size()), steps = times_ * steps_[stage];
+    made.steps += steps;
+    made.tried += tried;
+    if (tried < 2) continue;
+    const Index settled = (tried - 1) / 2;
+    const Real step = (after.back() - after[settled]) / static_cast<Real>(tried - 1 - settled);
+    made.seconds += step * static_cast<Real>(steps - tried);
   }
   return made;
 }

@@ -1,4 +1,4 @@
-// What a command will take, from carrying out its beginning: all of its stages, and the first steps of its analysis.
+// What a command will take, from carrying out its beginning: all phases, and the first steps of each stage of its analysis.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct Estimate {
         tried = 0;  ///< of the analysis, and those that were carried out for this; 0: there is none
 };
 
-/// Watches the steps of an analysis that is stopped after its first ones.
+/// Watches the steps of an analysis whose stages are left after their first ones.
 class Probe {
  public:
   explicit Probe(const Model& model);
@@ -29,9 +29,12 @@ class Probe {
   Estimate estimate(const std::string& command) const;
 
  private:
+  Then after(const StepDone& done);
+
   Timer since_;
-  Index steps_ = 0;
-  std::vector<Real> after_;  ///< s since the start, after each step
+  Index times_ = 1;                       ///< that the analysis is done
+  std::vector<Index> steps_;              ///< of each stage
+  std::vector<std::vector<Real>> after_;  ///< s since the start, after each step tried of a stage
 };
 
 }  // namespace rockfold

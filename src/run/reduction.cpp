@@ -33,7 +33,7 @@ class FailureWatch {
  public:
   explicit FailureWatch(const RunInput& input) : input_(input) {}
 
-  bool operator()(const StepDone& done) {
+  Then operator()(const StepDone& done) {
     const std::vector<AnalysisStage>& stages = input_.model.analysis->stages;
     if (done.stage != stage_ && stages[done.stage].reset_displacement) start_ = last_;
     stage_ = done.stage;
@@ -45,7 +45,7 @@ class FailureWatch {
     for (std::size_t b = 0; b < motion.size(); ++b)
       failed_ =
           failed_ || moved_too_far(input_.model, motion[b].displacement, input_.blocks.volume[b]);
-    return failed_;
+    return failed_ ? Then::end : Then::go_on;
   }
   bool failed() const { return failed_; }
 

@@ -207,7 +207,7 @@ class Run {
   Recorder recorder_;
   const Checkpoints& checkpoints_;
   const Watch& watch_;
-  bool enough_ = false;  ///< the watch has seen what it was for
+  Then then_ = Then::go_on;  ///< what the watch says
   Timer since_checkpoint_;
   RunPosition at_;
   /// What save_motion() keeps of the counts: a part of a step that a signal ends has not been.
@@ -432,7 +432,7 @@ void Run::restore(std::span<const std::byte> checkpoint) try {
 
 /// Takes the steps of a stage that are left.
 void Run::go_on(const AnalysisStage& stage, Progress& progress) {
-  while (at_.step < stage.steps && !result_.interrupted && !enough_) {
+  while (at_.step < stage.steps && !result_.interrupted && then_ == Then::go_on) {
     const bool last = at_.step + 1 == stage.steps;
     const Index step = result_.steps + 1;
     if (stage.type == AnalysisType::static_)
@@ -445,7 +445,7 @@ void Run::go_on(const AnalysisStage& stage, Progress& progress) {
     record_contacts();
     recorder_.record(motion_, step, last);
     if (watch_)
-      enough_ = watch_(
+      then_ = watch_(
           {at_.stage, at_.step, motion_.time(), start_, motion_.state().displacement, moments_});
     result_.interrupted = interrupt_signal != 0;
     if (result_.interrupted || since_checkpoint_.seconds() >= checkpoints_.every) save_checkpoint();
@@ -457,8 +457,9 @@ void Run::go_on(const AnalysisStage& stage, Progress& progress) {
 void Run::go(Progress& progress) {
   progress.begin("analysis", analysis_.steps(), "steps");
   if (!checkpoints_.from.empty()) restore(checkpoints_.from);
-  while (at_.stage < std::ssize(analysis_.stages) && !result_.interrupted && !enough_) {
+  while (at_.stage < std::ssize(analysis_.stages) && !result_.interrupted && then_ != Then::end) {
     const AnalysisStage& stage = analysis_.stages[at_.stage];
+    then_ = Then::go_on;
     begin(stage);
     if (result_.energies.empty()) record_start();
     go_on(stage, progress);

@@ -51,8 +51,9 @@ struct StepDone {
   const PieceMoments& moments;
 };
 
-/// Looks at each step; true ends the analysis, which has shown what it was for.
-using Watch = std::function<bool(const StepDone&)>;
+/// What comes after a step that was looked at: an analysis, or a stage of it, that has shown what it was for ends there.
+enum class Then : std::uint8_t { go_on, end_stage, end };
+using Watch = std::function<Then(const StepDone&)>;
 
 /// Runs Model::analysis. The device must have been started (kernels/device/device.hpp).
 ///

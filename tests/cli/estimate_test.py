@@ -23,11 +23,19 @@ class Estimate(ProgramTest):
         made = self.json_of("check", "stacked_blocks.toml", "--estimate")["estimate"]
         self.assertEqual(self.files(), before)
         self.assertEqual(made["command"], "run")
-        self.assertGreater(made["steps"], made["steps_tried"])
-        self.assertGreaterEqual(made["steps_tried"], 3)
+        self.assertEqual((made["steps"], made["steps_tried"]), (10, 10))  # so few that all are tried
         seconds, memory = self.measured("run", "stacked_blocks.toml")
         self.assertTrue(memory / 2 < made["memory"] < 2 * memory, (memory, made))
         self.assertTrue(seconds / 10 < made["seconds"] < 10 * seconds, (seconds, made))  # other programs run beside
+
+    def test_tries_each_stage_of_a_long_run(self):
+        self.copy_case("jointed_slope")
+        began = time.monotonic()
+        made = self.json_of("check", "jointed_slope.toml", "--estimate")["estimate"]
+        self.assertEqual(made["steps"], 60 + 1000)
+        self.assertGreaterEqual(made["steps_tried"], 2 * 3)
+        self.assertLess(made["steps_tried"], made["steps"])
+        self.assertGreater(made["seconds"], time.monotonic() - began)  # of which it has done a part
 
     def test_of_a_model_without_analysis_is_that_of_what_it_has(self):
         self.copy_case("cube")
