@@ -94,8 +94,11 @@ std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
   if (answer.run) text.append("\n").append(run_summary(run_report(answer)));
   if (answer.run && has_confirmed(run_report(answer)))
     text.append("\n").append(confirmed_summary(run_report(answer)));
-  text.append("\n").append(fact("result", answer.path + "  (rockfold info, or ParaView 5.13)"));
-  text += fact("", xdmf_path(answer.path) + "  (ParaView 5.11 and 5.12)");
+  text += "\n";
+  if (!answer.options.no_result) {
+    text += fact("result", answer.path + "  (rockfold info, or ParaView 5.13)");
+    text += fact("", xdmf_path(answer.path) + "  (ParaView 5.11 and 5.12)");
+  }
   const Made made{answer.design != nullptr, answer.run != nullptr};
   for (const DesignFile& file : design_files(answer.model, answer.path, made))
     text += fact("drawing or table", file.path);

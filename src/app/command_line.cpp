@@ -135,6 +135,8 @@ void add_sweep_options(CLI::App& command, Options& options) {
 void require_one_mode(const Options& options) {
   const int modes = (options.part.first > 0) + (options.slurm_tasks > 0) + options.gather;
   if (modes > 1) reject("--part, --slurm and --gather exclude each other");
+  if (options.no_result && options.report)
+    reject("--no-result leaves nothing that --report could be made of");
 }
 
 void add_commands(CLI::App& app, Options& options) {
@@ -152,6 +154,7 @@ void add_commands(CLI::App& app, Options& options) {
           ->allow_extra_args(false);
       add_output_option(*sub, options);
       sub->add_flag("--force", options.force);
+      if (may_leave_result(help.command)) sub->add_flag("--no-result", options.no_result);
     }
     if (help.command == Command::view) add_view_options(*sub, options);
     if (help.command == Command::report) add_output_option(*sub, options);

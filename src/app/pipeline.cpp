@@ -102,9 +102,9 @@ Reduction reduce_strength(const RunInput& input, const Resumption* resumption, T
   return find_reduction(input, terminal);
 }
 
-/// Steps through the analysis and stores its states. If it fails, the states so far are kept.
+/// Steps through the analysis and stores its states, if there is a writer. If it fails, the states so far are kept.
 Analysed analyse(const CoveredRock& rock, const Model& model, const BlockArrays& blocks,
-                 ResultWriter& writer, const Options& options, const Resumption* resumption,
+                 ResultWriter* writer, const Options& options, const Resumption* resumption,
                  Probe* probe, Terminal& terminal) {
   Model weakened;  // the model itself but where a reduction has been found
   const auto input_of = [&](const Model& of) {
@@ -129,10 +129,14 @@ Analysed analyse(const CoveredRock& rock, const Model& model, const BlockArrays&
     weakened.joint_materials = with_strength_divided(model.joint_materials, reduction->shown());
   }
   const RunInput input = input_of(reduction ? weakened : model);
+  if (!writer)
+    return {run_analysis(
+                input, [](const auto&) {}, terminal),
+            nullptr, reduction};
   const StoreState show = [&](const StoredState& state) {
-    add_stored_state(writer, rock.block_vertices, state);
+    add_stored_state(*writer, rock.block_vertices, state);
   };
-  auto journal = open_journal(options, model, writer.path(), resumption, show,
+  auto journal = open_journal(options, model, writer->path(), resumption, show,
                               reduction ? packed(*reduction) : std::vector<std::byte>{});
   const StoreState store = [&](const StoredState& state) {
     journal->add_state(state.step, state.motion.time, hash_of(state), packed(state));
@@ -145,7 +149,7 @@ Analysed analyse(const CoveredRock& rock, const Model& model, const BlockArrays&
     return {run_analysis(input, store, terminal, checkpoints), std::move(journal), reduction};
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::usage) throw;  // what is there is as it was
-    keep_states(writer, error.kind(), terminal);
+    keep_states(*writer, error.kind(), terminal);
     if (error.kind() != ErrorKind::io) journal->remove();  // it would fail again
     throw;
   }
@@ -175,11 +179,15 @@ void write_exports(const Options& options, const Model& model, const Cutting& cu
 }
 
 /// Throws Error(analysis) where it was a limit that ended the run.
-void require_no_limit_met(const RunResult& run, const Model& model, const std::string& path) {
-  const auto error = stop_error(fmt::format(
-      "stopped after {} of {} steps, t = {:.6g} s; {} holds the states so far, and `rockfold "
-      "resume {}` goes on",
-      run.steps, model.analysis->steps(), run.time, path, path));
+void require_no_limit_met(const RunResult& run, const Model& model, const Options& options,
+                          const std::string& path) {
+  const auto error = stop_error(
+      fmt::format("stopped after {} of {} steps, t = {:.6g} s; {}", run.steps,
+                  model.analysis->steps(), run.time,
+                  options.no_result
+                      ? "nothing is stored (--no-result)"
+                      : fmt::format("{} holds the states so far, and `rockfold resume {}` goes on",
+                                    path, path)));
   if (error) throw *error;
 }
 
@@ -202,7 +210,7 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
   if (resumption) require_same_inputs(resumption->journal.origin, model);
   const std::string path = result_path(options);
   check_output_paths(options, model);
-  require_states_replaced_knowingly(options, path);
+  if (!options.no_result) require_states_replaced_knowingly(options, path);
 
   Cutting cutting = clock.measure("cut", [&] { return cut_blocks(model, terminal); });
   return_free_memory();
@@ -255,17 +263,19 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
   return_free_memory();
 
   remember_interrupts();
-  ResultWriter writer(path, model, result_header(options));
+  std::optional<ResultWriter> writer;
+  if (!options.no_result) writer.emplace(path, model, result_header(options));
   PolygonMesh polygons;
   BlockFields fields = keyblocks ? block_fields(*keyblocks) : BlockFields{};
-  clock.measure("output", "writing blocks", [&] {
-    polygons = face_polygons(blocks);
-    if (design && design->bolting) add_bolting(fields, *design->bolting);
-    writer.write_blocks(blocks, polygons, fields,
-                        measures ? measures->blocks.flags : std::vector<std::uint8_t>{});
-    if (keyblocks && has_first_looks(model))
-      writer.write_first_looks(find_first_looks(blocks, model));
-  });
+  if (design && design->bolting) add_bolting(fields, *design->bolting);
+  if (writer || !options.exports.empty()) polygons = face_polygons(blocks);
+  if (writer)
+    clock.measure("output", "writing blocks", [&] {
+      writer->write_blocks(blocks, polygons, fields,
+                           measures ? measures->blocks.flags : std::vector<std::uint8_t>{});
+      if (keyblocks && has_first_looks(model))
+        writer->write_first_looks(find_first_looks(blocks, model));
+    });
 
   if (design && !(model.drawings.empty() && model.tables.empty()))
     clock.measure("output", "writing drawings and tables",
@@ -280,14 +290,16 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
   std::optional<Reduction> reduction;
   std::unique_ptr<RunJournal> journal;
   if (rock) {
-    clock.measure("output", "writing elements",
-                  [&] { writer.write_elements(rock->covering.arrays, rock->mesh); });
-    auto analysed = analyse(*rock, model, blocks, writer, options, resumption, probe, terminal);
+    if (writer)
+      clock.measure("output", "writing elements",
+                    [&] { writer->write_elements(rock->covering.arrays, rock->mesh); });
+    auto analysed = analyse(*rock, model, blocks, writer ? &*writer : nullptr, options, resumption,
+                            probe, terminal);
     if (!analysed.run) return end_search(*analysed.reduction, terminal);
     run = std::move(analysed.run);
     reduction = std::move(analysed.reduction);
     journal = std::move(analysed.journal);
-    add_histories(writer, model, *run);
+    if (writer) add_histories(*writer, model, *run);
     write_history_files(*run, model, path);
     add_run_seconds(clock, *run);
     warn_of_large_rotation(model, *run, terminal);
@@ -296,7 +308,7 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
     warn_of_made_energy(*run, terminal);
     warn_of_missing_factors(model, *run, terminal);
     if (!run->interrupted) warn_of_support_gap(model, *run, rock->fixed, terminal);
-    warn_of_interruption(*run, model, terminal);
+    warn_of_interruption(*run, model, options, terminal);
   }
   const Answer answer{options,
                       model,
@@ -311,10 +323,11 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
                       path,
                       unused_keys(options, model)};
   clock.measure("output", [&] {
-    writer.write_answer(stored_answer(answer, terminal.warnings()));
+    if (!writer) return;
+    writer->write_answer(stored_answer(answer, terminal.warnings()));
     if (run && !run->interrupted)
-      writer.write_run(whole_answer(answer, terminal), run_origin(options, model));
-    writer.finish();
+      writer->write_run(whole_answer(answer, terminal), run_origin(options, model));
+    writer->finish();
     if (run && !run->interrupted) journal->remove();
   });
   if (probe) return 0;
@@ -326,7 +339,7 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
     clock.measure("output", "writing the report",
                   [&] { write_report(path, report_path(options)); });
 
-  if (run && run->interrupted) require_no_limit_met(*run, model, path);
+  if (run && run->interrupted) require_no_limit_met(*run, model, options, path);
   print_answer(answer, terminal, clock.seconds());
   return run ? interrupted_status() : 0;
 }

@@ -339,10 +339,12 @@ void warn_of_missing_factors(const Model& model, const RunResult& run, Terminal&
                   preconditioner_name(run.preconditioner)));
 }
 
-void warn_of_interruption(const RunResult& run, const Model& model, Terminal& terminal) {
+void warn_of_interruption(const RunResult& run, const Model& model, const Options& options,
+                          Terminal& terminal) {
   if (!run.interrupted || stop_error("")) return;  // the error of a limit says so itself
-  terminal.warn(fmt::format("interrupted after {} of {} steps: the result ends at t = {:.6g} s",
-                            run.steps, model.analysis->steps(), run.time));
+  terminal.warn(fmt::format("interrupted after {} of {} steps: the {} ends at t = {:.6g} s",
+                            run.steps, model.analysis->steps(),
+                            options.no_result ? "answer" : "result", run.time));
 }
 
 }  // namespace rockfold

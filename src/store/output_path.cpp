@@ -73,7 +73,7 @@ std::vector<OutputFile> outputs_of(const Options& options, const Model& model) {
   const std::string result = result_path(options);
   const std::string of_result = "name another file with -o, one that ends in .vtkhdf";
   std::vector<OutputFile> outputs;
-  if (options.command != Command::theory)
+  if (options.command != Command::theory && !options.no_result)
     outputs = {{result, "the result", of_result},
                {xdmf_path(result), "the .xdmf file that goes with the result", of_result}};
   if (!options.json_file.empty())

@@ -137,7 +137,7 @@ Job SweepRuns::job_of(Index run) const {
   for (const std::string& load : options_.ignored)
     job.arguments.insert(job.arguments.end(), {"--ignore", load});
   if (spec_.command != "theory")
-    job.arguments.insert(job.arguments.end(), {"-o", stem + ".vtkhdf"});
+    job.arguments.insert(job.arguments.end(), {"--no-result", "-o", stem + ".vtkhdf"});
   clear(run);
   return job;
 }

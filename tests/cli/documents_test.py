@@ -75,6 +75,39 @@ class Cut(ProgramTest):
         self.assertEqual(len(answers), 2)
 
 
+class WithoutResult(ProgramTest):
+    def test_the_answer_is_the_same_and_nothing_is_left(self):
+        # "seconds" are of the clock
+        answer = lambda document: {key: value for key, value in document.items() if key not in ("timing", "seconds", "timings")}
+        for command, case in (("cut", "cube"), ("support", "wedge"), ("run", "sliding_block")):
+            with self.subTest(command=command):
+                self.copy_case(case)
+                before = self.files()
+                alone = self.json_of(command, f"{case}.toml", "--no-result")
+                self.assertEqual(self.files(), before)
+                self.assertEqual(answer(alone), answer(self.json_of(command, f"{case}.toml")))
+                told = self.run_program(command, f"{case}.toml", "--no-result", "-o", "other.vtkhdf").stdout
+                self.assertNotIn(".vtkhdf", told)
+                self.assertFalse((self.folder / "other.vtkhdf").exists())
+
+    def test_tables_and_exports_are_written(self):
+        self.copy_case("wedge")
+        self.run_program("support", "wedge.toml", "--no-result", "--export", "wedge.obj")
+        self.assertEqual(self.files(), ["wedge.obj", "wedge.toml"])
+
+    def test_a_limit_of_time_says_that_nothing_is_left(self):
+        self.copy_case("free_fall")
+        stopped = self.run_program("run", "free_fall.toml", "--no-result", "--set", "analysis.end_time=5e5", "--max-time", "2",
+                                   status=1)
+        self.assertIn("nothing is stored (--no-result)", stopped.stderr)
+        self.assertEqual(self.files(), ["free_fall.toml"])
+
+    def test_has_no_report(self):
+        self.copy_case("wedge")
+        told = self.run_program("support", "wedge.toml", "--no-result", "--report", status=2).stderr
+        self.assertIn("--no-result leaves nothing that --report could be made of", told)
+
+
 class Support(ProgramTest):
     def test_of_the_wedge_has_its_closed_form(self):
         self.copy_case("wedge")
