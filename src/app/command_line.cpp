@@ -154,6 +154,11 @@ void add_commands(CLI::App& app, Options& options) {
           ->allow_extra_args(false);
       add_output_option(*sub, options);
       sub->add_flag("--force", options.force);
+      if (lists_keyblocks(help.command))
+        sub->add_option_function<std::string>("--table", [&options](const std::string& name) {
+          if (name.empty()) reject("--table needs the name of a file");
+          options.table = name;
+        });
       if (may_leave_result(help.command)) sub->add_flag("--no-result", options.no_result);
     }
     if (help.command == Command::view) add_view_options(*sub, options);

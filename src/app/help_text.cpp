@@ -141,6 +141,9 @@ constexpr const char* output_option =
     "  --export FILE          the blocks for other programs, by the file's end (repeatable):\n"
     "                         .vtp (VTK), .obj, .stl, .3ddat (3DEC commands), .json\n";
 
+constexpr const char* table_option =
+    "  --table FILE           all key blocks as CSV, where the summary has the first twenty\n";
+
 constexpr const char* no_result_option =
     "  --no-result            write no result file: the answer, exports, drawings and tables "
     "alone\n";
@@ -209,6 +212,10 @@ bool writes_results(Command command) {
          command == Command::run;
 }
 
+bool lists_keyblocks(Command command) {
+  return writes_results(command) && command != Command::cut;
+}
+
 bool may_leave_result(Command command) {
   return writes_results(command) && command != Command::demo;
 }
@@ -231,6 +238,7 @@ std::string command_help_text(const CommandHelp& help) {
   std::string text = fmt::format("Usage: rockfold {}{}{} [OPTIONS]\n\n{}\n", help.name,
                                  *help.input ? " " : "", help.input, help.text);
   if (writes_results(help.command)) text += output_option;
+  if (lists_keyblocks(help.command)) text += table_option;
   if (may_leave_result(help.command)) text += no_result_option;
   if (makes_report(help.command) && writes_results(help.command)) text += with_report_option;
   if (writes_results(help.command)) text += "\n";

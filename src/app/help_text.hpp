@@ -21,6 +21,8 @@ std::span<const CommandHelp> command_helps();
 const CommandHelp& command_help(Command command);
 
 bool writes_results(Command command);
+/// Whether it has --table.
+bool lists_keyblocks(Command command);
 /// Whether it may be told to write none.
 bool may_leave_result(Command command);
 /// Whether it has --report.

@@ -74,6 +74,19 @@ void reseed(Model& model, std::uint64_t seed) {
       fmt::format("\n# Random joint sets drawn with --seed {} on the command line.\n", seed);
 }
 
+/// The table of --table, which stands beside those of the model.
+void add_table(Model& model, const Options& options) {
+  if (!wants_support(options, model))
+    throw Error(ErrorKind::usage,
+                "lists key blocks, which `run` finds where the model has a [support]; `support` "
+                "finds them without",
+                Place{"--table", 0, 0, {}});
+  const std::filesystem::path folder = std::filesystem::path(result_path(options)).parent_path();
+  TableFile table;
+  table.file = folder.empty() ? options.table : std::filesystem::absolute(options.table).string();
+  model.tables.push_back(table);
+}
+
 }  // namespace
 
 bool wants_run(const Options& options) {
@@ -104,6 +117,7 @@ Model load_model(const Options& options, Terminal& terminal) {
     model.support->stress = usual_joint_stress(model);
   }
   if (wants_support(options, model)) check_for(model, Purpose::support);
+  if (!options.table.empty()) add_table(model, options);
   if (options.command != Command::theory &&
       std::filesystem::path(result_path(options)).extension() != ".vtkhdf")
     terminal.warn("ParaView knows result files by their name: let it end in .vtkhdf");

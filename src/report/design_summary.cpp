@@ -78,7 +78,7 @@ std::string bolting_text(const BoltingReport& bolting, const KeyblockReport& key
                              {"missing", "kN", false}},
                             rows);
   if (bolting.keyblocks.size() > most_rows)
-    text += fmt::format("  … {} more: [[table]] kind = \"keyblocks\" lists all\n",
+    text += fmt::format("  … {} more: --table keyblocks.csv lists all\n",
                         grouped(static_cast<std::int64_t>(bolting.keyblocks.size() - most_rows)));
   return text;
 }

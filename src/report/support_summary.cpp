@@ -128,7 +128,7 @@ std::string keyblock_table(const std::vector<Keyblock>& keys, std::size_t most) 
     rows.push_back(keyblock_row(keys[k]));
   std::string text = table_text(keyblock_columns, rows);
   if (rows.size() < keys.size())
-    text += fmt::format("  … {} more: [[table]] kind = \"keyblocks\" lists all\n",
+    text += fmt::format("  … {} more: --table keyblocks.csv lists all\n",
                         grouped(static_cast<std::int64_t>(keys.size() - rows.size())));
   return text;
 }

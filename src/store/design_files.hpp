@@ -20,7 +20,7 @@ struct DesignFile {
   const Drawing* drawing = nullptr;
   const TableFile* table = nullptr;
   std::string path;  ///< in the result's folder
-  Place place;       ///< where the model names it
+  Place place;       ///< where the model names it; no file: the command line did
 };
 
 /// Those of the model that are written, drawings first.

@@ -88,8 +88,11 @@ std::vector<OutputFile> outputs_of(const Options& options, const Model& model) {
   const bool check = options.command == Command::check;
   const Made made{check || wants_support(options, model), check || wants_run(options)};
   for (const DesignFile& file : design_files(model, result, made))
-    outputs.push_back({file.path, "the drawing or table",
-                       "give each [[drawing]] and [[table]] a name of its own", file.place});
+    if (file.place.file.empty())
+      outputs.push_back({file.path, "the table of key blocks", "give --table another name"});
+    else
+      outputs.push_back({file.path, "the drawing or table",
+                         "give each [[drawing]] and [[table]] a name of its own", file.place});
   return outputs;
 }
 

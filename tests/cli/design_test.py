@@ -186,5 +186,34 @@ class AnchorThatDrives(ProgramTest):
         self.assertAlmostEqual(float(row["supported factor of safety"]), expected)
 
 
+class TableOfTheCommandLine(ProgramTest):
+    def rows(self, name):
+        with open(self.folder / name, newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def test_lists_the_key_blocks_of_the_document(self):
+        self.copy_case("crossing_tunnels")
+        document = self.json_of("support", "crossing_tunnels.toml", "--no-result", "--table", "all.csv")
+        blocks = [int(row["block"]) for row in self.rows("all.csv") if int(row["batch"]) > 0]
+        self.assertEqual(sorted(blocks), sorted(key["block"] for key in document["keyblocks"]))
+        self.assertGreater(len(blocks), 20)
+        told = self.run_program("support", "crossing_tunnels.toml", "--no-result").stdout
+        self.assertRegex(told, r"… \d+ more: --table keyblocks.csv lists all")
+
+    def test_stands_in_the_folder_one_works_in(self):
+        self.copy_case("wedge")
+        (self.folder / "results").mkdir()
+        self.run_program("support", "wedge.toml", "-o", "results/wedge.vtkhdf", "--table", "keys.csv")
+        self.assertEqual(len(self.rows("keys.csv")), 1)
+
+    def test_is_refused_where_it_would_destroy_or_be_empty(self):
+        self.copy_case("free_fall")
+        told = self.run_program("run", "free_fall.toml", "--table", "keys.csv", status=2).stderr
+        self.assertIn("--table: lists key blocks, which `run` finds where the model has a [support]", told)
+        told = self.run_program("support", "free_fall.toml", "--table", "free_fall.toml", status=2).stderr
+        self.assertIn("would overwrite the model; give --table another name", told)
+        self.assertEqual(self.files(), ["free_fall.toml"])
+
+
 if __name__ == "__main__":
     unittest.main()
