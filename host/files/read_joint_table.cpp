@@ -19,9 +19,9 @@ namespace rockfold {
 
 namespace {
 
-enum Column { dip, dip_direction, x, y, z, radius, material, strike, column_count };
+enum Column { dip, dip_direction, x, y, z, radius, material, strike, diameter, column_count };
 constexpr std::array<const char*, column_count> column_names = {
-    "dip", "dip_direction", "x", "y", "z", "radius", "material", "strike"};
+    "dip", "dip_direction", "x", "y", "z", "radius", "material", "strike", "diameter"};
 constexpr const char* heading = "dip, dip_direction, x, y, z[, radius, material]";
 
 /// What other programs call them, as bare_name() has it.
@@ -51,7 +51,7 @@ bool is_called(std::string_view name, std::size_t column) {
 Range range_of(Column column) {
   if (column == dip) return between(0, 90, "deg");
   if (column == dip_direction || column == strike) return between(0, 360, "deg");
-  return column == radius ? length() : coordinate();
+  return column == radius || column == diameter ? length() : coordinate();
 }
 
 struct Field {
@@ -137,6 +137,7 @@ class TableReader {
         find_column(fields, c, [&](const Field& field) { return is_called(field.text, c); });
     }
     if (place_[dip_direction]) place_[strike].reset();
+    if (place_[radius]) place_[diameter].reset();
     require_columns(fields);
     faults_.throw_if_any();
     tell_of_columns(fields);
@@ -165,7 +166,7 @@ class TableReader {
       if (!place_[c] && !(c == dip_direction && place_[strike]))
         missing.emplace_back(column_names[c]);
     auto wanted = missing;
-    if (!place_[radius]) wanted.emplace_back(column_names[radius]);
+    if (!place_[radius] && !place_[diameter]) wanted.emplace_back(column_names[radius]);
     for (std::size_t i = 0; i < fields.size(); ++i) {
       const auto nearest = nearest_word(fields[i].text, wanted);
       if (!is_read(i) && !nearest.empty())
@@ -197,7 +198,9 @@ class TableReader {
     if (place_[strike])
       notes.push_back(fmt::format("planes dip to the {} of their strike (rule)",
                                   table_.left_hand ? "left" : "right"));
-    if (!place_[radius]) notes.emplace_back("without a column radius all joints are through-going");
+    if (place_[diameter]) notes.emplace_back("half of diameter is taken for radius");
+    if (!place_[radius] && !place_[diameter])
+      notes.emplace_back("without a column radius or diameter all joints are through-going");
     if (warnings_ && !notes.empty())
       warnings_->push_back({place, fmt::format("{}", fmt::join(notes, "; "))});
   }
@@ -217,14 +220,15 @@ class TableReader {
                                         ? dip_direction_of(number(fields, strike), table_.left_hand)
                                         : number(fields, dip_direction);
     row.center = {number(fields, x), number(fields, y), number(fields, z)};
-    row.radius = place_[radius] ? number(fields, radius) : std::numeric_limits<Real>::infinity();
+    row.radius = radius_of(fields);
     row.material = material_of(fields);
     rows_.push_back(row);
   }
 
   Real number(const std::vector<Field>& fields, Column column) {
     const Field& field = fields[*place_[column]];
-    if (column == radius && field.text.empty()) return std::numeric_limits<Real>::infinity();
+    if ((column == radius || column == diameter) && field.text.empty())
+      return std::numeric_limits<Real>::infinity();
     const auto value = parse_number(field.text);
     const Range range = range_of(column);
     if (value && range.holds(*value)) return *value + 0.0;
@@ -234,6 +238,11 @@ class TableReader {
               : fmt::format("{} {}, is {}{}", column_names[column], range.text(),
                             quoted(field.text), decimal_comma_hint(field.text)));
     return 0;
+  }
+
+  Real radius_of(const std::vector<Field>& fields) {
+    if (place_[diameter]) return number(fields, diameter) / 2;
+    return place_[radius] ? number(fields, radius) : std::numeric_limits<Real>::infinity();
   }
 
   Index material_of(const std::vector<Field>& fields) {

@@ -326,9 +326,14 @@ void KeyblockSearch::leave_unexamined(const std::vector<Index>& blocks) {
 }
 
 void KeyblockSearch::find_batches(std::vector<Index> candidates) {
+  bool single = false;  // the last batch was one of single blocks
   for (Index batches = 0;; ++batches) {
-    if (!goes_on_after(batches)) return leave_unexamined(candidates);
+    if (!goes_on_after(batches)) {
+      report_.groups_left = report_.groups_left || (single && spec_.largest_group > 1);
+      return leave_unexamined(candidates);
+    }
     std::vector<Index> removed = move_single_blocks(candidates);
+    single = !removed.empty();
     if (removed.empty()) removed = move_groups();
     if (removed.empty()) return;
     gone_since_.insert(gone_since_.end(), removed.begin(), removed.end());

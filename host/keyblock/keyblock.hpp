@@ -85,6 +85,8 @@ struct KeyblockReport {
   /// Removable blocks that nothing drives, once all key blocks are gone; by block. Active anchors may drive them: empty in
   /// models without.
   std::vector<Keyblock> at_rest;
+  /// Whether the limit of batches ended a search in which groups had not been looked for yet.
+  bool groups_left = false;
 };
 
 /// Faces named in a [[fixed]] count where support.joint_faces_only is false.

@@ -40,6 +40,67 @@ std::string spacing_text(const Json& spacing) {
   return ", spacing " + vector_text(spacing) + " m";
 }
 
+/// "1.8 ± 0.8 (log-normal)".
+std::string distribution_text(const Json& d) {
+  const std::string kind = d.at("distribution");
+  if (kind == "constant") return digits(d.at("mean"));
+  if (kind == "power_law")
+    return fmt::format("{} to {} (power law, exponent {})", digits(d.at("min")),
+                       digits(d.at("max")), digits(d.at("exponent")));
+  if (kind == "log_normal")
+    return fmt::format("{} ± {} (log-normal)", digits(d.at("mean")),
+                       digits(d.at("standard_deviation")));
+  return digits(d.at("mean")) + " (exponential)";
+}
+
+/// How close the joints of a set lie, in m or by what was asked for.
+std::string density_text(const Json& joint) {
+  const Json random = joint.value("random", Json::object());
+  if (random.contains("spacing")) return distribution_text(random.at("spacing"));
+  if (random.contains("p32")) return "P32 " + digits(random.at("p32")) + " m²/m³";
+  if (random.contains("p10")) return "P10 " + digits(random.at("p10")) + " per m";
+  if (random.contains("count")) return fmt::format("{} discs", random.at("count").get<Index>());
+  return digits(joint.at("spacing"));
+}
+
+std::string radius_text(const Json& joint) {
+  const Json random = joint.value("random", Json::object());
+  if (random.contains("radius")) return distribution_text(random.at("radius"));
+  return joint.at("radius").is_null() ? "through-going" : digits(joint.at("radius"));
+}
+
+/// "300", or that poles do not scatter.
+std::string scatter_text(const Json& joint) {
+  if (!joint.contains("random")) return "–";
+  const Json& kappa = joint.at("random").at("fisher_kappa");
+  return kappa.is_null() ? "none" : digits(kappa);
+}
+
+/// "level at 12 m, joints clay, fault".
+std::string water_text(const Json& water) {
+  std::string text;
+  if (water.contains("pressure")) text = quantity(water.at("pressure"), "Pa");
+  if (water.contains("head")) text = "level at " + quantity(water.at("head"), "m");
+  if (water.contains("table")) {
+    const Json& table = water.at("table");
+    const Vec3 normal = table.at("normal").get<Vec3>();
+    text = normal[0] == 0 && normal[1] == 0
+               ? "level at " + quantity(table.at("point").at(2), "m")
+               : fmt::format("table through ({}) m, normal ({})", vector_text(table.at("point")),
+                             vector_text(table.at("normal")));
+  }
+  if (water.at("density") != 1000) text += ", " + digits(water.at("density")) + " kg/m³";
+  return text + (water.at("joints").empty() ? ", in all joints that no other names"
+                                            : ", in " + joined(water.at("joints")));
+}
+
+void add_water(Facts& facts, const Json& support) {
+  const Json& waters = support.at("water");
+  if (waters.empty() || support.at("water_pressure") != 0)
+    facts.emplace_back("Water pressure in joints", quantity(support.at("water_pressure"), "Pa"));
+  for (const Json& water : waters) facts.emplace_back("Water", water_text(water));
+}
+
 void add_materials(Html& html, const Json& setup) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& m : setup.at("materials"))
@@ -117,9 +178,9 @@ void add_summary(Html& html, const ReportSource& source) {
     const Json& first = sums.at("first_batch");
     facts.emplace_back(
         "Key blocks",
-        fmt::format("{} in {} batches, {} m³; support force {}", sums.at("keyblocks").get<Index>(),
-                    sums.at("batches").size(), digits(sums.at("keyblock_volume")),
-                    quantity(sums.at("support_force"), "N")));
+        fmt::format("{} in {} {}, {} m³; support force {}", sums.at("keyblocks").get<Index>(),
+                    sums.at("batches").size(), sums.at("batches").size() == 1 ? "batch" : "batches",
+                    digits(sums.at("keyblock_volume")), quantity(sums.at("support_force"), "N")));
     facts.emplace_back(
         "First batch",
         fmt::format("{} key blocks, {} m³; support force {}", first.at("keyblocks").get<Index>(),
@@ -149,7 +210,7 @@ void add_model(Html& html, const ReportSource& source) {
   if (setup.contains("support")) {
     const Json& s = setup.at("support");
     facts.emplace_back("Target factor of safety", digits(s.at("target_factor_of_safety")));
-    facts.emplace_back("Water pressure in joints", quantity(s.at("water_pressure"), "Pa"));
+    add_water(facts, s);
     facts.emplace_back("Seismic coefficient", vector_text(s.at("seismic_coefficient")));
   }
   if (setup.contains("analysis")) {
@@ -191,18 +252,28 @@ void add_joints(Html& html, const ReportSource& source) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& j : joints)
     rows.push_back({j.at("name"), j.at("kind"), digits(j.at("dip"), 3),
-                    digits(j.at("dip_direction"), 3), digits(j.at("spacing")),
-                    j.at("radius").is_null() ? "through-going" : digits(j.at("radius")),
-                    j.at("material")});
+                    digits(j.at("dip_direction"), 3), scatter_text(j), density_text(j),
+                    radius_text(j), j.at("material")});
   html.table("",
+
              {{"joint", "", true},
               {"kind", "", true},
               {"dip", "°"},
               {"dip direction", "°"},
+              {"Fisher's κ"},
               {"spacing", "m"},
               {"radius", "m"},
               {"material", "", true}},
              rows);
+  std::string files;
+  for (const Json& file : source.answer.at("setup").value("joint_files", Json::array())) {
+    const bool mesh = file.at("kind") == "mesh";
+    files += fmt::format("{}{} ({} of {} {})", files.empty() ? "" : ", ",
+                         file.at("name").get<std::string>(), mesh ? "a mesh" : "a table",
+                         file.at(mesh ? "triangles" : "joints").get<Index>(),
+                         mesh ? "triangles" : "joints");
+  }
+  if (!files.empty()) html.paragraph("Joints from files: " + files + ".");
   add_net(html, source);
 }
 

@@ -27,7 +27,8 @@ std::string blocks_text(const Json& key) {
 }
 
 std::string safety_text(const Json& factor) {
-  return factor.is_number() ? digits(factor, 3) : "none";
+  if (!factor.is_number()) return "none";
+  return factor > 100 ? "> 100" : digits(factor, 3);
 }
 
 bool is_supported(const Json& keys) {
@@ -78,6 +79,9 @@ std::vector<Json> by_safety(const Json& keys) {
 
 void add_batches(Html& html, const Json& support) {
   const Json& batches = support.at("totals").at("batches");
+  const Json stages = support.at("totals").value("batch_stages", Json::array());
+  const bool staged =
+      std::any_of(stages.begin(), stages.end(), [](const Json& s) { return s > 0; });
   if (batches.size() < 2) return;
   Rows rows;
   for (std::size_t i = 0; i < batches.size(); ++i) {
@@ -87,9 +91,29 @@ void add_batches(Html& html, const Json& support) {
         volume += key.at("volume").get<Real>(), force += key.at("support_force").get<Real>();
     rows.push_back({std::to_string(i + 1), fmt::format("{}", batches[i].get<Index>()),
                     digits(volume), digits(force / 1e3)});
+    if (staged)
+      rows.back().insert(rows.back().begin(), fmt::format("{}", stages.at(i).get<Index>()));
   }
-  html.table("Batches: each can move once those before are gone",
-             {{"batch"}, {"key blocks"}, {"volume", "m³"}, {"support force", "kN"}}, rows);
+  std::vector<HtmlColumn> columns{
+      {"batch"}, {"key blocks"}, {"volume", "m³"}, {"support force", "kN"}};
+  if (staged) columns.insert(columns.begin(), {"stage"});
+  html.table(staged
+                 ? "Batches of each stage of excavation: each can move once those before it at its "
+                   "stage are gone"
+                 : "Batches: each can move once those before are gone",
+             columns, rows);
+}
+
+void add_shotcrete(Html& html, const Json& setup) {
+  const Json support = setup.value("support", Json::object());
+  if (!support.contains("shotcrete")) return;
+  const Json& s = support.at("shotcrete");
+  html.facts({{"Shotcrete on", joined(s.at("on"))},
+              {"Thickness", quantity(s.at("thickness"), "m")},
+              {"Shear strength", quantity(s.at("shear_strength"), "Pa")},
+              {"Adhesion to the rock", s.at("adhesion_strength").is_null()
+                                           ? "not looked at"
+                                           : quantity(s.at("adhesion_strength"), "Pa")}});
 }
 
 }  // namespace
@@ -99,7 +123,10 @@ std::string mode_words(const Json& key) {
   if (mode == "single_plane") return "slides";
   if (mode == "two_planes") return "slides on two";
   if (mode == "rotation") return "turns";
-  if (mode == "lifting") return key.at("direction").at(2) > 0 ? "is pushed up" : "falls";
+  if (mode == "lifting") {
+    const Real up = key.at("direction").at(2);
+    return up > 0 ? "is pushed up" : up > -0.5 ? "is pushed out" : "falls";
+  }
   return "at rest";
 }
 
@@ -150,16 +177,18 @@ void add_support_design(Html& html, const ReportSource& source) {
                       g.at("coupling"), g.at("action"), digits(g.at("force_capacity"), 4, 1e3),
                       digits(g.at("displacement_capacity"), 4, 1e-3),
                       digits(g.value("wall_area", Json()))});
-    html.table("",
-               {{"bolts", "", true},
-                {"kind", "", true},
-                {"number"},
-                {"coupling"},
-                {"action"},
-                {"capacity", "kN"},
-                {"displacement capacity", "mm"},
-                {"wall", "m²"}},
-               rows);
+    if (!rows.empty())
+      html.table("",
+                 {{"bolts", "", true},
+                  {"kind", "", true},
+                  {"number"},
+                  {"coupling"},
+                  {"action"},
+                  {"capacity", "kN"},
+                  {"displacement capacity", "mm"},
+                  {"wall", "m²"}},
+                 rows);
+    add_shotcrete(html, source.answer.at("setup"));
     html.paragraph(
         "Supported factors, bolts that cross and their use stand in the table of key blocks.",
         "note");

@@ -18,7 +18,7 @@ constexpr std::size_t most_rows = 20;
 
 std::string safety_text(Real safety) {
   if (std::isnan(safety)) return "-";
-  return std::isinf(safety) ? "held" : fmt::format("{:.2f}", safety);
+  return std::isinf(safety) ? "held" : safety >= 100 ? "> 100" : fmt::format("{:.2f}", safety);
 }
 
 std::vector<std::string> support_row(const BlockSupport& support) {
@@ -28,15 +28,16 @@ std::vector<std::string> support_row(const BlockSupport& support) {
     capacity += c.capacity;
     bolts += c.capacity > 0;
   }
-  return {
-      block_ids(support.members),
-      std::to_string(support.crossings.size()),
-      std::to_string(bolts),
-      fmt::format("{:.1f}", capacity / 1e3),
-      safety_text(support.held.factor_of_safety),
-      support.held.in_balance ? fmt::format("{:.0f}", 100 * support.force_mobilisation) : "over",
-      support.held.adequate ? "yes" : "no",
-      fmt::format("{:.1f}", support.held.missing_force / 1e3)};
+  return {block_ids(support.members),
+          std::to_string(support.crossings.size()),
+          std::to_string(bolts),
+          fmt::format("{:.1f}", capacity / 1e3),
+          safety_text(support.held.factor_of_safety),
+          bolts == 0                ? "-"
+          : support.held.in_balance ? fmt::format("{:.0f}", 100 * support.force_mobilisation)
+                                    : "over",
+          support.held.adequate ? "yes" : "no",
+          fmt::format("{:.1f}", support.held.missing_force / 1e3)};
 }
 
 /// Those that need most support first, as in the table of key blocks.

@@ -8,7 +8,7 @@
 
 namespace rockfold {
 
-/// "slides on two"; a block that nothing holds falls, or is pushed up.
+/// "slides on two"; a block that nothing holds falls, or is pushed up, or out where it moves within 30° of level.
 const char* mode_words(SlidingMode mode, const Vec3& direction);
 const char* mode_words(const Keyblock& key);
 /// "J1, J2", or "-"

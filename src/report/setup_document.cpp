@@ -1,5 +1,6 @@
 // What was computed, for the printed report: the model's materials, joints, conditions and analyses with their defaults filled in.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "host/files/load_files.hpp"
@@ -58,6 +59,32 @@ Json plane_json(const Model& model, const NetPlane& plane, Index material) {
                            : model.joint_materials[material].name}};
 }
 
+Json distribution_json(const Distribution& d) {
+  using Kind = Distribution::Kind;
+  const char* kind = d.kind == Kind::constant      ? "constant"
+                     : d.kind == Kind::exponential ? "exponential"
+                     : d.kind == Kind::log_normal  ? "log_normal"
+                                                   : "power_law";
+  Json json{{"distribution", kind}};
+  if (d.kind != Kind::power_law) json["mean"] = d.mean;
+  if (d.kind == Kind::log_normal) json["standard_deviation"] = d.standard_deviation;
+  if (d.kind == Kind::power_law) json["exponent"] = d.exponent;
+  json["min"] = d.min;
+  json["max"] = or_null(d.max, std::isfinite(d.max));
+  return json;
+}
+
+Json random_json(const RandomSet& random) {
+  Json json{{"seed", random.seed},
+            {"fisher_kappa", or_null(random.fisher_kappa, std::isfinite(random.fisher_kappa))}};
+  if (random.radius) json["radius"] = distribution_json(*random.radius);
+  if (random.spacing) json["spacing"] = distribution_json(*random.spacing);
+  if (random.p32) json["p32"] = *random.p32;
+  if (random.p10) json["p10"] = *random.p10;
+  if (random.count) json["count"] = *random.count;
+  return json;
+}
+
 /// Sets, then single joints.
 Json joints_json(const Model& model) {
   Json list = Json::array();
@@ -66,6 +93,7 @@ Json joints_json(const Model& model) {
     list.back()["kind"] = set.random ? "random set" : "set";
     list.back()["spacing"] = or_null(set.spacing, set.spacing > 0);
     list.back()["radius"] = or_null(set.radius);
+    if (set.random) list.back()["random"] = random_json(*set.random);
   }
   for (std::size_t i = 0; i < std::min(model.joints.size(), most_joints); ++i) {
     const Joint& joint = model.joints[i];
@@ -120,20 +148,31 @@ Json water_json(const Water& water) {
   return json;
 }
 
+Json shotcrete_json(const Shotcrete& shotcrete) {
+  Json on = Json::array();
+  for (const WallFaces& faces : shotcrete.on) on.push_back(faces.name);
+  return {{"on", on},
+          {"thickness", shotcrete.thickness},
+          {"shear_strength", shotcrete.shear_strength},
+          {"adhesion_strength", or_null(shotcrete.adhesion_strength)}};
+}
+
 Json support_json(const Model& model) {
   const SupportSpec s = model.support.value_or(SupportSpec{});
   Json water = Json::array();
   for (const Water& w : model.waters) water.push_back(water_json(w));
-  return {{"target_factor_of_safety", s.target_factor_of_safety},
-          {"water_pressure", s.water_pressure},
-          {"seismic_coefficient", s.seismic_coefficient},
-          {"rotation", s.rotation},
-          {"largest_group", s.largest_group},
-          {"clamping", s.clamping},
-          {"elastic_stress", has_elastic_joint_stress(model)},
-          {"in_situ_stress", model.initial_stress.any},
-          {"support_direction", or_null(s.support_direction)},
-          {"water", water}};
+  Json json{{"target_factor_of_safety", s.target_factor_of_safety},
+            {"water_pressure", s.water_pressure},
+            {"seismic_coefficient", s.seismic_coefficient},
+            {"rotation", s.rotation},
+            {"largest_group", s.largest_group},
+            {"clamping", s.clamping},
+            {"elastic_stress", has_elastic_joint_stress(model)},
+            {"in_situ_stress", model.initial_stress.any},
+            {"support_direction", or_null(s.support_direction)},
+            {"water", water}};
+  if (model.shotcrete) json["shotcrete"] = shotcrete_json(*model.shotcrete);
+  return json;
 }
 
 }  // namespace
@@ -156,6 +195,13 @@ Json setup_json(const Model& model, bool with_support, bool with_run) {
                     {"tractions", model.tractions.size()},
                     {"point_loads", model.point_loads.size()},
                     {"water", model.waters.size()}};
+  auto& from_files = json["joint_files"] = Json::array();
+  for (const JointMesh& mesh : model.joint_meshes)
+    from_files.push_back({{"name", mesh.name},
+                          {"kind", "mesh"},
+                          {"triangles", mesh.surface ? mesh.surface->triangles.size() : 0}});
+  for (const JointTable& table : model.joint_tables)
+    from_files.push_back({{"name", table.name}, {"kind", "table"}, {"joints", table.rows.size()}});
   auto& files = json["files"] = Json::array();
   for (const std::string& file : files_named_by(model))
     files.push_back(std::filesystem::path(file).filename().string());

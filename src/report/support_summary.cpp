@@ -17,7 +17,7 @@ namespace rockfold {
 const char* mode_words(SlidingMode mode, const Vec3& direction) {
   switch (mode) {
     case SlidingMode::lifting:
-      return direction[2] > 0 ? "pushed up" : "falls";
+      return direction[2] > 0 ? "pushed up" : direction[2] > -0.5 ? "pushed out" : "falls";
     case SlidingMode::single_plane:
       return "slides";
     case SlidingMode::two_planes:
@@ -95,6 +95,20 @@ std::string doubtful_summary(const KeyblockReport& report) {
                           count == 1 ? "needs" : "need", force / 1e3));
 }
 
+/// Blocks that the limit of batches leaves without an answer.
+std::string unexamined_summary(const KeyblockReport& report) {
+  const auto count =
+      std::count(report.block_class.begin(), report.block_class.end(), BlockClass::not_examined);
+  if (count == 0 && !report.groups_left) return "";
+  std::string what;
+  if (count > 0)
+    what = fmt::format("{} that only key blocks keep in place",
+                       count == 1 ? "a block" : fmt::format("{} blocks", count));
+  if (report.groups_left)
+    what += fmt::format("{}groups that fail together", what.empty() ? "" : ", and ");
+  return fact("not examined", what + " (support.batches)");
+}
+
 /// What blocks need together.
 struct KeyblockSums {
   std::size_t blocks = 0, unheld = 0;  // along a given direction no force may suffice
@@ -133,17 +147,22 @@ std::string keyblock_table(const std::vector<Keyblock>& keys, std::size_t most) 
   return text;
 }
 
-/// A line for each batch behind the first.
-std::string later_batches(const KeyblockReport& report) {
+/// A line for each batch behind the first, and the blocks of those that a later stage of excavation lets go first.
+std::string later_batches(const KeyblockReport& report, std::size_t most) {
   std::string text;
   for (std::size_t batch = 2; batch <= report.batches.size(); ++batch) {
     std::vector<Keyblock> keys;
     for (const Keyblock& key : report.keyblocks)
       if (key.batch == static_cast<Index>(batch)) keys.push_back(key);
     const Index stage = report.batch_stage[batch - 1];
+    const bool first = stage != report.batch_stage[batch - 2];
+    if (first && batch > 2) text += "\n";
     text +=
         fact(fmt::format("batch {}{}", batch, stage > 0 ? fmt::format(", stage {}", stage) : ""),
              sums_text(sums_of(keys)));
+    if (!first) continue;
+    sort_by_safety(keys);
+    text += "\n" + keyblock_table(keys, most);
   }
   return text.empty() ? "" : "\n" + text;
 }
@@ -195,8 +214,9 @@ std::string support_summary(const KeyblockReport& report, const BlockArrays& blo
       fact("batches", fmt::format("{} ({})", report.batches.size(), batches_text(report.batches)));
   text += fact("first batch", sums_text(sums_of(first)));
   if (report.batches.size() > 1) text += fact("all batches", sums_text(sums_of(report.keyblocks)));
-  text += doubtful_summary(report) + mesh_fact(report);
-  return text + "\n" + keyblock_table(first, most) + later_batches(report) + stable_table(report);
+  text += doubtful_summary(report) + unexamined_summary(report) + mesh_fact(report);
+  return text + "\n" + keyblock_table(first, most) + later_batches(report, most) +
+         stable_table(report);
 }
 
 }  // namespace rockfold

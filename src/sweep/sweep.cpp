@@ -90,7 +90,7 @@ void Sweep::compute(RunQueue& queue) {
       [&](const Ended& end) {
         const RunRecord row = runs_.outcome(end);
         queue.ended(row);
-        if (row.status == "done") runs_.clear(row.run);
+        runs_.clear(row.run, row.status == "done" ? Left::nothing : Left::answer);
       });
   queue.close();
 }

@@ -136,19 +136,22 @@ Job SweepRuns::job_of(Index run) const {
     job.arguments.insert(job.arguments.end(), {"--set", change});
   for (const std::string& load : options_.ignored)
     job.arguments.insert(job.arguments.end(), {"--ignore", load});
-  if (spec_.command != "theory")
-    job.arguments.insert(job.arguments.end(), {"--no-result", "-o", stem + ".vtkhdf"});
-  clear(run);
+  clear(run, Left::nothing);
+  if (spec_.command != "theory") {
+    // Drawings and tables of the model stand beside a result: each run has a folder for them.
+    fs::create_directory(stem + ".files");
+    job.arguments.insert(job.arguments.end(), {"--no-result", "-o", stem + ".files/result.vtkhdf"});
+  }
   return job;
 }
 
-/// Removes what a run wrote. Of those that failed the document and the log are left.
-void SweepRuns::clear(Index run) const {
-  const fs::path stem = stem_of(run);
+void SweepRuns::clear(Index run, Left left) const {
+  const std::string stem = stem_of(run);
   std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(stem.parent_path(), ignored))
-    if (entry.path().filename().string().starts_with(stem.filename().string() + "."))
-      fs::remove(entry.path(), ignored);
+  fs::remove_all(stem + ".files", ignored);
+  if (left == Left::answer) return;
+  fs::remove(stem + ".json", ignored);
+  fs::remove(stem + ".log", ignored);
 }
 
 RunRecord SweepRuns::outcome(const Ended& end) const {

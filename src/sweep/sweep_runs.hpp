@@ -1,6 +1,7 @@
 // The runs of a sweep: what each is started with, and what it came to.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "src/sweep/sweep_spec.hpp"
 
 namespace rockfold::sweep {
+
+/// What is left of a run that has ended.
+enum class Left : std::uint8_t { nothing, answer };
 
 class SweepRuns {
  public:
@@ -24,8 +28,8 @@ class SweepRuns {
 
   Job job_of(Index run) const;
   RunRecord outcome(const Ended& end) const;
-  /// Removes what a run wrote.
-  void clear(Index run) const;
+  /// Removes what a run wrote, or all but its document and its log.
+  void clear(Index run, Left left) const;
 
  private:
   std::string stem_of(Index run) const;

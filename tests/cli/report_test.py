@@ -69,6 +69,20 @@ class Reports(ProgramTest):
         self.assertNotRegex(text.split("</style>")[0] + text.split("<body>")[1].split("<script", 1)[0], r"https?://(?!www\.w3\.org/2000/svg)")
         return Report(text)
 
+    def test_tells_of_scattered_joints_water_stages_and_shotcrete(self):
+        self.copy_case("water_cavern")
+        told = self.run_program("support", "water_cavern.toml", "--report").stdout
+        self.assertRegex(told, r"not examined +53 blocks that only key blocks keep in place, and groups that fail together")
+        self.assertRegex(told, r"batch 3, stage 3 .*\n\n +block")  # what each stage lets go first is listed
+        report = self.report("water_cavern.report.html")
+        west, cross = [row for row in report.table("Fisher's κ") if row["joint"] in ("west", "cross")]
+        self.assertEqual((west["Fisher's κ"], west["spacingm"], west["radiusm"]), ("150", "6.5 ± 2 (log-normal)", "through-going"))
+        self.assertEqual((cross["spacingm"], cross["radiusm"]), ("P32 0.08 m²/m³", "10 ± 4 (log-normal)"))
+        facts = report.facts()
+        self.assertEqual(facts["Water"], "level at 2 m, in all joints that no other names")
+        self.assertEqual((facts["Shotcrete on"], facts["Thickness"]), ("heading", "0.1 m"))
+        self.assertEqual([row["stage"] for row in report.table("stage")], ["1", "2", "3"])
+
     def test_tells_of_key_blocks_support_and_classification(self):
         self.copy_case("bolted_tunnel")
         answer = self.json_of("support", "bolted_tunnel.toml", "--report")

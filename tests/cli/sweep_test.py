@@ -104,6 +104,18 @@ class Sweep(ProgramTest):
         self.assertIn("run 2 ", done.stdout)
         self.assertFalse([path for path in (self.folder / "sweep" / "runs").iterdir() if "vtkhdf" in path.name])
 
+    def test_tables_of_a_model_are_each_runs_own(self):
+        self.copy_case("wedge")
+        with open(self.folder / "wedge.toml", "a", encoding="utf-8") as file:
+            file.write('\n[[table]]\noutput = "keys.csv"\nkind = "keyblocks"\n')
+        self.write("sweep.toml", 'model = "wedge.toml"\ncommand = "support"\nworkers = 4\n[[parameter]]\n'
+                   'key = "support.target_factor_of_safety"\nvalues = [1, 1.5, -1, 2]\n'
+                   '[[result]]\nname = "force"\npath = "totals.support_force"\n')
+        self.run_program("sweep", "sweep.toml", status=1)
+        self.assertEqual([row["status"] for row in self.table()], ["done", "done", "failed", "done"])
+        self.assertEqual(sorted(path.name for path in (self.folder / "sweep" / "runs").iterdir()), ["000003.json", "000003.log"])
+        self.assertNotIn("keys.csv", self.files())
+
     def test_document_and_hdf5_tell_the_same(self):
         self.write("sweep.toml", SWEEP.replace("2000, -1", "2000"))
         document = self.json_of("sweep", "sweep.toml", "-o", "out")

@@ -77,10 +77,23 @@ TEST(JointTables, MayHaveTheColumnsOfOtherPrograms) {
   EXPECT_EQ(warnings[0].place.line, 1);
   EXPECT_EQ(warnings[0].message,
             "4 columns are passed over: Index, NormalX, RMS, Family ind.; "
-            "without a column radius all joints are through-going");
+            "without a column radius or diameter all joints are through-going");
   EXPECT_EQ(warnings[1].message,
             "a column is passed over: polarity; azimuth is taken for dip_direction");
   EXPECT_EQ(warnings[2].message, "2 columns are passed over: id, strike");
+}
+
+TEST(JointTables, MayHaveDiameters) {
+  std::vector<Diagnostic> warnings;
+  const auto rows =
+      rows_of("Dip,Dip Dir.,X,Y,Z,Diameter [m]\n30,90,5,5,5,3\n30,90,5,5,5,\n", &warnings);
+  EXPECT_EQ(rows[0].radius, 1.5);
+  EXPECT_TRUE(std::isinf(rows[1].radius));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].message, "half of diameter is taken for radius");
+  EXPECT_EQ(
+      rows_of("dip,dip_direction,x,y,z,radius,diameter\n30,90,5,5,5,1,9\n", &warnings)[0].radius,
+      1);
 }
 
 TEST(JointTables, MayHaveStrikes) {

@@ -3,6 +3,7 @@ import type { Context } from '../context';
 import { classNames, vonMises } from '../fields';
 import { digits, quantity } from './format';
 import { button, h } from './dom';
+import { wordsOf } from './table';
 
 type Fact = [name: string, value: string];
 
@@ -67,7 +68,7 @@ export class BlockInfo {
     const list: Fact[] = [['Class', classNames[(whatIf?.values?.class ?? classes)[b]!] ?? '–']];
     const key = this.context.keyblocks.find((k) => k.block === id || k.blocks?.includes(id));
     if (key) {
-      const how = { lifting: 'falls', single_plane: 'slides', two_planes: 'slides on two planes', rotation: 'turns', at_rest: 'at rest' }[key.mode] ?? key.mode;
+      const how = wordsOf(key);
       if (key.batch > 0) list.push(['Batch', String(key.batch)]);
       if (key.blocks && key.blocks.length > 1) list.push(['Together with', key.blocks.filter((i) => i !== id).join(', ')]);
       list.push(['Motion', key.planes.length ? `${how}: ${key.planes.join(', ')}` : how]);

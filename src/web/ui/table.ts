@@ -14,8 +14,15 @@ interface Column {
 }
 
 const modes: Record<string, string> = {
-  lifting: 'falls', single_plane: 'slides', two_planes: 'slides on two', rotation: 'turns', at_rest: 'at rest',
+  lifting: 'falls', pushed_up: 'pushed up', pushed_out: 'pushed out', single_plane: 'slides', two_planes: 'slides on two', rotation: 'turns', at_rest: 'at rest',
 };
+
+/// A block that nothing holds falls; water may push it up or, within 30° of level, out.
+export function wordsOf(k: Keyblock): string {
+  const up = k.direction[2];
+  const mode = k.mode !== 'lifting' ? k.mode : up > 0 ? 'pushed_up' : up > -0.5 ? 'pushed_out' : k.mode;
+  return modes[mode] ?? mode;
+}
 
 function columnsOf(keys: Keyblock[]): Column[] {
   const number = (key: keyof Keyblock, name: string, unit: string, title: string, factor = 1): Column => ({
@@ -27,7 +34,7 @@ function columnsOf(keys: Keyblock[]): Column[] {
       value: (k) => k.factor_of_safety ?? 0, show: (k) => (k.factor_of_safety ?? 0).toFixed(2) },
     number('volume', 'volume', 'm³', 'volume'),
     number('support_force', 'support', 'kN', 'least force for the target factor of safety', 1000),
-    { key: 'mode', name: 'it', unit: '', title: 'how it moves', value: (k) => modes[k.mode] ?? k.mode },
+    { key: 'mode', name: 'it', unit: '', title: 'how it moves', value: wordsOf },
     { key: 'planes', name: 'on', unit: '', title: 'the joints that it slides on', value: (k) => k.planes.join(', ') },
     number('support_pressure', 'pressure', 'kPa', 'support force over the free area', 1000),
   ];
@@ -82,7 +89,7 @@ export class KeyblockTable {
   private rows(): Keyblock[] {
     const column = this.columns.find((c) => c.key === this.sortBy)!;
     const found = this.context.keyblocks.filter((k) => this.wanted === '' || String(k.block) === this.wanted ||
-      k.planes.some((p) => p.toLowerCase().includes(this.wanted)) || (modes[k.mode] ?? '').startsWith(this.wanted));
+      k.planes.some((p) => p.toLowerCase().includes(this.wanted)) || wordsOf(k).startsWith(this.wanted));
     // Batch 0 (stays) comes after the others; equal ones by their support force.
     const value = (k: Keyblock): number | string | null => (column.key === 'batch' && k.batch === 0 ? 1e9 : column.value(k));
     return found.sort((a, b) => {
