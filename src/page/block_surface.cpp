@@ -14,8 +14,8 @@ namespace {
 
 using hdf5::File;
 
-constexpr Real same_direction =
-    1 - 1e-9;                  // cosine between normals of one face's polygons: rounding
+/// Cosine of 20°: polygons of one face (of the ground, a mesh, a tunnel's wall) that meet at less have no edge between them.
+constexpr Real smooth = 0.94;
 constexpr int joint_kind = 0;  // FaceOrigin::Kind::joint
 
 /// The polygons of all blocks, in the order of the blocks.
@@ -60,7 +60,7 @@ struct Side {
 };
 
 /// Marks the sides of polygons `from` to `to` (of one block) that are edges of the block: all but those between two
-/// polygons of one face.
+/// polygons of one face that meet smoothly.
 void mark_edges(const Polygons& all, Index from, Index to, std::vector<std::uint8_t>& edge) {
   std::vector<Side> sides;
   for (Index p = from; p < to; ++p)
@@ -75,7 +75,7 @@ void mark_edges(const Polygons& all, Index from, Index to, std::vector<std::uint
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     const Side &a = sides[i], &b = sides[i + 1];
     const bool pair = a.same_ends(b) && all.origin[a.polygon] == all.origin[b.polygon];
-    if (pair && dot(normal_of(all, a.polygon), normal_of(all, b.polygon)) > same_direction)
+    if (pair && dot(normal_of(all, a.polygon), normal_of(all, b.polygon)) > smooth)
       edge[a.corner] = edge[b.corner] = 0;
   }
 }
