@@ -96,6 +96,10 @@ export class App implements Context {
 
   private wire(canvas: HTMLCanvasElement): void {
     this.store.listen((_, changed) => this.apply(changed));
+    this.scene.ratioChanged = (ratio) => {
+      this.marks.setSize(15 * ratio);
+      this.dots.setSize(8 * ratio);
+    };
     this.scene.beforeFrame = () => this.overlay.update(this.themeName());
     this.control.onChange = () => { this.scene.request(); this.rememberAddress(); };
     this.control.onClick = (x, y) => this.pick(x, y);
@@ -216,8 +220,6 @@ export class App implements Context {
   private resize(): void {
     const box = this.scene.canvas.parentElement!.getBoundingClientRect();
     this.scene.resize(Math.max(1, Math.round(box.width)), Math.max(1, Math.round(box.height)), devicePixelRatio);
-    this.marks.setSize(15 * devicePixelRatio);
-    this.dots.setSize(8 * devicePixelRatio);
     this.scene.request();
   }
 

@@ -49,6 +49,8 @@ export class Scene {
   private waiting = false;
   /// Called before each frame, with the size of the canvas in CSS pixels.
   beforeFrame: () => void = () => {};
+  /// Called with the pixels of the drawing for one of the screen: saved pictures have more.
+  ratioChanged: (ratio: number) => void = () => {};
   frames = 0;
   /// m from the middle that anything drawn reaches.
   reach: number;
@@ -242,6 +244,7 @@ export class Scene {
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.uniforms.uEdgeWidth!.value = 0.55 + 0.35 * ratio;
+    this.ratioChanged(ratio);
     this.camera.aspect = width / Math.max(1, height);
     this.camera.updateProjectionMatrix();
   }
