@@ -23,7 +23,7 @@ TEST(WrongWater, IsRefused) {
       {WATER "pressure = -1", 7, 12, "water[1].pressure", "must be >= 0 (Pa)"},
       {WATER "head = 'high'", 7, 8, "water[1].head", "must be a number"},
       {WATER "head = 1\ndensity = 0", 8, 11, "water[1].density", "must be > 0"},
-      {WATER "table = 5", 7, 9, "water[1].table", "must be a table of keys"},
+      {WATER "table = 5", 7, 9, "water[1].table", "must be a plane, {point = [0, 0, 5]}"},
       {WATER "table = {dip = 3, point = [0, 0, 0]}", 7, 9, "water[1].table.dip_direction", "is missing"},
       {WATER "head = 1\njoints = ['K']", 8, 11, "water[1].joints[1]", "there is no joint named \"K\""},
       {JOINT "[[water]]\nhead = 1\njoints = ['J', 'J']", 13, 16, "water[1].joints[2]", "already given"},

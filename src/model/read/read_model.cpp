@@ -95,8 +95,10 @@ void read_top_level(Draft& draft, const Value& root) {
                           "drawing",
                           "table",
                           "water",
-                          "block_theory"})
+                          "block_theory"}) {
     in.has(key);
+    draft.out.know_section(key);
+  }
 }
 
 void read_sections(Draft& draft) {

@@ -38,6 +38,15 @@ void read_wet_joints(TableReader& in, const Draft& draft, Water& water) {
 }
 
 void read_table(TableReader& in, Water& water) {
+  const Value& value = *in.find("table");
+  if (std::holds_alternative<double>(value.data) ||
+      std::holds_alternative<std::int64_t>(value.data)) {
+    in.wrong("table",
+             "found " + described(value) + ", must be a plane, {point = [0, 0, " +
+                 described(value) +
+                 "]}; of water that stands level, its height is head = " + described(value));
+    return;
+  }
   TableReader table(*in.find("table"), in.path_of("table"), in.out());
   if (!table.is_table()) return;
   WaterTable level{{}, {0, 0, 1}};

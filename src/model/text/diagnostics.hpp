@@ -27,6 +27,10 @@ class Diagnostics {
   void explain(const std::string& key) { explained_.insert(key); }
   bool explained(const std::string& key) const { return explained_.count(key) > 0; }
 
+  /// Sections of the model: where one stands within another, a message says where it belongs.
+  void know_section(const std::string& key) { sections_.insert(key); }
+  bool is_section(const std::string& key) const { return sections_.count(key) > 0; }
+
   /// The name of the entry being read; "" = none.
   const std::string& label() const { return label_; }
   void set_label(std::string name) { label_ = std::move(name); }
@@ -42,7 +46,7 @@ class Diagnostics {
   std::vector<std::string> sources_;
   std::vector<std::pair<Spot, Diagnostic>> found_;
   std::size_t left_out_ = 0, unreadable_ = 0;
-  std::set<std::string> explained_;
+  std::set<std::string> explained_, sections_;
   std::string label_;
 };
 

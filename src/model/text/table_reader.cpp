@@ -206,6 +206,19 @@ bool TableReader::is_missing(const std::string& key) const {
                      [&](const auto& m) { return contains(m.keys, key); });
 }
 
+/// What an unknown key is or belongs to.
+std::string TableReader::about_unknown(const std::string& key, const Value& value,
+                                       const std::string& nearest) const {
+  const bool section =
+      std::holds_alternative<Table>(value.data) || std::holds_alternative<Array>(value.data);
+  if (section && out_.is_section(key) && !path_.empty())
+    return ": it belongs to the model, before the first table in brackets, or as [" + key +
+           "] or [[" + key + "]]";
+  if (key == "unit_weight") return ": it is a density with its unit, density = \"26 kN/m3\"";
+  return nearest.empty() ? suggestion(key, supported_, "the keys here are")
+                         : ", did you mean \"" + nearest + "\"?";
+}
+
 void TableReader::report_unknown() {
   for (const auto& [key, spot, value] : table_->entries) {
     if (contains(known_, key)) continue;
@@ -213,9 +226,7 @@ void TableReader::report_unknown() {
     if (given_up_ && !is_missing(nearest)) continue;
     if (!nearest.empty()) out_.explain(path_of(nearest));
     out_.add(spot, path_of(key),
-             "unknown key " + described({key, {}}) +
-                 (nearest.empty() ? suggestion(key, supported_, "the keys here are")
-                                  : ", did you mean \"" + nearest + "\"?"));
+             "unknown key " + described({key, {}}) + about_unknown(key, value, nearest));
   }
 }
 

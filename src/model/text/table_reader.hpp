@@ -90,6 +90,8 @@ class TableReader {
   const Entry* entry(std::string_view key) { return table_ ? table_->find(key) : nullptr; }
   void know(std::string_view key);
   bool is_missing(const std::string& key) const;
+  std::string about_unknown(const std::string& key, const Value& value,
+                            const std::string& nearest) const;
   void report_unknown();
   void report_missing();
 
