@@ -1,4 +1,4 @@
-// What the user asks for: the command line as a struct (INTERFACE: commands, common options).
+// What the user asks for: the command line as a struct (docs/user_guide.md, Commands and options).
 #pragma once
 
 #include <cstdint>

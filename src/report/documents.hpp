@@ -1,4 +1,4 @@
-// The JSON documents of INTERFACE §3, one function each. Keys stand in the order of the contract; a
+// The JSON documents (docs/user_guide.md), one function each. Keys stand in the order of the contract; a
 // number that is not finite is written as null; everything but "seconds" is the same whatever the
 // thread count.
 #pragma once

@@ -1,4 +1,4 @@
-// An error as lines for people, and as the JSON document of INTERFACE §3.
+// An error as lines for people, and as the JSON document (docs/user_guide.md).
 #pragma once
 
 #include <cstdio>

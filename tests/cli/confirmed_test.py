@@ -98,7 +98,7 @@ class KeyBlocks(ConfirmedTest):
         self.assertLess(degrees_between(seen["direction"], key["direction"]), 0.1)
         self.assertAlmostEqual(seen["off_direction"], degrees_between(seen["direction"], key["direction"]), 4)
         self.assertAlmostEqual(length(seen["direction"]), 1, 12)
-        a, t = 2.643227, 0.3  # REFERENCES D8
+        a, t = 2.643227, 0.3
         self.assertAlmostEqual(seen["moved"] / (0.5 * a * t * t), 1, 2)
         for one, other in zip(seen["displacement"], document["blocks"][3]["displacement"]):
             self.assertAlmostEqual(one, other, delta=1e-14)  # two sums of the same numbers

@@ -27,7 +27,7 @@ TEST(LoadsInTime, AreRefusedWhereNothingMoves) {
   EXPECT_TRUE(errors_of(model_of("quasi_static", base), {}, Purpose::run).empty());
 }
 
-/// Case C9.
+/// A damping ratio of 5 % at 1 and 10 Hz.
 TEST(Rayleigh, FollowsFromADampingRatioAtTwoFrequencies) {
   const Model model =
       parse_model(model_of("dynamic", "rayleigh = {damping_ratio = 0.05, frequencies = [1, 10]}"),

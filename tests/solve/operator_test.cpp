@@ -90,7 +90,7 @@ TEST(Operator, OfOneTetrahedronEqualsTheClosedForm) {
   for (int c = 0; c < 4; ++c)
     EXPECT_NEAR(mass[a.element_cover[c]][1] / (2000 * v / 20 * (c == 1 ? 2 : 1)), 1, 1e-12);
 
-  // Case B1: E = 1000, ν = 0.25, energy density 0.0105.
+  // E = 1000, ν = 0.25, energy density 0.0105.
   const auto d = reference::sample_at_nodes(a, [](const Vec3& x) {
     return Vec3{1e-3 * (2 * x[0] + x[1] - x[2] / 2), 1e-3 * (x[0] / 2 - x[1] + 1.5 * x[2]),
                 1e-3 * (-x[0] + x[1] / 2 + 3 * x[2])};

@@ -8,7 +8,7 @@
 namespace rockfold {
 namespace {
 
-/// Case C1: nothing but gravity. Average acceleration with a first acceleration of g is exact.
+/// Nothing but gravity. Average acceleration with a first acceleration of g is exact.
 TEST(Dynamic, AFreeBlockFallsExactly) {
   const Rock rock = turned_box({0.05, 0.02, 0.03}, {2.1, 1.3, 1.2}, 0.35);
   EXPECT_GT(rock.covers().element_count(), 500);
@@ -34,7 +34,7 @@ TEST(Dynamic, AFreeBlockFallsExactly) {
   EXPECT_NEAR(e.dissipated / e.kinetic, 0, 1e-11);
 }
 
-/// Case C2: average acceleration turns by 2 atan(Ω/2) a step instead of Ω = ω Δt, with no damping.
+/// Average acceleration turns by 2 atan(Ω/2) a step instead of Ω = ω Δt, with no damping.
 TEST(Dynamic, AnOscillatorHasThePeriodErrorOfAverageAcceleration) {
   Oscillator oscillator;
   const TrackedPoints point = oscillator.rock.track({{0.3, 0.6, 0.2}});
@@ -52,7 +52,7 @@ TEST(Dynamic, AnOscillatorHasThePeriodErrorOfAverageAcceleration) {
   }
 }
 
-/// Case C4: κ takes its share of the velocity once a step.
+/// κ takes its share of the velocity once a step.
 TEST(Dynamic, TheRatioScalesTheVelocityHandedOn) {
   Rock rock = whole_box({2, 2, 2}, 0.5);
   MotionSetup setup = rock.setup();

@@ -85,7 +85,7 @@ TEST(Newmark, IsStableUpToTheCriticalStepOfTheLargestFrequency) {
   }
 }
 
-/// Case C3: β = 1/2, γ = 1, the scheme of DDA.
+/// β = 1/2, γ = 1, the scheme of DDA.
 TEST(Newmark, OfDdaDampsAsItsSpectralRadiusSays) {
   const Oscillator oscillator;
   MotionSetup setup = oscillator.rock.setup();
@@ -105,7 +105,7 @@ TEST(Newmark, OfDdaDampsAsItsSpectralRadiusSays) {
   EXPECT_GT(found.p * found.p, 4 * found.q);
 }
 
-/// Case C4: with κ = 0 the error of DDA's scheme shrinks by 2 / (2 + Ω²) a step.
+/// With κ = 0 the error of DDA's scheme shrinks by 2 / (2 + Ω²) a step.
 TEST(QuasiStatic, OfDdaApproachesTheAnswerFromOneSide) {
   const Oscillator oscillator;
   const TrackedPoints point = oscillator.rock.track({{0.3, 0.6, 0.2}});
@@ -126,7 +126,7 @@ TEST(QuasiStatic, OfDdaApproachesTheAnswerFromOneSide) {
   }
 }
 
-/// Case C4: a ratio κ is a damping α = −ln κ / Δt.
+/// A ratio κ is a damping α = −ln κ / Δt.
 TEST(Dynamic, TheRatioDampsAsMassDampingDoes) {
   const Oscillator oscillator;
   const Real dt = 0.01, ratio = 0.999;
@@ -162,7 +162,7 @@ struct TunedBox {
   }
 };
 
-/// Case C9: 5 % at 1 and 10 Hz; the logarithmic decrement at 1 Hz is 0.314553.
+/// 5 % at 1 and 10 Hz; the logarithmic decrement at 1 Hz is 0.314553.
 TEST(Rayleigh, DampsAModeAtItsRatio) {
   const TunedBox box;
   const Real alpha = 0.57119866, beta = 0.00144686;

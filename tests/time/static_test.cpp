@@ -7,7 +7,7 @@
 namespace rockfold {
 namespace {
 
-/// Case B1: E = 1000, ν = 0.25.
+/// E = 1000, ν = 0.25.
 Vec3 patch_field(const Vec3& x) {
   return {1e-3 * (2 * x[0] + x[1] - x[2] / 2), 1e-3 * (x[0] / 2 - x[1] + 1.5 * x[2]),
           1e-3 * (-x[0] + x[1] / 2 + 3 * x[2])};
@@ -40,7 +40,7 @@ TEST(Static, ALinearDisplacementOnTheBoundaryGivesConstantStress) {
   EXPECT_NEAR(motion.energy().dissipated / (0.0105 * volume), 0, 1e-8);
 }
 
-/// Case B3: a column of height 10 under its own weight, ν = 0.
+/// A column of height 10 under its own weight, ν = 0.
 Rock column(Index cells_high) {
   const Real spacing = 10.0 / cells_high;
   Rock rock = whole_box({2, 2, cells_high}, spacing);

@@ -10,7 +10,7 @@
 namespace rockfold {
 namespace {
 
-/// Case C5: L = 10, E = 1e9, ρ = 2500; the bar lies along x, its sides held where `confined` or where ν = 0 must keep it
+/// L = 10, E = 1e9, ρ = 2500; the bar lies along x, its sides held where `confined` or where ν = 0 must keep it
 /// plane: split cells are not symmetric.
 struct Bar {
   static constexpr Index cells = 80;
@@ -79,7 +79,7 @@ struct Bar {
 
 const TimeTable step_load{{0}, {{1e6, 0, 0}}};
 
-/// Case C5: c = 632.4555 m/s; behind the front v = p/ρc = 0.632456 m/s; the free end doubles it; period of a bar that is
+/// c = 632.4555 m/s; behind the front v = p/ρc = 0.632456 m/s; the free end doubles it; period of a bar that is
 /// held at one end 4L/c.
 TEST(Wave, ASteppedPressureRunsAlongABarAndDoublesAtItsFreeEnd) {
   Bar bar(0);

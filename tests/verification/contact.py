@@ -77,7 +77,7 @@ def moved(model, away):
 
 
 def sliding_block(program, full):
-    """Case D1, D1b, D4: it slides as friction lets it, stays, tips."""
+    """It slides as friction lets it, stays, tips."""
     found = Findings("sliding_block", "Block on an inclined plane")
     panel = Panel("From rest", "time, s", "way, m")
     pairs = ((30, 0), (30, 10), (30, 20), (45, 30), (22.6, 0)) if full else ((30, 20),)
@@ -138,7 +138,7 @@ def thrown(program, found, full):
 
 
 def modes(program, found, full):
-    """Stays, slides, tips, or both (Ashby 1971; no-slip toppling as case D4): foot and rotation after half a second."""
+    """Stays, slides, tips, or both (Ashby 1971): foot and rotation after half a second."""
     cases = ((40, 1, 1, 40.1, 0, 0), (40, 1, 0.5, 20, 1, 0), (40, 1, 2.5, 40, 0, 1), (30, 0.5, 1, 26, 1, 0), (30, 0.5, 1, 27, 1, 1),
              (30, 0.5, 1, 28, 0, 1)) if full else ((40, 1, 2.5, 40, 0, 1),)
     for angle, b, h, friction, slides, tips in cases:
@@ -173,7 +173,7 @@ def same_anywhere(program, found):
 
 
 def cohesive_block(program, full):
-    """Case D2."""
+    """A block on a slope stays just below the cohesion's limit and goes just above it."""
     found = Findings("cohesive_block", "Block held by cohesion")
     critical, panel = 9283.43, Panel("Quasi-static steps", "step", "way, m", log="y")
     for share in (1.005, 0.995) if full else (0.995,):
@@ -210,7 +210,7 @@ def wedge_acceleration(one, two, friction):
 
 
 def sliding_wedge(program, full):
-    """Case D8."""
+    """A wedge on two planes slides down their line of intersection, or stays."""
     found = Findings("sliding_wedge", "Wedge on two joints")
     panel = Panel("From rest", "time, s", "way, m")
     cases = (((40, 130), (60, 220), (0, 20, 33)), ((52, 63), (53, 296), (0,)), ((45, 135), (45, 225), (20,))) if full else \
@@ -248,7 +248,7 @@ def without_monitors(model):
 
 
 def stacked_blocks(program, full):
-    """Case D9b, D13; the stiffness of a jointed column, 1/E + 1/(k_n s), in three directions."""
+    """The stiffness of a jointed column, 1/E + 1/(k_n s), in three directions."""
     found = Findings("stacked_blocks", "Column of cubes")
     document = program.run("stacked_blocks")
     forces = [-monitor(document, f"joint {j}")["normal_stress"][-1] for j in (1, 2, 3, 4)]
@@ -282,7 +282,7 @@ def stacked_blocks(program, full):
 
 
 def overhang(program, full):
-    """Case D9: bricks stay 1 % short of the limit and fall 1 % beyond it."""
+    """Bricks stay 1 % short of the limit and fall 1 % beyond it."""
     found = Findings("overhang", "Harmonic overhang")
     panel = Panel("Quasi-static steps", "step", "displacement of the tip, m", log="y")
     for count in (1, 2, 4) if full else (2,):
@@ -314,7 +314,7 @@ def rate_at(time, values, at, begin, end_of):
 
 
 def rocking_block(program, full):
-    """Case D5 (Housner 1963): quarter period, loss of energy at the impact, peaks."""
+    """Housner 1963: quarter period, loss of energy at the impact, peaks."""
     found = Findings("rocking_block", "Rocking block")
     document = program.run("rocking_block", {} if full else {"analysis.end_time": 0.7})
     time, foot = path(document, "right foot")
@@ -340,7 +340,7 @@ def rocking_block(program, full):
 
 
 def falling_block(program, full):
-    """Case D6."""
+    """A fall of one metre and rebounds by a coefficient of restitution."""
     found = Findings("falling_block", "Fall and rebound")
     panel = Panel("Fall from 1 m", "time, s", "height, m")
     for restitution in (0.0, 0.5, 1.0) if full else (0.5,):
@@ -369,7 +369,7 @@ def falling_block(program, full):
 
 
 def colliding_bars(program, full):
-    """Case D7."""
+    """A bar hits another: stress, time of contact and velocities by the wave equation."""
     found = Findings("colliding_bars", "Impact of two bars")
     document = program.run("colliding_bars", {} if full else {"cover.spacing": [0.04, 0.02, 0.02], "analysis.time_step": 4e-5,
                                                               "monitor.1.point": [0.5, 0.01, 0.01]})
@@ -393,7 +393,7 @@ def colliding_bars(program, full):
 
 
 def rolling_prism(program, full):
-    """Case D10: a hexagon begins to roll beyond 30°; of its turning 11/17 is left after each edge that hits."""
+    """A hexagon begins to roll beyond 30°; of its turning 11/17 is left after each edge that hits."""
     found = Findings("rolling_prism", "Rolling hexagon")
     for angle in (29.5, 30.5) if full else (29.5,):
         still = program.run("rolling_prism", {"gravity": inclined(angle), "analysis.type": "quasi_static", "analysis.time_step": 0.05,
@@ -415,7 +415,7 @@ def rolling_prism(program, full):
 
 
 def spinning_box(program, full):
-    """Case D15: a parabola, and an axis that precesses about the angular momentum."""
+    """A parabola, and an axis that precesses about the angular momentum."""
     found = Findings("spinning_box", "Spinning box in flight")
     document = program.run("spinning_box", {} if full else {"analysis.time_step": 0.004})
     time, u = path(document, "centre")

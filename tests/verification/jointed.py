@@ -43,7 +43,7 @@ def through(document, far_speed):
 
 
 def jointed_bar(program, full):
-    """REFERENCES C5b: waves through a joint (Pyrak-Nolte, Myer & Cook 1990); the stretch of a bar across a joint."""
+    """Waves through a joint (Pyrak-Nolte, Myer & Cook 1990); the stretch of a bar across a joint."""
     found = Findings("jointed_bar", "Waves through a joint, bars across it")
     document = program.run("jointed_bar")
     comes, goes_on, returns = through(document, SPEED)
