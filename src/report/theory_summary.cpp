@@ -66,7 +66,7 @@ std::string blocks_text(const ExcavationTheory& theory) {
                     safety(block), fixed_text(block.support_force / 1e3, 1),
                     fixed_text(block.support_pressure / 1e3, 2)});
   }
-  const std::string of_none =
+  std::string of_none =
       without.empty()
           ? ""
           : fact("no volume", joined(without) + ": the largest block is a point or flat");

@@ -10,6 +10,7 @@ import { Keyboard } from './keyboard';
 import { historyAt, Motion } from './motion';
 import { CameraControl } from './scene/camera';
 import { ContactPoints } from './scene/contact_points';
+import { DeadEnds } from './scene/dead_ends';
 import { Scene } from './scene/scene';
 import { boltRods, Marks, waterLevels } from './scene/symbols';
 import { type ClipPlane, sectionLines } from './section';
@@ -45,6 +46,7 @@ export class App implements Context {
   private readonly marks: Marks;
   private readonly contacts: Contacts | undefined;
   private readonly dots = new ContactPoints();
+  private readonly deadEnds: DeadEnds;
   private readonly waterLevel: THREE.Object3D;
   private readonly help = helpDialog();
   private addressTimer = 0;
@@ -75,6 +77,8 @@ export class App implements Context {
     this.waterLevel = waterLevels(marks, data.document.origin, this.scene.radius);
     this.scene.extras.add(boltRods(this.support.bolts ?? [], data.document.origin, this.scene.radius), this.waterLevel, this.marks.object);
     this.scene.add(this.dots.object);
+    this.deadEnds = new DeadEnds(data);
+    this.scene.add(this.deadEnds.object);
     this.build(canvas);
     this.wire(canvas);
   }
@@ -267,6 +271,8 @@ export class App implements Context {
     if (has('field', 'low', 'high', 'at', 'magnify', 'explode', 'joint')) this.showContacts();
     if (has('explode', 'edges', 'texture', 'opacity', 'joint', 'show', 'rest', 'field')) this.showLook();
     if (has('clip') || (state.clip.some((c) => c.on) && has('at', 'magnify', 'explode', 'show', 'rest', 'stage', 'chosen', 'hidden', 'opacity'))) this.showClip();
+    // Dead ends stand in the rock as it was cut.
+    if (has('joint', 'explode')) this.deadEnds.show(state.explode === 0 ? state.joint : -1);
     if (has('at', 'magnify')) this.marks.follow((name) => this.monitorPlace(name));
     this.scene.extras.visible = state.symbols && state.explode === 0; // symbols stand in the rock, not in blocks pulled apart
     this.scene.request();
@@ -350,6 +356,7 @@ export class App implements Context {
     this.scene.setClip(planes, all);
     this.marks.clip(planes);
     this.dots.clip(planes);
+    this.deadEnds.clip(planes);
   }
 
   /// Where the points are drawn now.

@@ -181,10 +181,11 @@ Model slope(const Crossing& crossing) {
   model.joint_materials[0].friction_angle = 30;
   model.joint_materials[0].cohesion = crossing.cohesion;
   const Frame& frame = crossing.frame;
-  const auto solid = [&](const char* name, std::vector<std::pair<Vec3, Vec3>> planes) {
-    for (auto& [normal, point] : planes)
-      normal = frame.direction(normal), point = frame.point(point);
-    return convex_solid(name, planes);
+  const auto solid = [&](const char* name, const std::vector<std::pair<Vec3, Vec3>>& planes) {
+    std::vector<std::pair<Vec3, Vec3>> turned;
+    for (const auto& [normal, point] : planes)
+      turned.emplace_back(frame.direction(normal), frame.point(point));
+    return convex_solid(name, turned);
   };
   model.solids.push_back(solid("rock", {{{-1, 0, 0}, {-10, 0, 0}},
                                         {{1, 0, 0}, {10, 0, 0}},
