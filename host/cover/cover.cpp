@@ -6,10 +6,10 @@
 #include "host/cover/centre_functions.hpp"
 #include "host/cover/connect.hpp"
 #include "host/cover/joint_tips.hpp"
-#include "host/cover/overlaid_splits.hpp"
 #include "host/cover/piece_index.hpp"
 #include "host/cover/pieces.hpp"
 #include "host/cover/slivers.hpp"
+#include "host/cover/whole_blocks.hpp"
 #include "host/cut/complex.hpp"
 #include "src/arrays/shape_functions.hpp"
 #include "src/base/error.hpp"
@@ -101,6 +101,7 @@ Covering build_covers(const Cutting& cutting, const Model& model, Progress& prog
   index->complex = cutting.complex;
   connect(complex, model, pieces, covering.arrays, *index);
   refuse_halved_blocks(cover, covering.arrays);
+  refuse_parted_blocks(cover, covering.arrays);
   centre_functions(covering.arrays);
   if (cover.lattice == LatticeKind::block) index->build_piece_tree(covering.arrays);
   covering.pieces = std::move(index);
