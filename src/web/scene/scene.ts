@@ -52,6 +52,9 @@ export class Scene {
   /// Called with the pixels of the drawing for one of the screen: saved pictures have more.
   ratioChanged: (ratio: number) => void = () => {};
   frames = 0;
+  /// Of each block, as they were set last, and how often.
+  flags: Uint8Array = new Uint8Array(0);
+  timesFlagged = 0;
   /// m from the middle that anything drawn reaches.
   reach: number;
 
@@ -142,6 +145,8 @@ export class Scene {
 
   /// [N] of shaders.ts.
   setFlags(flags: Uint8Array): void {
+    this.flags = flags;
+    ++this.timesFlagged;
     const data = floats(this.blockTexture);
     let ghosts = false;
     for (let b = 0; b < flags.length; ++b) {

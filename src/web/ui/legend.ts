@@ -2,6 +2,7 @@
 import type { Context } from '../context';
 import { mapColour, toHex } from '../colour';
 import { svg, textWidth } from './dom';
+import { Flag } from '../scene/shaders';
 import { digits, niceStep, ticks, unitFor } from './format';
 
 const least = 250; // px, of a bar's box
@@ -69,7 +70,7 @@ function categoryLegend(context: Context): SVGSVGElement {
   return box(38 + 20 * rows.length, width, heading(titleOf(context)), ...rows);
 }
 
-/// Those that some block (or face) has; names of faces that are no joint only where there are few.
+/// Those that some block shown (or some face) has; names of faces that are no joint only where there are few.
 function usedCategories(context: Context): number[] {
   const field = context.field();
   if (field.of === 'origin') {
@@ -77,7 +78,9 @@ function usedCategories(context: Context): number[] {
     return [...joints].sort((a, b) => a - b);
   }
   if (field.of === 'contact') return field.categories!.map((_, i) => i); // they come and go
-  return [...new Set(field.values(context.store.state.at))].filter((v) => v >= 0).sort((a, b) => a - b);
+  const { flags } = context.scene;
+  const isShown = (b: number): boolean => !((flags[b] ?? 0) & Flag.hidden);
+  return [...new Set(Array.from(field.values(context.store.state.at)).filter((_, b) => isShown(b)))].filter((v) => v >= 0).sort((a, b) => a - b);
 }
 
 /// A bar of a round length at the distance of what the camera looks at.

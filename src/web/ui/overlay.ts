@@ -22,9 +22,9 @@ export class Overlay {
 
   /// Follows the camera; the legend is made anew only when it has changed.
   update(theme: string): void {
-    const { store } = this.context;
+    const { store, scene } = this.context;
     const [low, high] = this.context.limits();
-    const key = [store.state.field, low, high, theme, store.state.tried.join('_')].join();
+    const key = [store.state.field, low, high, theme, store.state.tried.join('_'), scene.timesFlagged].join();
     if (key !== this.legendKey) this.corner.legend.replaceChildren(legend(this.context));
     this.legendKey = key;
     this.corner.scale.replaceChildren(scaleBar(this.context));
