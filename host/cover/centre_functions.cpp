@@ -44,8 +44,7 @@ std::vector<Box> find_boxes(const CoverArrays& covers) {
 }  // namespace
 
 void centre_functions(CoverArrays& covers) {
-  if (covers.order == 0 || covers.series || covers.lattice.kind == LatticeKind::block ||
-      covers.regular_count() > 0)
+  if (covers.order == 0 || covers.lattice.kind == LatticeKind::block || covers.regular_count() > 0)
     return;
   const std::vector<Box> boxes = find_boxes(covers);
   Real widest = 0;

@@ -95,8 +95,6 @@ Covering build_covers(const Cutting& cutting, const Model& model, Progress& prog
   Covering covering;
   covering.arrays.lattice = lattice.lattice();
   covering.arrays.order = cover.order;
-  covering.arrays.series = cover.series;
-  check_series(covering.arrays);
   auto index = std::make_shared<PieceIndex>(std::move(planes), std::move(lattice));
   index->complex = cutting.complex;
   connect(complex, model, pieces, covering.arrays, *index);

@@ -18,8 +18,6 @@ constexpr Real patch_width = 2.5;  // spacings
 constexpr Real least_share = 0.4;  // of a patch's area: smaller ones join their neighbours
 // A polynomial that differs less than this from those of lower degree, in the mean over a patch, says nothing new there: [degree]
 constexpr Real least_residual[] = {0, 2e-2, 2e-3, 5e-4};
-constexpr Real least_of_series =
-    5e-4;                        // likewise of a function of a local series, over its own size
 constexpr Real narrow = 0.1;     // spacings: strips of less may need functions of their own
 constexpr Real rounding = 1e-9;  // spacings: no nearer are places told apart
 
@@ -40,8 +38,6 @@ Real monomial(const Vec3& x, const std::array<int, 3>& exponent) {
     for (int i = 0; i < exponent[d]; ++i) value *= x[d];
   return value;
 }
-
-using Values = std::vector<std::vector<Real>>;  // [function][point]
 
 struct Extent {
   Vec3 centre{};
@@ -101,7 +97,7 @@ struct Function {
   Real reach() const { return std::min<Real>(1, 1 / scale); }
 };
 
-/// Polynomials, then `more` functions, made orthonormal in the mean over points of a plane (Gram & Schmidt, twice); the first is 1. What the
+/// Polynomials made orthonormal in the mean over points of a plane (Gram & Schmidt, twice); the first is 1. What the
 /// points cannot tell apart (across their plane, along a line) is left out. In a strip that is narrow beside the spacing functions across it are
 /// small, but those that are linear hold the rock against turning about the strip: up to the power `across` they count by what they are beside the
 /// strip's width.
@@ -110,7 +106,7 @@ class OrthonormalFunctions {
   OrthonormalFunctions(const Points& points, Real spacing)
       : points_(points), spacing_(spacing), extent_(extent(points)) {}
 
-  std::vector<Function> find(const Vec3& normal, int degree, int across, const Values& more) && {
+  std::vector<Function> find(const Vec3& normal, int degree, int across) && {
     for (const auto& exponent : exponents(degree)) {
       std::vector<Real> value(points_.size());
       for (std::size_t n = 0; n < points_.size(); ++n)
@@ -118,7 +114,6 @@ class OrthonormalFunctions {
       add(std::move(value), least_residual[exponent[0] + exponent[1] + exponent[2]]);
     }
     if (degree > 0) add_across(normal, degree, across);
-    for (const auto& value : more) add(value, least_of_series * std::sqrt(mean(value, value)));
     return std::move(found_);
   }
 
@@ -172,21 +167,6 @@ class OrthonormalFunctions {
   std::vector<Function> found_;
 };
 
-/// The local series of a cover.
-Values series_values(const CoverArrays& covers, Index cover, const Points& points) {
-  Values values;
-  if (!covers.series) return values;
-  const Vec3 node = covers.lattice.node_position(covers.cover_node[cover]);
-  values.assign(covers.series->functions(), std::vector<Real>(points.size()));
-  for (std::size_t n = 0; n < points.size(); ++n) {
-    const auto function =
-        cover_functions(covers, cover, covers.lattice.to_local(points[n].x - node));
-    for (std::size_t k = 0; k < values.size(); ++k)
-      values[k][n] = function[covers.polynomials() + k];
-  }
-  return values;
-}
-
 /// The covers of an element with the weights of their nodes at x.
 std::vector<std::pair<Index, Real>> node_weights(const CoverArrays& covers, Index element,
                                                  const Vec3& x) {
@@ -199,21 +179,7 @@ std::vector<std::pair<Index, Real>> node_weights(const CoverArrays& covers, Inde
   return found;
 }
 
-/// The series of the cover that weighs most amid the points.
-Values series_amid(const CoverArrays& covers, const Points& points) {
-  if (!covers.series) return {};
-  const Vec3 centre = extent(points).centre;
-  const auto middle = std::min_element(
-      points.begin(), points.end(),
-      [&](const auto& a, const auto& b) { return norm(a.x - centre) < norm(b.x - centre); });
-  const auto weights = node_weights(covers, middle->element, middle->x);
-  const auto most =
-      std::max_element(weights.begin(), weights.end(),
-                       [](const auto& a, const auto& b) { return a.second < b.second; });
-  return series_values(covers, most->first, points);
-}
-
-/// The rows of all polynomials up to a degree over the points, and of the series of the cover amid them. `unit`: m, in which polynomials
+/// The rows of all polynomials up to a degree over the points. `unit`: m, in which polynomials
 /// that differ too little from others are told.
 void add_moments(const CoverArrays& covers, const Points& points, const Vec3& normal, Real unit,
                  int degree, std::vector<HeldRow>& rows) {
@@ -223,8 +189,7 @@ void add_moments(const CoverArrays& covers, const Points& points, const Vec3& no
     add_material_point(covers, p.x, p.element, at);
     area += p.area;
   }
-  const auto functions =
-      OrthonormalFunctions(points, unit).find(normal, degree, 1, series_amid(covers, points));
+  const auto functions = OrthonormalFunctions(points, unit).find(normal, degree, 1);
   for (const Function& function : functions) {
     std::map<Index, Real> weight;
     for (std::size_t n = 0; n < points.size(); ++n)
@@ -297,8 +262,7 @@ void hold_covers(const CoverArrays& covers, const Points& points, const FacePoly
     Real area = 0;
     for (const auto& p : share) area += p.area;
     const auto held =
-        OrthonormalFunctions(share, unit)
-            .find(polygon.normal, covers.order, covers.order, series_values(covers, cover, share));
+        OrthonormalFunctions(share, unit).find(polygon.normal, covers.order, covers.order);
     for (const Function& one : held) {
       HeldRow row{share[0].element,
                   share[0].x,
@@ -458,12 +422,11 @@ void hold_surface(const CoverArrays& covers, const std::vector<FacePolygon>& sur
   const bool block = covers.lattice.kind == LatticeKind::block;
   const int of_weights = covers.lattice.kind == LatticeKind::hex8 ? 3 : block ? 0 : 1;
   const int of_functions = of_weights + covers.order;
-  const int of_series = covers.series ? covers.series->degree() : 0;
   // Rock that is smaller than a lattice cell bends as its functions do, which are in units of its own size. A block is its own cell.
   const Real unit = covers.middle.empty() ? spacing : 2 * covers.reach * spacing;
   if (!block && runs_through_nodes(covers, surface, spacing, slack)) {
-    hold_covers(covers, surface_points(surface, std::max(of_weights + 2 * covers.order, of_series)),
-                surface[0], slack, unit, rows);
+    hold_covers(covers, surface_points(surface, of_weights + 2 * covers.order), surface[0], slack,
+                unit, rows);
     return;
   }
   const int degree = block ? covers.order : covers.order + 1;
@@ -471,7 +434,7 @@ void hold_surface(const CoverArrays& covers, const std::vector<FacePolygon>& sur
       block ? std::vector<Polygons>{surface}
             : join_small(PatchGrid(covers, surface, patch_width * spacing).divide(surface));
   for (const Polygons& patch : all) {
-    const Points points = surface_points(patch, std::max(of_functions + degree, of_series));
+    const Points points = surface_points(patch, of_functions + degree);
     if (points.empty()) continue;
     add_moments(covers, points, surface[0].normal, block ? width(points) : unit, degree, rows);
   }

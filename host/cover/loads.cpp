@@ -30,12 +30,11 @@ Error outside(const Place& entry, const std::string& key, const Vec3& x) {
                   fmt::format("({:g}, {:g}, {:g}) is not in the rock", x[0], x[1], x[2]));
 }
 
-/// Degree of the functions of an element on a plane, or that to which those of a local series are integrated.
+/// Degree of the functions of an element on a plane.
 int function_degree(const CoverArrays& covers) {
   const LatticeKind kind = covers.lattice.kind;
   const int of_weights = kind == LatticeKind::hex8 ? 3 : kind == LatticeKind::block ? 0 : 1;
-  const int degree = of_weights + covers.order;
-  return covers.series ? std::max(degree, covers.series->degree()) : degree;
+  return of_weights + covers.order;
 }
 
 /// Points on the free faces of a region, each with its share of the area.

@@ -12,9 +12,8 @@ namespace rockfold::finite {
 
 namespace {
 
-/// Exact for the strain energy of small strain: twice the degree of the functions' gradients; or as a local series asks for.
-int quadrature_degree(const CoverArrays& covers, const LatticeFunctions& functions) {
-  if (covers.series) return std::min(covers.series->degree(), most_series_degree);
+/// Exact for the strain energy of small strain: twice the degree of the functions' gradients.
+int quadrature_degree(const LatticeFunctions& functions) {
   return 2 * std::max(0, functions.degree - 1);
 }
 
@@ -43,12 +42,11 @@ class Builder {
     result_.place.resize(points);
     result_.gradient.resize(points * result_.functions);
     result_.weight.resize(static_cast<std::size_t>(elements) * result_.points, 0);
-    if (!covers_.series)
-      for (int kind = 0; kind < static_cast<int>(parts.size()); ++kind)
-        place_points(kind, parts[kind], [&](const Vec3& eta, Vec3* to) {
-          const auto gradients = functions_.gradients(kind, eta);
-          std::copy(gradients.begin(), gradients.end(), to);
-        });
+    for (int kind = 0; kind < static_cast<int>(parts.size()); ++kind)
+      place_points(kind, parts[kind], [&](const Vec3& eta, Vec3* to) {
+        const auto gradients = functions_.gradients(kind, eta);
+        std::copy(gradients.begin(), gradients.end(), to);
+      });
     using Host = Kokkos::DefaultHostExecutionSpace;
     Kokkos::parallel_for("rockfold::finite::element_rules",
                          Kokkos::RangePolicy<Host, Kokkos::Schedule<Kokkos::Dynamic>>(0, elements),
@@ -59,10 +57,10 @@ class Builder {
  private:
   bool whole(Index e) const { return e < functions_.parts * covers_.regular_count(); }
   /// Whether an element has points that no other has.
-  bool own(Index e) const { return covers_.series || (degree_ > 0 && !whole(e)); }
+  bool own(Index e) const { return degree_ > 0 && !whole(e); }
 
   void number_kinds() {
-    result_.kinds = covers_.series ? 0 : functions_.forms * functions_.parts;
+    result_.kinds = functions_.forms * functions_.parts;
     for (Index e = 0; e < covers_.element_count(); ++e) {
       const bool alone = own(e);
       result_.kind.push_back(alone ? result_.kinds++ : kind_of(e));
@@ -120,7 +118,7 @@ class Builder {
   const PieceMoments& moments_;
   const LatticeFunctions functions_;
   const ElementFunctions all_{covers_};
-  const int degree_ = quadrature_degree(covers_, functions_);
+  const int degree_ = quadrature_degree(functions_);
   const ElementPoints points_{covers_, degree_};
   int own_kinds_ = 0;
   Quadrature result_;

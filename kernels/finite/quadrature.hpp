@@ -12,12 +12,8 @@
 
 namespace rockfold::finite {
 
-/// Of the rule of an element with a local series: the least of this and LocalSeries::degree. Its 84 points hold the element's state.
-inline constexpr int most_series_degree = 6;
-
 /// Splits of a lattice have up to two forms (tet5); "kind" f·parts + t is part t of form f. The cut elements' kinds follow, one
 /// each; where slopes are constant there are none of these. The rule is exact for the strain energy of small strain.
-/// With a local series each element is a kind of its own, and the rule exact for polynomials up to the degree above.
 struct Quadrature {
   int kinds = 0;
   int points = 0;  ///< Q of each element

@@ -1,7 +1,5 @@
-// Values of the operator: the constants of the lattice for stencil rows and whole cells, integrals for cut elements; integrals for all
-// where covers have a local series.
+// Values of the operator: the constants of the lattice for stencil rows and whole cells, integrals for cut elements.
 #include "kernels/operator/assemble_kernel.hpp"
-#include "kernels/operator/sampled_elements_kernel.hpp"
 #include "kernels/operator/shifted_function_kernel.hpp"
 #include "src/arrays/shape_functions.hpp"
 
@@ -241,11 +239,9 @@ DeviceStencil upload(const StencilRuns& runs, const Constants& constants, int fu
 
 Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
                         const std::vector<ElasticMaterial>& materials, bool stencils) {
-  check_series(covers);
-  const bool sampled = covers.series != nullptr;  // then no two cells are alike
   const ElementTable table = make_element_table(covers, moments, materials);
-  const Constants constants = sampled ? Constants{} : make_constants(covers, table);
-  const Rows rows = sort_rows(covers, slice_lanes, stencils && !sampled);
+  const Constants constants = make_constants(covers, table);
+  const Rows rows = sort_rows(covers, slice_lanes, stencils);
   Operator op;
   op.covers = covers.cover_count();
   op.unknowns = covers.unknown_count();
@@ -255,10 +251,7 @@ Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
   op.neighbours = rows.neighbours;
   op.stencil = upload(rows.stencil, constants, op.functions);
   op.block = upload(rows.block, op.functions);
-  if (sampled)
-    assemble_sampled(op.block, table, covers);
-  else
-    assemble(op.block, table, constants);
+  assemble(op.block, table, constants);
   choose_differences(op.block, table.parts.weight_degree <= 1);
   Kokkos::fence();
   op.block.source_begin = {};

@@ -1,4 +1,4 @@
-// Stiffness and mass of manifold elements (thesis 4.2), exact for every lattice and order. Those of covers with a local series: sampled_elements_kernel.hpp.
+// Stiffness and mass of manifold elements (thesis 4.2), exact for every lattice and order.
 //
 // With φ_f the functions of an element's part (part_functions.hpp) and S_ij = ∫ ∂_i φ_f ∂_j φ_g dV over the element
 //

@@ -46,9 +46,8 @@ std::vector<Elastic> make_elastic(const std::vector<ElasticMaterial>& materials)
 }
 
 ElementTable make_element_table(const CoverArrays& covers, const PieceMoments& moments,
-                                const std::vector<ElasticMaterial>& materials,
-                                const CoverSeries& series) {
-  const LatticeFunctions functions = lattice_functions(covers.lattice, series);
+                                const std::vector<ElasticMaterial>& materials) {
+  const LatticeFunctions functions = lattice_functions(covers);
   ElementTable table;
   table.parts = make_part_table(functions);
   table.functions = functions.functions;
@@ -91,13 +90,6 @@ ElementTable make_element_table(const CoverArrays& covers, const PieceMoments& m
     table.reach = covers.reach;
   }
   table.elastic = to_device("solve::elastic", make_elastic(materials));
-  return table;
-}
-
-ElementTable make_element_table(const CoverArrays& covers, const PieceMoments& moments,
-                                const std::vector<ElasticMaterial>& materials) {
-  ElementTable table = make_element_table(covers, moments, materials, cover_series(covers.order));
-  table.functions = covers.functions();
   return table;
 }
 

@@ -12,9 +12,9 @@ struct Argument {
 };
 
 struct ElementTable {
-  PartTable parts;    ///< the polynomials; its functions and width do not count a local series
-  int functions = 0;  ///< of a cover
-  Index covers = 0;   ///< P
+  PartTable parts;
+  int functions = 0;           ///< of a cover
+  Index covers = 0;            ///< P
   Index regular = 0, cut = 0;  ///< lattice cells, elements
   Array<Index> regular_cover;  ///< [R][nodes of a cell]
   Array<Index> regular_material;
@@ -29,7 +29,7 @@ struct ElementTable {
   Real reach = 1;
   Array<Elastic> elastic;  ///< [materials]
   Array<Real>
-      mean_slope;  ///< [elements][width][3] 1/m with a local series, where it is wanted; else empty
+      mean_slope;  ///< [elements][width][3] 1/m where elements differ in their functions and it is wanted; else empty
 
   KOKKOS_INLINE_FUNCTION Index count() const { return parts.parts * regular + cut; }
   KOKKOS_INLINE_FUNCTION bool whole(Index e) const { return e < parts.parts * regular; }
@@ -62,9 +62,6 @@ struct ElementTable {
 };
 
 /// Throws Error(analysis) where the moments are not of the degree that the functions need.
-ElementTable make_element_table(const CoverArrays& covers, const PieceMoments& moments,
-                                const std::vector<ElasticMaterial>& materials,
-                                const CoverSeries& series);
 ElementTable make_element_table(const CoverArrays& covers, const PieceMoments& moments,
                                 const std::vector<ElasticMaterial>& materials);
 

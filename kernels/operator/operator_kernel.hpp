@@ -86,7 +86,7 @@ struct Operator {
   DeviceBlocks block;
 };
 
-/// `stencils`: see sort_rows; there are none with a local series. Without them all values may be written anew, row by row (assemble_kernel.hpp).
+/// `stencils`: see sort_rows; without them all values may be written anew, row by row (assemble_kernel.hpp).
 Operator build_operator(const CoverArrays& covers, const PieceMoments& moments,
                         const std::vector<ElasticMaterial>& materials, bool stencils = true);
 

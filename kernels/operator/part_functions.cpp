@@ -123,7 +123,8 @@ std::vector<Real> whole_moments(const CellSplit& split, const CellPart& part, in
 }
 
 PartFunctions part_functions(const LatticeFunctions& all, const CellSplit& split,
-                             const CellPart& part, const CoverSeries& series, Real cell_volume) {
+                             const CellPart& part, const CoverPolynomials& polynomials,
+                             Real cell_volume) {
   PartFunctions result;
   for (int a = 0; a < part.nodes; ++a) {
     result.node.push_back(part.node[a]);
@@ -131,9 +132,9 @@ PartFunctions part_functions(const LatticeFunctions& all, const CellSplit& split
     const Polynomial n = weight(part, a);
     result.weight.insert(result.weight.end(), n.term.begin(),
                          n.term.begin() + count_to(all.weight_degree));
-    for (const auto& function : series.function) {
+    for (const auto& function : polynomials.function) {
       const Polynomial phi =
-          product(n, about_node(function, series.degree, result.place.back()), all.degree);
+          product(n, about_node(function, polynomials.degree, result.place.back()), all.degree);
       result.value.insert(result.value.end(), phi.term.begin(), phi.term.end());
       for (int d = 0; d < 3; ++d) {
         const auto terms = slope(phi, d, all.reciprocal, all.slope_terms());
@@ -181,50 +182,47 @@ int LatticeFunctions::form(const Lattice& lattice, Index cell) {
              : 0;
 }
 
-CoverSeries cover_series(int order) {
-  CoverSeries series;
-  series.degree = order;
+CoverPolynomials cover_polynomials(int order) {
+  CoverPolynomials polynomials;
+  polynomials.degree = order;
   // The order of shape_functions.hpp: ones, then each ξ_d, then squares, then products.
   std::vector<std::array<int, 3>> power{{0, 0, 0}};
   if (order > 0) power.insert(power.end(), {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   if (order > 1)
     power.insert(power.end(), {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}});
   for (const auto& p : power) {
-    series.function.emplace_back(count_to(order), 0.0);
-    series.function.back()[monomial_index(p[0], p[1], p[2])] = 1;
+    polynomials.function.emplace_back(count_to(order), 0.0);
+    polynomials.function.back()[monomial_index(p[0], p[1], p[2])] = 1;
   }
-  return series;
+  return polynomials;
 }
 
-LatticeFunctions lattice_functions(const Lattice& lattice, const CoverSeries& series) {
+LatticeFunctions lattice_functions(const Lattice& lattice, int order) {
+  const CoverPolynomials polynomials = cover_polynomials(order);
   const CellSplit& split = cell_split(lattice.kind);
   LatticeFunctions all;
   all.forms = lattice.kind == LatticeKind::tet5 ? 2 : 1;
   all.parts = split.part_count();
   all.nodes = split.nodes_per_part();
   all.cell_nodes = split.node_count();
-  all.functions = series.functions();
+  all.functions = polynomials.functions();
   all.weight_degree = weight_degree(split.part.front());
-  all.series = series;
-  all.degree = all.weight_degree + series.degree;
+  all.polynomials = polynomials;
+  all.degree = all.weight_degree + polynomials.degree;
   all.share = split.share;
   all.reciprocal = lattice.reciprocal();
-  if (all.degree > solve::most_degree)
-    throw Error(ErrorKind::analysis, "the functions of a cover make polynomials of degree " +
-                                         std::to_string(all.degree) + ", at most " +
-                                         std::to_string(solve::most_degree) + " can be integrated");
   const Real volume =
       std::abs(dot(lattice.edge[0], cross(lattice.edge[1], lattice.edge[2]))) * split.share;
   for (int form = 0; form < all.forms; ++form) {
     const CellSplit& of_form = cell_split(lattice.kind, form == 1);
     for (const CellPart& part : of_form.part)
-      all.part.push_back(part_functions(all, of_form, part, series, volume));
+      all.part.push_back(part_functions(all, of_form, part, polynomials, volume));
   }
   return all;
 }
 
 LatticeFunctions lattice_functions(const CoverArrays& covers) {
-  return lattice_functions(covers.lattice, cover_series(covers.order));
+  return lattice_functions(covers.lattice, covers.order);
 }
 
 namespace solve {
@@ -242,12 +240,12 @@ PartTable make_part_table(const LatticeFunctions& all) {
   table.slope_terms = all.slope_terms();
   table.moments = count_to(all.moment_degree());
   table.weight_degree = all.weight_degree;
-  table.series_degree = all.series.degree;
+  table.polynomial_degree = all.polynomials.degree;
   table.share = all.share;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) table.reciprocal[i][j] = all.reciprocal[i][j];
   std::vector<Index> node;
-  std::vector<Real> value, slope, moment, place, weight, series;
+  std::vector<Real> value, slope, moment, place, weight, polynomials;
   const auto append = [](auto& to, const auto& from) {
     to.insert(to.end(), from.begin(), from.end());
   };
@@ -259,7 +257,7 @@ PartTable make_part_table(const LatticeFunctions& all) {
     append(weight, part.weight);
     for (const Vec3& eta : part.place) append(place, eta);
   }
-  for (const auto& function : all.series.function) append(series, function);
+  for (const auto& function : all.polynomials.function) append(polynomials, function);
   std::vector<std::array<int, 3>> power;
   for_each_monomial(all.degree, [&](int a, int b, int c) { power.push_back({a, b, c}); });
   std::vector<Index> sum_index;
@@ -273,7 +271,7 @@ PartTable make_part_table(const LatticeFunctions& all) {
   table.moment = device::to_device("solve::part_moment", moment);
   table.place = device::to_device("solve::part_place", place);
   table.weight = device::to_device("solve::part_weight", weight);
-  table.series = device::to_device("solve::cover_series", series);
+  table.polynomial = device::to_device("solve::cover_polynomials", polynomials);
   return table;
 }
 

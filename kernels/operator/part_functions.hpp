@@ -14,9 +14,8 @@ namespace rockfold {
 
 /// The functions m_k(ξ) of a cover, ξ from its node in units of the edges; m_0 = 1.
 ///
-/// Polynomials, so that all integrals are exact and the same in all whole cells. Other functions of a cover are a local series
-/// (src/arrays/local_series.hpp), which elements are sampled for: sampled_elements_kernel.hpp.
-struct CoverSeries {
+/// Polynomials, so that all integrals are exact and the same in all whole cells.
+struct CoverPolynomials {
   int degree = 0;
   std::vector<std::vector<Real>> function;  ///< [functions][count_to(degree)]
 
@@ -24,7 +23,7 @@ struct CoverSeries {
 };
 
 /// The monomials of shape_functions.hpp.
-CoverSeries cover_series(int order);
+CoverPolynomials cover_polynomials(int order);
 
 /// One part of one form of the split.
 struct PartFunctions {
@@ -46,7 +45,7 @@ struct LatticeFunctions {
   int functions = 0;      ///< of a cover
   int degree = 0;         ///< of φ_ak
   int weight_degree = 0;  ///< of N_a
-  CoverSeries series;
+  CoverPolynomials polynomials;
   Real share = 1;     ///< see CellSplit
   Mat3 reciprocal{};  ///< gradients of η, 1/m
   std::vector<PartFunctions> part;
@@ -63,7 +62,7 @@ struct LatticeFunctions {
   static int form(const Lattice& lattice, Index cell);
 };
 
-LatticeFunctions lattice_functions(const Lattice& lattice, const CoverSeries& series);
+LatticeFunctions lattice_functions(const Lattice& lattice, int order);
 LatticeFunctions lattice_functions(const CoverArrays& covers);
 
 }  // namespace rockfold

@@ -9,7 +9,7 @@ namespace rockfold::solve {
 
 using device::Array;
 
-/// Of φ_ak: hexahedra with covers of order 2, or any series that keeps to it.
+/// Of φ_ak: hexahedra with covers of order 2, or less.
 inline constexpr int most_degree = 5;
 inline constexpr int most_terms = integrate::count_to(most_degree);
 inline constexpr int most_slope_terms = integrate::count_to(most_degree - 1);
@@ -19,7 +19,7 @@ struct PartTable {
   int forms = 1, parts = 0, nodes = 0, cell_nodes = 0, functions = 0;
   int width = 0;  ///< nodes · functions
   int degree = 0, terms = 0, slope_terms = 0, moments = 0;
-  int weight_degree = 0, series_degree = 0;
+  int weight_degree = 0, polynomial_degree = 0;
   Real share = 1;
   Real reciprocal[3][3] = {};  ///< gradients of η, 1/m
   Array<Index> node;           ///< [forms·parts][nodes]
@@ -28,7 +28,7 @@ struct PartTable {
   Array<Real> moment;          ///< [forms·parts][moments]
   Array<Real> place;           ///< [forms·parts][nodes][3]
   Array<Real> weight;          ///< [forms·parts][nodes][count_to(weight_degree)]
-  Array<Real> series;          ///< [functions][count_to(series_degree)] about the node
+  Array<Real> polynomial;      ///< [functions][count_to(polynomial_degree)] about the node
   Array<Index> sum_index;      ///< [terms][terms] where the product of two monomials stands
 
   KOKKOS_INLINE_FUNCTION const Real* values(int part, int f) const {

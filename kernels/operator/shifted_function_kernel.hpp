@@ -36,21 +36,22 @@ class ShiftedFunction {
     using integrate::count_to;
     const std::size_t node = static_cast<std::size_t>(part) * table.nodes + a;
     const int weight_terms = count_to(table.weight_degree),
-              series_terms = count_to(table.series_degree);
-    Real weight[most_terms], series[most_terms], by[3];
+              polynomial_terms = count_to(table.polynomial_degree);
+    Real weight[most_terms], polynomial[most_terms], by[3];
     for (int m = 0; m < weight_terms; ++m) weight[m] = table.weight(node * weight_terms + m);
-    for (int m = 0; m < series_terms; ++m) series[m] = table.series(k * series_terms + m);
+    for (int m = 0; m < polynomial_terms; ++m)
+      polynomial[m] = table.polynomial(k * polynomial_terms + m);
     shift_polynomial(weight, table.weight_degree, origin);
     for (int d = 0; d < 3; ++d) by[d] = origin[d] - table.place(3 * node + d) - of.middle[d];
     Real unit = 1 / of.reach;
-    for (int degree = 1; degree <= table.series_degree; ++degree, unit /= of.reach)
-      for (int m = count_to(degree - 1); m < count_to(degree); ++m) series[m] *= unit;
-    shift_polynomial(series, table.series_degree, by);
+    for (int degree = 1; degree <= table.polynomial_degree; ++degree, unit /= of.reach)
+      for (int m = count_to(degree - 1); m < count_to(degree); ++m) polynomial[m] *= unit;
+    shift_polynomial(polynomial, table.polynomial_degree, by);
 
     for (int m = 0; m < table.terms; ++m) value_[m] = 0;
     for (int m = 0; m < weight_terms; ++m)
-      for (int n = 0; n < series_terms; ++n)
-        value_[table.sum_index(m * table.terms + n)] += weight[m] * series[n];
+      for (int n = 0; n < polynomial_terms; ++n)
+        value_[table.sum_index(m * table.terms + n)] += weight[m] * polynomial[n];
     differentiate(table);
   }
 

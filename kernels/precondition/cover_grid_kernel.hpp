@@ -5,8 +5,7 @@
 // do next to nothing, Σ N_a g_a·(x − x_a) are bubbles of (g_a − g_b)·(x_a − x_b) on the edges. Their energy is that of a truss of its own, as
 // smooth as elasticity, and no correction by constant functions reaches it. So all functions have coarse ones, interpolated by themselves, as if
 // each were a displacement. At order 2 the functions ξξ, G = a symmetric matrix, do the same as g_a = G x_a: a coarse G carries along
-// g_a = G (x_a − x_A), so that what is nothing on the coarse level stays nothing on the finer one. A local
-// series has coefficients that vary slowly where its functions are alike from cover to cover: they are interpolated likewise.
+// g_a = G (x_a − x_A), so that what is nothing on the coarse level stays nothing on the finer one.
 //
 // Levels, places and weights are those of coarse_covers.hpp; their matrices are Galerkin's products. Terms stay beside them, by rows Nₗ = N P.
 #pragma once

@@ -68,7 +68,7 @@ class Deformation {
   virtual void point_stress(const Field& d, const TrackedPoints::Data& at) const = 0;
 };
 
-/// The slopes of all functions at the points; `sampled`: null but for covers with a local series, whose functions the host has to evaluate.
+/// The slopes of all functions at the points; `sampled`: null but for covers whose elements differ in their functions, which the host evaluates.
 inline solve::PointSlopes sampled_slopes_at(const CoverArrays* sampled,
                                             const TrackedPoints::Data& at) {
   if (sampled == nullptr) return {};

@@ -105,7 +105,7 @@ class FiniteStrain : public Deformation {
   StressBefore before_;
   Array<Real> partial_, sums_;
   Real rounding_;
-  std::unique_ptr<const CoverArrays> sampled_;  // of covers with a local series
+  std::unique_ptr<const CoverArrays> sampled_;  // where elements differ in their functions
 };
 
 }  // namespace

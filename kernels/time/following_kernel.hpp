@@ -17,7 +17,7 @@ struct FollowingPressures {
   Field force;           ///< work space
   DeviceTables tables;
   solve::ElementTable elements;
-  solve::PointSlopes slopes;  ///< with a local series
+  solve::PointSlopes slopes;  ///< where elements differ in their functions
   bool any() const { return points.any(); }
 };
 FollowingPressures make_following_pressures(const MotionSetup& setup);

@@ -111,7 +111,7 @@ class SmallStrain : public Deformation {
   StressBefore before_;
   Field initial_;  // f0
   Field work_;
-  std::unique_ptr<const CoverArrays> sampled_;  // of covers with a local series
+  std::unique_ptr<const CoverArrays> sampled_;  // where elements differ in their functions
   Real stiffest_;                               ///< N/m
 };
 

@@ -4,11 +4,9 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "src/arrays/lattice.hpp"
-#include "src/arrays/local_series.hpp"
 #include "src/arrays/time_table.hpp"
 #include "src/base/types.hpp"
 
@@ -22,12 +20,11 @@ namespace rockfold {
 /// element's pieces is the element). With n parts a cell, elements are numbered: n·r + t for part t of regular cell r, then
 /// n·R + e for cut element e. Below, N is the number of nodes of a cell (8; tet24: 15; block: 1), M that of a part (4; hex8: 8; block: 1).
 ///
-/// Unknowns: a cover of order 0, 1, 2 carries 1, 4, 10 functions of three components each (shape_functions.hpp), then those of the
-/// local series, if there is one. Unknown k·P + p is function k of cover p; every vector over unknowns ([U] below and in StateArrays) is in this order.
+/// Unknowns: a cover of order 0, 1, 2 carries 1, 4, 10 functions of three components each (shape_functions.hpp).
+/// Unknown k·P + p is function k of cover p; every vector over unknowns ([U] below and in StateArrays) is in this order.
 struct CoverArrays {
   Lattice lattice;
-  int order = 0;                              ///< of the cover functions: 0, 1, 2
-  std::shared_ptr<const LocalSeries> series;  ///< functions beside them, or null
+  int order = 0;  ///< of the cover functions: 0, 1, 2
 
   // physical covers, ordered by lattice node
   std::vector<Index> cover_node;  ///< [P] linear lattice node index, ascending
@@ -63,11 +60,10 @@ struct CoverArrays {
   Index cover_count() const { return static_cast<Index>(cover_node.size()); }
   Index regular_count() const { return static_cast<Index>(regular_cell.size()); }
   Index cut_count() const { return static_cast<Index>(element_cell.size()); }
-  /// Of a cover: those of its order come first.
-  int polynomials() const { return order == 0 ? 1 : order == 1 ? 4 : 10; }
-  int functions() const { return polynomials() + (series ? series->functions() : 0); }
+  /// Of a cover.
+  int functions() const { return order == 0 ? 1 : order == 1 ? 4 : 10; }
   /// Whether elements differ in their functions, which are then evaluated at points.
-  bool sampled() const { return series || !middle.empty(); }
+  bool sampled() const { return !middle.empty(); }
   /// U: vectors of three components; degrees of freedom are three times as many.
   Index unknown_count() const { return functions() * cover_count(); }
   int nodes_per_cell() const { return cell_split(lattice.kind).node_count(); }

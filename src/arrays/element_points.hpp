@@ -1,4 +1,4 @@
-// Points inside manifold elements with weights: what functions that are no polynomials are integrated with (local_series.hpp).
+// Points inside manifold elements with weights: what functions are evaluated at where elements differ in theirs.
 //
 // An element is made of tetrahedra: a whole part is one, or a hexahedron; a convex piece is the tetrahedra between one of its vertices and
 // the triangles away from it. Each has products of Gauss & Jacobi's points, collapsed to it (Stroud 1971, 2.4): all inside, all weights

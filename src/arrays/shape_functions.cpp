@@ -26,16 +26,6 @@ void monomials(const Vec3& xi, const Mat3& reciprocal, int functions, FunctionVa
   }
 }
 
-/// The local series of a cover at ξ.
-void series_functions(const CoverArrays& covers, Index cover, const Vec3& xi, FunctionValue* f) {
-  const LocalSeries& series = *covers.series;
-  SeriesPoint at{cover, covers.lattice.node_position(covers.cover_node[cover]), {}, xi};
-  at.x = at.node;
-  for (int d = 0; d < 3; ++d) at.x += xi[d] * covers.lattice.edge[d];
-  for (int k = 0; k < series.functions(); ++k) f[k] = {};
-  series.evaluate(at, f);
-}
-
 /// The weights of a part's nodes with their gradients.
 std::array<FunctionValue, 8> weights_with_gradients(const CellPart& part, const Vec3& eta,
                                                     const Mat3& reciprocal) {
@@ -77,13 +67,7 @@ std::array<Real, most_functions> cover_functions(const Vec3& xi, int functions) 
 
 std::array<Real, most_functions> cover_functions(const CoverArrays& covers, Index cover,
                                                  const Vec3& xi) {
-  auto m = cover_functions(argument(covers, cover, xi), covers.polynomials());
-  if (!covers.series) return m;
-  std::array<FunctionValue, most_functions> f;
-  series_functions(covers, cover, xi, f.data());
-  for (int k = covers.polynomials(); k < covers.functions(); ++k)
-    m[k] = f[k - covers.polynomials()].value;
-  return m;
+  return cover_functions(argument(covers, cover, xi), covers.functions());
 }
 
 Vec3 function_origin(const CoverArrays& covers, Index cover) {
@@ -94,28 +78,8 @@ Vec3 function_origin(const CoverArrays& covers, Index cover) {
 }
 
 int sampling_degree(const CoverArrays& covers) {
-  if (covers.series) return covers.series->degree();
   const int nodes = covers.nodes_per_part();
   return covers.order + (nodes == 8 ? 3 : nodes == 4 ? 1 : 0);
-}
-
-void check_series(const CoverArrays& covers) {
-  if (!covers.series) return;
-  const int own = covers.series->functions(), degree = covers.series->degree();
-  if (own < 1 || covers.functions() > most_functions)
-    throw Error(ErrorKind::analysis, "local series: found " + std::to_string(own) +
-                                         " functions beside the " +
-                                         std::to_string(covers.polynomials()) + " of order " +
-                                         std::to_string(covers.order) + "; must be 1 to " +
-                                         std::to_string(most_functions - covers.polynomials()) +
-                                         " (most_functions in src/arrays/shape_functions.hpp)");
-  if (degree < 1 || degree > 60)
-    throw Error(ErrorKind::analysis,
-                "local series: found degree " + std::to_string(degree) + "; must be 1 to 60");
-  if (covers.lattice.kind == LatticeKind::block && covers.order == 0)
-    throw Error(ErrorKind::analysis,
-                "local series: found lattice \"block\" with covers of order 0, whose blocks cannot "
-                "turn; must be order 1");
 }
 
 std::array<Real, 8> part_weights(const CellPart& part, const Vec3& eta) {
@@ -174,10 +138,7 @@ void ElementFunctions::at(const ElementNodes& element, const Vec3& eta,
   const auto weight = weights_with_gradients(part, eta, reciprocal_);
   for (int a = 0; a < part.nodes; ++a, function += functions_) {
     const Vec3 xi = eta - node_place(split, part.node[a]);
-    monomials(argument(covers_, element.cover[a], xi), of_argument_, covers_.polynomials(),
-              function);
-    if (covers_.series)
-      series_functions(covers_, element.cover[a], xi, function + covers_.polynomials());
+    monomials(argument(covers_, element.cover[a], xi), of_argument_, functions_, function);
     for (int k = 0; k < functions_; ++k) {
       const FunctionValue of_cover = function[k];
       function[k].value = weight[a].value * of_cover.value;

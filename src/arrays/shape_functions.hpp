@@ -4,7 +4,7 @@
 // up to the cover's order in lattice coordinates about its own node:
 //   order 0: 1;  order 1: ξ_0 ξ_1 ξ_2;  order 2: ξ_0² ξ_1² ξ_2² ξ_0ξ_1 ξ_1ξ_2 ξ_2ξ_0
 // or, in rock that is smaller than a lattice cell, about the middle of what rock the cover holds (CoverArrays::middle).
-// It is the same space as the thesis' (Eq. 4-6), far better conditioned. A local series (local_series.hpp) adds functions after these.
+// It is the same space as the thesis' (Eq. 4-6), far better conditioned.
 #pragma once
 
 #include <array>
@@ -13,7 +13,13 @@
 
 namespace rockfold {
 
-/// Of a cover, its local series among them. The kernels' stack arrays have room for so many.
+/// A function of position at a point.
+struct FunctionValue {
+  Real value = 0;
+  Vec3 gradient{};  ///< 1/m
+};
+
+/// Of a cover. The kernels' stack arrays have room for so many.
 inline constexpr int most_functions = 10;
 
 /// How many cover functions an order has: 1, 4, 10.
@@ -24,18 +30,15 @@ constexpr int functions_of_order(int order) {
 /// The monomials m_k(ξ), k < functions.
 std::array<Real, most_functions> cover_functions(const Vec3& xi, int functions);
 
-/// All functions of a cover at ξ: the monomials of its order, then its local series.
+/// All functions of a cover at ξ.
 std::array<Real, most_functions> cover_functions(const CoverArrays& covers, Index cover,
                                                  const Vec3& xi);
 
 /// Where the linear functions of a cover vanish: m, its node or the middle of its rock.
 Vec3 function_origin(const CoverArrays& covers, Index cover);
 
-/// Of polynomials that are integrated exactly where functions are evaluated at points: those of a local series, or its own functions.
+/// Of an element's functions: to which polynomials are integrated exactly where functions are evaluated at points.
 int sampling_degree(const CoverArrays& covers);
-
-/// Throws Error(analysis) where the covers cannot carry their local series: too many functions, or blocks that it alone could turn.
-void check_series(const CoverArrays& covers);
 
 /// N_a(η) of a part's nodes.
 std::array<Real, 8> part_weights(const CellPart& part, const Vec3& eta);

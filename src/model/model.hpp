@@ -321,8 +321,6 @@ struct CoverSpec {
   std::array<DipOrientation, 3> directions{{{0, 0}, {90, 0}, {90, 90}}};
   std::optional<Vec3> origin;  ///< m, a lattice node; default the centre of the solids' box
   int order = 0;               ///< of the cover functions: 0, 1, 2
-  /// Functions beside them: for programs that use Rockfold, no key of the model file sets it (docs/local_series.md).
-  std::shared_ptr<const LocalSeries> series;
   JointTreatment joints = JointTreatment::separate;
   JointTips joint_tips = JointTips::keep;
   Index max_elements = 50'000'000;

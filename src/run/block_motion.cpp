@@ -238,19 +238,11 @@ LargestDisplacement find_largest_displacement(const CoverArrays& covers,
   const auto offer = [&](const Vec3& u, const Vec3& point, Index block) {
     if (largest.block == none || norm(u) > largest.length) largest = {norm(u), point, block};
   };
-  // At a node of a whole cell all functions of its cover vanish but the constant one and those of a series.
-  const auto at_node = [&](Index cover) {
-    Vec3 u = displacement[cover];
-    if (!covers.series) return u;
-    const auto function = cover_functions(covers, cover, {});
-    for (int k = covers.polynomials(); k < covers.functions(); ++k)
-      u += function[k] * displacement[k * covers.cover_count() + cover];
-    return u;
-  };
   const int cell_nodes = covers.nodes_per_cell();
   for (Index r = 0; r < covers.regular_count(); ++r)
     for (int c = 0; c < cell_nodes; ++c)
-      offer(at_node(covers.regular_cover[cell_nodes * r + c]),
+      // At a node of a whole cell all functions of its cover vanish but the constant one.
+      offer(displacement[covers.regular_cover[cell_nodes * r + c]],
             covers.lattice.node_position(covers.lattice.cell_node(covers.regular_cell[r], c)),
             covers.regular_block[r]);
   const LatticeFunctions all = lattice_functions(covers);

@@ -63,7 +63,7 @@ RigidRow rigid_row(const CoverArrays& covers, const FixedPoints& fixed, std::siz
     if (function == 0) {
       row.shift += weight;
       row.arm += weight * (function_origin(covers, cover) - origin);
-    } else if (function < std::min(covers.polynomials(), 4)) {
+    } else if (function < 4) {
       row.arm += (weight * covers.reach) * covers.lattice.edge[function - 1];
     }
   }

@@ -41,7 +41,7 @@ TEST(PartFunctions, AreWeightsTimesCoverFunctionsInEveryLattice) {
   for (const LatticeKind kind : kinds)
     for (int order = 0; order < 3; ++order) {
       const Lattice lattice = oblique(kind);
-      const LatticeFunctions all = lattice_functions(lattice, cover_series(order));
+      const LatticeFunctions all = lattice_functions(lattice, order);
       for (int p = 0; p < all.forms * all.parts; ++p) {
         const CellSplit& split = cell_split(kind, p >= all.parts);
         const CellPart& part = split.part[p % all.parts];
@@ -68,7 +68,7 @@ TEST(PartFunctions, AreWeightsTimesCoverFunctionsInEveryLattice) {
 
 TEST(PartFunctions, WeightsAreAPartitionOfUnityOverWholeCells) {
   for (const LatticeKind kind : kinds) {
-    const LatticeFunctions all = lattice_functions(oblique(kind), cover_series(0));
+    const LatticeFunctions all = lattice_functions(oblique(kind), 0);
     for (int p = 0; p < all.forms * all.parts; ++p)
       for (const Vec3& eta : {Vec3{0, 0, 0}, Vec3{0.5, -0.5, 0.25}, Vec3{-0.4, 0.1, 0.3}}) {
         Real sum = 0;
@@ -90,7 +90,7 @@ TEST(PartFunctions, PartsOfACellFillItOnce) {
     if (kind == LatticeKind::block) continue;  // there is no whole part
     const Lattice lattice = oblique(kind);
     const Real volume = dot(lattice.edge[0], cross(lattice.edge[1], lattice.edge[2]));
-    const LatticeFunctions all = lattice_functions(lattice, cover_series(2));
+    const LatticeFunctions all = lattice_functions(lattice, 2);
     for (int form = 0; form < all.forms; ++form) {
       Real sum[3] = {};
       for (int p = 0; p < all.parts; ++p) {
@@ -103,28 +103,6 @@ TEST(PartFunctions, PartsOfACellFillItOnce) {
       EXPECT_NEAR(sum[0] / volume, 1, 1e-14);
       EXPECT_NEAR(sum[1] / volume, 0, 1e-16);
       EXPECT_NEAR(sum[2] / volume, 1.0 / 12 / 80, 1e-17);
-    }
-  }
-}
-
-TEST(PartFunctions, AUsersSeriesIsAddedToTheFunctionsOfEveryNode) {
-  CoverSeries series = cover_series(1);
-  series.degree = 3;
-  for (auto& function : series.function) function.resize(20, 0.0);
-  series.function.emplace_back(20, 0.0);
-  series.function.back()[monomial_index(2, 1, 0)] = 4;
-  series.function.back()[monomial_index(0, 0, 1)] = -1;
-  const Lattice lattice = oblique(LatticeKind::tet6);
-  const LatticeFunctions all = lattice_functions(lattice, series);
-  ASSERT_EQ(all.functions, 5);
-  const CellSplit& split = cell_split(lattice.kind);
-  const Vec3 eta{0.2, 0.1, -0.3};
-  for (int p = 0; p < 6; ++p) {
-    const auto value = all.values(p, eta);
-    for (int a = 0; a < 4; ++a) {
-      const Vec3 xi = eta - place(split, split.part[p].node[a]);
-      EXPECT_NEAR(value[5 * a + 4],
-                  part_weights(split.part[p], eta)[a] * (4 * xi[0] * xi[0] * xi[1] - xi[2]), 1e-14);
     }
   }
 }
