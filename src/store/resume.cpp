@@ -69,6 +69,7 @@ Options options_of_run(const Options& now, const RunOrigin& origin) {
   options.output = now.input;
   options.input = origin.model.empty() ? "" : present_path(origin);
   options.exports = origin.exports;
+  options.table = origin.table;
   options.ignored = origin.ignored;
   options.overrides = origin.overrides;
   options.overrides.insert(options.overrides.end(), now.overrides.begin(), now.overrides.end());
@@ -122,6 +123,7 @@ RunOrigin run_origin(const Options& options, const Model& model) {
   origin.overrides = options.overrides;
   origin.ignored = options.ignored;
   origin.exports = options.exports;
+  origin.table = options.table;
   origin.seed = options.seed;
   for (const std::string& file : files_named_by(model)) origin.inputs.push_back(fingerprint(file));
   return origin;

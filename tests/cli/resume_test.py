@@ -168,6 +168,14 @@ class Resume(ProgramTest):
         self.assertEqual(self.resumed("whole.vtkhdf", "--set", "step.slide.steps=50"), longer)
         self.assertNotEqual(longer, whole)
 
+    def test_a_table_asked_for_on_the_command_line_is_written_again(self):
+        self.write("stack.toml", STACK + "[support]\n")
+        self.assertEqual(self.stopped(signal.SIGINT, 10, "part.vtkhdf", "--table", "keys.csv"), 130)
+        table = (self.folder / "keys.csv").read_text()
+        (self.folder / "keys.csv").unlink()
+        self.resumed()
+        self.assertEqual((self.folder / "keys.csv").read_text(), table)
+
     def test_an_interrupted_run_goes_on_to_another_end(self):
         longer = self.whole_run("longer.vtkhdf", "--set", "step.slide.steps=50")
         self.stopped(signal.SIGKILL, 25)
