@@ -127,7 +127,8 @@ constexpr const char* common_options =
     "  --max-memory SIZE      likewise where the program needs more memory: \"4 GB\"\n"
     "  --json-file FILE       the document in a file, beside the summary\n"
     "  --log FILE             phases with their times, warnings and errors in a file too\n"
-    "  --set KEY.PATH=VALUE   override a value of the model, e.g. cover.spacing=0.5 (repeatable)\n"
+    "  --set KEY.PATH=VALUE   override a value of the model, e.g. cover.spacing=0.5 (repeatable);\n"
+    "                         without a value, take the key or entry out: bolt_pattern.roof=\n"
     "  --ignore LOAD          a load that the command does not use, knowingly: traction, water, …\n"
     "  -h, --help             this text\n";
 

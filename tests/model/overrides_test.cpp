@@ -31,7 +31,7 @@ TEST(Override, ReachesEveryKindOfPlace) {
 TEST(Override, TakesTextWithoutQuotes) {
   EXPECT_EQ(with({"title=My \"slope\" #3 = \\new"}).title, "My \"slope\" #3 = \\new");
   EXPECT_EQ(with({"title='quoted'"}).title, "quoted");
-  EXPECT_EQ(with({"title="}).title, "");
+  EXPECT_EQ(with({"title=''"}).title, "");
   EXPECT_EQ(with({"title=1\nfoo=2"}).title, "1\nfoo=2");
 }
 
@@ -41,6 +41,16 @@ TEST(Override, MakesWhatIsNotThereYet) {
   EXPECT_EQ(model.cover->spacing[0], 2);
   EXPECT_EQ(model.support->water_pressure, 5);
   EXPECT_EQ(model.title, "new");
+}
+
+TEST(Override, WithoutAValueTakesOut) {
+  EXPECT_EQ(with({"title="}).title, "");
+  const auto all = with({}).joint_sets.size();
+  ASSERT_GE(all, 2u);
+  EXPECT_EQ(with({"joint_set.J1="}).joint_sets.size(), all - 1);
+  EXPECT_NE(with({"joint_set.1="}).joint_sets[0].name, "J1");
+  EXPECT_TRUE(with({"joint_set=", "water="}).joint_sets.empty());
+  EXPECT_EQ(with({"analysis.newmark.beta=0.3", "analysis.newmark="}).analysis->newmark_beta, 0.25);
 }
 
 TEST(Override, IsAppliedInOrderAndStored) {
@@ -102,6 +112,9 @@ TEST(Override, ThatIsMalformedIsAUsageError) {
       {"joint_set.J2.spacing=3", "no entry named \"J2\", did you mean \"J1\"?"},
       {"cover.spacing.x=3", "cover.spacing is 1.5, it has no \"x\""},
       {"drift.1.name=3", "the model has no drift to change an entry of"},
+      {"drift=", "takes drift out of the model, where there is none"},
+      {"cover.drift.x=", "takes cover.drift out of the model, where there is none"},
+      {"joint_set.6=", "joint_set has 5 entries, no number 6"},
       {"title=\xFF", "no UTF-8"},
   };
   for (const auto& [text, part] : cases) {

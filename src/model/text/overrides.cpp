@@ -16,7 +16,7 @@ namespace {
 struct Override {
   std::string text;
   std::vector<std::string> path;
-  Value value;
+  std::optional<Value> value;  ///< none: what is there goes
 };
 
 [[noreturn]] void reject(const std::string& text, const std::string& why) {
@@ -117,10 +117,11 @@ std::optional<Value> parsed(const std::string& text, int source) {
 Override parse_override(const std::string& text, int source) {
   PathParser parser(text);
   Override result{text, parser.parse(), {}};
+  if (parser.rest().empty()) return result;
   auto value = parsed(parser.rest(), source);
   if (!value) value = parsed(toml_string(parser.rest()), source);
   if (!value) reject(text, "the value is no UTF-8 text");
-  result.value = std::move(*value);
+  result.value = std::move(value);
   return result;
 }
 
@@ -146,16 +147,16 @@ std::vector<std::string> names_in(const Array& array) {
 }
 
 /// The item of an array that a path part picks: by number, else by name.
-Value& item(Array& array, const std::string& part, const std::string& array_path,
-            const std::string& text) {
+std::size_t item(const Array& array, const std::string& part, const std::string& array_path,
+                 const std::string& text) {
   if (const auto n = number_in(part)) {
-    if (*n >= 1 && *n <= array.size()) return array[*n - 1];
+    if (*n >= 1 && *n <= array.size()) return *n - 1;
     reject(text,
            array_path + " has " + std::to_string(array.size()) + " entries, no number " + part);
   }
   auto names = names_in(array);
   const auto found = std::find(names.begin(), names.end(), part);
-  if (found != names.end()) return array[found - names.begin()];
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   names.erase(std::remove(names.begin(), names.end(), ""), names.end());
   reject(text, array_path + " has no entry named \"" + part + "\"" +
                    suggestion(part, names, "the names are"));
@@ -165,16 +166,47 @@ Value& item(Array& array, const std::string& part, const std::string& array_path
 Value& child(Value& parent, std::size_t i, const std::string& parent_path, const Override& change) {
   const std::string& part = change.path[i];
   if (auto* array = std::get_if<Array>(&parent.data))
-    return item(*array, part, parent_path, change.text);
+    return (*array)[item(*array, part, parent_path, change.text)];
   auto* table = std::get_if<Table>(&parent.data);
   if (!table)
     reject(change.text, parent_path + " is " + described(parent) + ", it has no \"" + part + "\"");
   if (auto* entry = table->find(part)) return entry->value;
   if (i + 1 < change.path.size() && number_in(change.path[i + 1]))
     reject(change.text, "the model has no " + joined(parent_path, part) + " to change an entry of");
-  const Spot spot{change.value.spot.source, 0, 0};
+  const Spot spot{change.value->spot.source, 0, 0};
   table->entries.push_back({part, spot, Value{Table{}, spot}});
   return table->entries.back().value;
+}
+
+/// Takes what the path names out of `root`.
+void remove(Value& root, const Override& change) {
+  Value* parent = &root;
+  std::string path;
+  for (std::size_t i = 0;; ++i) {
+    const std::string& part = change.path[i];
+    const bool last = i + 1 == change.path.size();
+    if (auto* array = std::get_if<Array>(&parent->data)) {
+      const std::size_t n = item(*array, part, path, change.text);
+      if (last) {
+        array->erase(array->begin() + static_cast<std::ptrdiff_t>(n));
+        return;
+      }
+      parent = &(*array)[n];
+    } else {
+      auto* table = std::get_if<Table>(&parent->data);
+      auto* entry = table ? table->find(part) : nullptr;
+      if (!entry)
+        reject(change.text,
+               "takes " + joined(path, part) +
+                   " out of the model, where there is none; a value stands behind '='");
+      if (last) {
+        table->entries.erase(table->entries.begin() + (entry - table->entries.data()));
+        return;
+      }
+      parent = &entry->value;
+    }
+    path = joined(path, part);
+  }
 }
 
 }  // namespace
@@ -185,13 +217,14 @@ std::string override_name(const std::string& override_text) {
 
 void apply_override(Value& root, const std::string& override_text, int source) {
   Override change = parse_override(override_text, source);
+  if (!change.value) return remove(root, change);
   Value* target = &root;
   std::string path;
   for (std::size_t i = 0; i < change.path.size(); ++i) {
     target = &child(*target, i, path, change);
     path = joined(path, change.path[i]);
   }
-  *target = std::move(change.value);
+  *target = std::move(*change.value);
 }
 
 }  // namespace rockfold

@@ -16,6 +16,7 @@ namespace rockfold {
 /// its number (joint_set.2.spacing or joint_set[2].spacing, from 1) or by its name
 /// (joint_set.J1.spacing). Parts that hold points or brackets stand in quotes. Keys that do not
 /// exist yet are made. The value is TOML; what is no TOML is taken as a text: analysis.type=static.
+/// Without a value, the key or entry is taken out: bolt_pattern.roof=
 void apply_override(Value& root, const std::string& override_text, int source);
 
 /// How messages name an override as their place: "--set key.path=value".
