@@ -79,7 +79,7 @@ std::vector<Index> shuffled(Index count, std::uint64_t seed, std::uint64_t strea
 
 std::string text_at(const Parameter& parameter, Real u) {
   if (const auto* v = std::get_if<Variable>(&parameter.values))
-    return fmt::format("{}", quantile(*v, u));
+    return v->integer ? fmt::format("{:.0f}", quantile(*v, u)) : fmt::format("{}", quantile(*v, u));
   const auto& list = std::get<std::vector<std::string>>(parameter.values);
   const auto i = static_cast<std::size_t>(u * static_cast<Real>(list.size()));
   return list[std::min(i, list.size() - 1)];
@@ -109,9 +109,7 @@ std::vector<std::vector<std::string>> combinations(const SweepSpec& spec) {
   return rows;
 }
 
-}  // namespace
-
-Real quantile(const Variable& v, Real u) {
+Real real_quantile(const Variable& v, Real u) {
   using Kind = Variable::Kind;
   if (v.kind == Kind::constant) return v.mean;
   if (v.kind == Kind::uniform) return v.min + u * (v.max - v.min);
@@ -126,6 +124,15 @@ Real quantile(const Variable& v, Real u) {
     x = std::exp(mean + deviation * normal_quantile(share));
   }
   return std::clamp(x, v.min, v.max);
+}
+
+}  // namespace
+
+Real quantile(const Variable& v, Real u) {
+  if (!v.integer) return real_quantile(v, u);
+  if (v.kind == Variable::Kind::uniform)
+    return std::min(v.min + std::floor(u * (v.max - v.min + 1)), v.max);
+  return std::round(real_quantile(v, u));
 }
 
 std::vector<std::vector<std::string>> sample(const SweepSpec& spec) {

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -58,6 +59,11 @@ void read_variable(TableReader& in, Variable& v) {
   in.read("max", v.max, limit, need);
   if (!(v.min < v.max))
     in.wrong("max", "found " + number_text(v.max) + ", must be > min's " + number_text(v.min));
+  in.read("integer", v.integer, Need::optional);
+  if (!v.integer) return;
+  for (const auto& [key, end] : {std::pair{"min", v.min}, std::pair{"max", v.max}})
+    if (std::isfinite(end) && end != std::round(end))
+      in.wrong(key, "found " + number_text(end) + ", must be a whole number where integer = true");
 }
 
 void read_parameter(TableReader& in, SweepSpec& spec) {

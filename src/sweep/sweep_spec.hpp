@@ -21,6 +21,8 @@ struct Variable {
   Real exponent = 0;            ///< power law: density ∝ x^−exponent on [min, max]
   Real min = -std::numeric_limits<Real>::infinity();
   Real max = std::numeric_limits<Real>::infinity();
+  bool integer =
+      false;  ///< whole numbers alone: uniform draws each of [min, max] alike, others are rounded
 };
 
 struct Parameter {

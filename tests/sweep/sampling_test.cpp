@@ -33,6 +33,14 @@ TEST(Quantile, OfTheOtherKindsEqualsItsClosedForm) {
   EXPECT_NEAR(quantile({Variable::Kind::log_normal, 5, 2}, 0.5), 5 / std::sqrt(1.16), 1e-13);
 }
 
+TEST(Quantile, OfWholeNumbersIsOneOfThem) {
+  const Variable die{Variable::Kind::uniform, 0, 0, 0, 1, 6, true};
+  std::vector<int> seen(7);
+  for (int i = 0; i < 600; ++i) ++seen[static_cast<int>(quantile(die, (i + 0.5) / 600))];
+  EXPECT_EQ(seen, (std::vector<int>{0, 100, 100, 100, 100, 100, 100}));
+  EXPECT_EQ(quantile({Variable::Kind::normal, 10.4, 1, 0, 0, 20, true}, 0.5), 10);
+}
+
 SweepSpec one_variable(Sampling sampling, Index runs) {
   SweepSpec spec;
   spec.sampling = sampling;
