@@ -120,6 +120,7 @@ class TableReader {
     }
     if (fields_in_line_ == 0) faults_.fail("must begin with a heading: " + std::string(heading));
     if (rows_.empty() && faults_.empty()) faults_.add(0, 0, "holds no joints below its heading");
+    tell_of_commas();
     faults_.throw_if_any();
     return std::move(rows_);
   }
@@ -225,11 +226,37 @@ class TableReader {
     rows_.push_back(row);
   }
 
+  /// Where fields are parted by something else, commas are those of decimals, if all of the table's numbers have them.
+  std::optional<Real> value_of(const Field& field) {
+    if (field.text.find('.') != std::string::npos && point_.line == 0)
+      point_ = {line_, field.column, field.text};
+    if (separator_ == ',' || !has_decimal_comma(field.text)) return parse_number(field.text);
+    if (comma_.line == 0) comma_ = {line_, field.column, field.text};
+    std::string english = field.text;
+    english[english.find(',')] = '.';
+    return parse_number(english);
+  }
+
+  void tell_of_commas() {
+    if (comma_.line == 0) return;
+    if (point_.line != 0)
+      return faults_.add(comma_.line, comma_.column,
+                         fmt::format("decimals stand behind a comma in {}, behind a point in {} "
+                                     "(line {}): must be alike in a table",
+                                     comma_.text, point_.text, point_.line));
+    Place place = place_of_file_;
+    place.line = comma_.line;
+    place.column = comma_.column;
+    if (warnings_ && faults_.empty())
+      warnings_->push_back(
+          {place, "decimals are taken to stand behind commas, as in " + comma_.text});
+  }
+
   Real number(const std::vector<Field>& fields, Column column) {
     const Field& field = fields[*place_[column]];
     if ((column == radius || column == diameter) && field.text.empty())
       return std::numeric_limits<Real>::infinity();
-    const auto value = parse_number(field.text);
+    const auto value = value_of(field);
     const Range range = range_of(column);
     if (value && range.holds(*value)) return *value + 0.0;
     faults_.add(
@@ -266,6 +293,11 @@ class TableReader {
   char separator_ = ',';
   std::size_t fields_in_line_ = 0;  ///< 0 = the heading has not been read
   int line_ = 0;
+  struct Seen {
+    int line = 0, column = 0;  ///< 0 = none
+    std::string text;
+  };
+  Seen comma_, point_;  ///< the first numbers with a decimal comma and with a point
   std::vector<JointTable::Row> rows_;
 };
 

@@ -108,6 +108,21 @@ TEST(JointTables, MayHaveStrikes) {
   EXPECT_EQ(warnings[1].message, "planes dip to the left of their strike (rule)");
 }
 
+TEST(JointTables, MayHaveDecimalCommasWhereNoCommaPartsTheirFields) {
+  for (const char separator : {';', '\t'}) {
+    std::string text = "dip;dip_direction;x;y;z;radius\n50,5;120;-0,25;10;0,5;1,5\n";
+    std::replace(text.begin(), text.end(), ';', separator);
+    std::vector<Diagnostic> warnings;
+    const auto rows = rows_of(text, &warnings);
+    EXPECT_EQ(rows[0].orientation.dip, 50.5);
+    EXPECT_EQ(rows[0].center, (Vec3{-0.25, 10, 0.5}));
+    EXPECT_EQ(rows[0].radius, 1.5);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_EQ(warnings[0].place.line, 2);
+    EXPECT_EQ(warnings[0].message, "decimals are taken to stand behind commas, as in 50,5");
+  }
+}
+
 TEST(JointTables, WithoutAHeadingGiveOneError) {
   const auto errors = errors_of_reading([] { rows_of("45,120,0,0,0,1\n46,120,0,0,0,1\n"); });
   EXPECT_EQ(errors.size(), 1u);
@@ -133,10 +148,10 @@ TEST(JointTables, ThatAreWrongSayWhereAndWhy) {
       {"45,120,0,0,0,1\n46,120,0,0,0,1\n", 1, 0,
        "holds numbers, must be a heading: dip, dip_direction, x"},
       {"45;120;0,5;0;0;1;clean\n", 1, 0, "holds numbers, must be a heading"},
-      {"dip;dip_direction;x;y;z;radius\n50,5;120;0;0;0;1\n", 2, 1,
-       "is '50,5'; decimals stand behind a point: 50.5, not 50,5 (a decimal comma)"},
-      {"dip\tdip_direction\tx\ty\tz\tradius\n50\t120\t0\t0\t0,5\t1\n", 2, 12,
-       "not 0,5 (a decimal comma)"},
+      {"dip;dip_direction;x;y;z;radius\n50,5;120;0;0;0.25;1\n", 2, 1,
+       "behind a comma in 50,5, behind a point in 0.25 (line 2): must be alike in a table"},
+      {head + "45,120,0,0,0,1.5,\n46,120,\"0,5\",0,0,1,\n", 3, 8,
+       "is '0,5'; decimals stand behind a point: 0.5, not 0,5 (a decimal comma)"},
       {head + "45,120,0,0,0\n", 2, 0, "has 5 fields, the heading 7"},
       {head + "45,120,0,0,0,1,clean,7\n", 2, 0, "has 8 fields, the heading 7"},
       {head + "91,120,0,0,0,1,\n", 2, 1, "dip must be 0 to 90 (deg), is 91"},
