@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 
 #include "host/bolting/supported_block.hpp"
 #include "host/parallel.hpp"
@@ -202,16 +203,22 @@ bool is_less_safe_now(const Keyblock& key, const BlockSupport& support) {
 
 void drill_pattern(const BlockArrays& blocks, const Model& model, const BoltPattern& pattern,
                    BoltingReport& report) {
-  const Wall wall(blocks, model, pattern.on, pattern.place);
-  auto bolts = pattern_collars(wall, blocks, pattern);
+  const std::vector<Wall> walls = walls_of(blocks, model, pattern);
+  auto bolts = pattern_collars(walls, blocks, pattern);
+  std::string names;
+  Real area = 0;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    names += (w == 0 ? "" : ", ") + pattern.on[w].name;
+    area += walls[w].area();
+  }
   if (bolts.empty())
     refuse(pattern.place, pattern.place.key,
-           "lays no bolt on \"" + pattern.on.name +
+           "lays no bolt on \"" + names +
                "\": inclination or direction leave out all of its faces, or its spacing and offset "
                "miss them");
   for (Bolt& bolt : bolts) bolt.group = static_cast<Index>(report.groups.size());
-  report.groups.push_back({pattern.name, pattern.type, true, pattern.on.name,
-                           static_cast<Index>(bolts.size()), wall.area()});
+  report.groups.push_back(
+      {pattern.name, pattern.type, true, std::move(names), static_cast<Index>(bolts.size()), area});
   report.bolts.insert(report.bolts.end(), bolts.begin(), bolts.end());
 }
 

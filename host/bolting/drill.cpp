@@ -92,6 +92,24 @@ std::vector<Bolt> pattern_collars(const Wall& wall, const BlockArrays& blocks,
   return bolts;
 }
 
+std::vector<Wall> walls_of(const BlockArrays& blocks, const Model& model,
+                           const BoltPattern& pattern) {
+  std::vector<Wall> walls;
+  for (const WallFaces& faces : pattern.on) walls.emplace_back(blocks, model, faces, pattern.place);
+  return walls;
+}
+
+std::vector<Bolt> pattern_collars(const std::vector<Wall>& walls, const BlockArrays& blocks,
+                                  const BoltPattern& pattern) {
+  std::vector<Bolt> all;
+  for (const Wall& wall : walls) {
+    const auto bolts = pattern_collars(wall, blocks, pattern);
+    all.insert(all.end(), bolts.begin(), bolts.end());
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].number = static_cast<Index>(i) + 1;
+  return all;
+}
+
 void drill(const RockLines& lines, std::vector<Bolt>& bolts) {
   parallel_for(static_cast<std::int64_t>(bolts.size()), 64, [&](std::int64_t i) {
     Bolt& bolt = bolts[static_cast<std::size_t>(i)];

@@ -25,9 +25,9 @@ struct BoltGroup {
   std::string name;
   BoltType type;
   bool is_pattern = false;
-  std::string on;  ///< the wall's name; patterns only
+  std::string on;  ///< the walls' names; patterns only
   Index bolts = 0;
-  Real wall_area = 0;  ///< m² of free face on the wall, all of it; patterns only
+  Real wall_area = 0;  ///< m² of free face on the walls, all of it; patterns only
 };
 
 /// Collars at the nodes of a pattern's grid that lie on free faces, in rows. Rows of a panel that goes round an axis run
@@ -35,6 +35,13 @@ struct BoltGroup {
 /// centred. A face whose bolt direction rises less or more than `inclination` allows gets none, nor one that the given
 /// direction does not enter. Throws Error(model) for more than a million bolts. `rock` is left empty.
 std::vector<Bolt> pattern_collars(const Wall& wall, const BlockArrays& blocks,
+                                  const BoltPattern& pattern);
+
+/// The walls of a pattern, in the model's order. Throws Error(model) for one that is not there.
+std::vector<Wall> walls_of(const BlockArrays& blocks, const Model& model,
+                           const BoltPattern& pattern);
+/// The collars on all of them, one wall after the other, numbered through.
+std::vector<Bolt> pattern_collars(const std::vector<Wall>& walls, const BlockArrays& blocks,
                                   const BoltPattern& pattern);
 
 /// Fills `rock` of each bolt, in parallel.

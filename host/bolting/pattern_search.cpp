@@ -46,7 +46,7 @@ class Search {
       : blocks_(blocks),
         model_(model),
         search_(*model.pattern_search),
-        wall_(blocks, model, search_.pattern.on, search_.place),
+        walls_(walls_of(blocks, model, search_.pattern)),
         lines_(blocks, model.gravity),
         wanted_(wanted_blocks(keyblocks, model)),
         shotcrete_(shotcrete_on(blocks, keyblocks, model)) {}
@@ -62,7 +62,7 @@ class Search {
   const BlockArrays& blocks_;
   const Model& model_;
   const PatternSearch& search_;
-  Wall wall_;
+  std::vector<Wall> walls_;
   RockLines lines_;
   KeyblockReport wanted_;
   std::vector<ShotcreteHold> shotcrete_;
@@ -81,7 +81,7 @@ std::vector<PatternTrial> Search::candidates() {
     BoltPattern pattern = search_.pattern;
     pattern.spacing = {spacing, spacing};
     pattern.length = search_.lengths.back();
-    grids_.push_back({pattern_collars(wall_, blocks_, pattern), false});
+    grids_.push_back({pattern_collars(walls_, blocks_, pattern), false});
     for (const Index type : search_.types)
       for (const Real length : search_.lengths) {
         const auto& anchor = model_.bolt_types[type].anchor_length;

@@ -56,6 +56,7 @@ class KeyblockSearch {
   std::vector<Index> left() const;
   bool stays(Index block) const;
   Index stage_of(Index block) const;
+  static Index largest_free_face(const RockBody& body);
   Keyblock describe(const RockBody& body, const BlockVerdict& verdict) const;
   void describe_translation(Keyblock& key, const RockBody& body, const BlockVerdict& verdict) const;
   void describe_rotation(Keyblock& key, const RockBody& body, const BlockVerdict& verdict) const;
@@ -204,6 +205,16 @@ SupportForce KeyblockSearch::support_of(const RockBody& body, const BlockVerdict
   return least_support(conditions);
 }
 
+Index KeyblockSearch::largest_free_face(const RockBody& body) {
+  std::size_t largest = 0;
+  Real area = 0;
+  for (std::size_t f = 0; f < body.faces.size(); ++f)
+    if (const BlockFace& face = body.faces[f];
+        !(face.contact_area > 0) && !face.continues && face.area > area)
+      largest = f, area = face.area;
+  return area > 0 ? body.face_id[largest] : none;
+}
+
 Keyblock KeyblockSearch::describe(const RockBody& body, const BlockVerdict& verdict) const {
   Keyblock key;
   key.block = body.members.front();
@@ -213,6 +224,7 @@ Keyblock KeyblockSearch::describe(const RockBody& body, const BlockVerdict& verd
   key.volume = body.volume;
   key.weight = body.mass * norm(model_.gravity);
   key.free_area = verdict.free_area;
+  key.free_face = largest_free_face(body);
   key.removable = removable_space(normals_of(verdict.planes));
   key.contact = verdict.planes;
   key.mesh_planes = mesh_planes_of(body, verdict);
@@ -364,6 +376,7 @@ void KeyblockSearch::excavate(Index stage) {
 }
 
 KeyblockReport KeyblockSearch::run() {
+  report_.smallest_block = spec_.smallest_block;
   std::set<Index> stages(blocks_.stage.begin(), blocks_.stage.end());
   stages.erase(0);
   find_batches(left());

@@ -56,7 +56,8 @@ struct Keyblock {
   RemovableSpace removable;  ///< translations that no neighbour prevents
   /// The least safe one first; it governs where the mode is rotation.
   std::vector<Rotation> rotations;
-  Real free_area = 0;  ///< m² of free faces when its batch moves
+  Real free_area = 0;      ///< m² of free faces when its batch moves
+  Index free_face = none;  ///< the largest of these: a place for a bolt
   /// N for the target factor of safety, along support_direction, of translation and all rotations; infinite where no force
   /// along it suffices.
   Real support_force = 0;
@@ -87,6 +88,7 @@ struct KeyblockReport {
   std::vector<Keyblock> at_rest;
   /// Whether the limit of batches ended a search in which groups had not been looked for yet.
   bool groups_left = false;
+  Real smallest_block = 0;  ///< m³: tables leave smaller ones out
 };
 
 /// Faces named in a [[fixed]] count where support.joint_faces_only is false.

@@ -27,6 +27,21 @@ SupportDesign design_support(const BlockArrays& blocks, const KeyblockReport& ke
   return design;
 }
 
+namespace {
+
+/// Grids may have rows on the very end of the rock.
+void warn_of_idle_bolts(const BoltingReport& bolting, Terminal& terminal) {
+  std::vector<Index> idle(bolting.groups.size());
+  for (const Bolt& bolt : bolting.bolts) idle[bolt.group] += bolt.rock.empty();
+  for (std::size_t g = 0; g < idle.size(); ++g)
+    if (idle[g] > 0)
+      terminal.warn(fmt::format(
+          "{}: {} of its {} bolts cross no rock; `offset` moves the grid off the rock's ends",
+          bolting.groups[g].name, idle[g], bolting.groups[g].bolts));
+}
+
+}  // namespace
+
 void warn_of_support_design(const SupportDesign& design, Terminal& terminal) {
   if (design.bolting)
     for (const BoltGroup& group : design.bolting->groups)
@@ -34,6 +49,7 @@ void warn_of_support_design(const SupportDesign& design, Terminal& terminal) {
         terminal.warn(fmt::format(
             "{}: no bond_strength is given: any length beyond a block anchors the whole capacity",
             group.name));
+  if (design.bolting) warn_of_idle_bolts(*design.bolting, terminal);
   if (design.bolting && !design.bolting->disturbed.empty())
     terminal.warn(fmt::format(
         "active bolts bring blocks that stay without them below the target factor of safety: {}",

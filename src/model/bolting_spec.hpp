@@ -2,6 +2,7 @@
 // docs/support_design.md says what each of them does.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -59,6 +60,11 @@ struct WallFaces {
     return origin.lies_on(excavation ? FaceOrigin::Kind::excavation : FaceOrigin::Kind::solid_face,
                           owner, faces);
   }
+  bool shares_faces_with(const WallFaces& other) const {
+    return excavation == other.excavation && owner == other.owner &&
+           std::find_first_of(faces.begin(), faces.end(), other.faces.begin(), other.faces.end()) !=
+               faces.end();
+  }
 };
 
 /// One bolt at a place of its own.
@@ -74,7 +80,7 @@ struct SpotBolt {
 /// A grid of bolts over unrolled faces. Rows run along `spacing[0]`: round a tunnel, or level on a plane.
 struct BoltPattern {
   std::string name;
-  WallFaces on;
+  std::vector<WallFaces> on;          ///< each has a grid of its own
   bool staggered = false;             ///< every second row is moved by half a spacing
   std::array<Real, 2> spacing{0, 0};  ///< m within a row, and of the rows; > 0
   std::array<Real, 2> offset{0, 0};   ///< m, by which the grid is moved

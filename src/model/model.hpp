@@ -541,6 +541,7 @@ struct SupportSpec {
   /// Batches that are looked for, after each stage; 0: until none is left. None given: 1 where the model has
   /// excavations, else 0.
   std::optional<Index> batches;
+  Real smallest_block = 0;  ///< m³: tables leave smaller key blocks out
   JointStress stress = JointStress::far_field;
   /// Whether in-situ stress may make a block safer than without it.
   bool clamping = false;

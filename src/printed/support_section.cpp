@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "src/printed/sections.hpp"
+#include "src/report/keyblock_words.hpp"
 
 namespace rockfold {
 
@@ -104,6 +105,11 @@ void add_batches(Html& html, const Json& support) {
              columns, rows);
 }
 
+/// m³: tables leave smaller ones out.
+Real smallest_block(const ReportSource& source) {
+  return source.answer.at("setup").value("support", Json::object()).value("smallest_block", 0.0);
+}
+
 void add_shotcrete(Html& html, const Json& setup) {
   const Json support = setup.value("support", Json::object());
   if (!support.contains("shotcrete")) return;
@@ -125,7 +131,7 @@ std::string mode_words(const Json& key) {
   if (mode == "rotation") return "turns";
   if (mode == "lifting") {
     const Real up = key.at("direction").at(2);
-    return up > 0 ? "is pushed up" : up > -0.5 ? "is pushed out" : "falls";
+    return up > 0 ? "is pushed up" : up > pushed_out_above ? "is pushed out" : "falls";
   }
   return "at rest";
 }
@@ -134,8 +140,11 @@ void add_keyblocks(Html& html, const ReportSource& source) {
   const Json& support = source.support();
   if (support.is_null()) return;
   html.heading(2, "Key blocks", "keyblocks");
-  const std::vector<Json> keys = by_safety(support.at("keyblocks"));
+  const Real smallest = smallest_block(source);
+  std::vector<Json> keys = by_safety(support.at("keyblocks"));
   if (keys.empty()) html.paragraph("No block can move.");
+  const auto small =
+      std::erase_if(keys, [&](const Json& key) { return key.at("volume") < smallest; });
   add_batches(html, support);
   const bool supported = is_supported(support.at("keyblocks"));
   Rows rows;
@@ -147,7 +156,11 @@ void add_keyblocks(Html& html, const ReportSource& source) {
   if (keys.size() > most_rows)
     html.paragraph(fmt::format("… and {} more: [[table]] kind = \"keyblocks\" lists them all.",
                                keys.size() - most_rows));
-  const std::vector<Json> stable = by_safety(support.at("stable"));
+  if (small > 0)
+    html.paragraph(fmt::format("{} key {} smaller than {} m³ not listed.", small,
+                               small == 1 ? "block is" : "blocks are", digits(smallest)));
+  std::vector<Json> stable = by_safety(support.at("stable"));
+  std::erase_if(stable, [&](const Json& key) { return key.at("volume") < smallest; });
   rows.clear();
   const bool stable_supported = is_supported(support.at("stable"));
   for (std::size_t i = 0; i < std::min(stable.size(), most_stable); ++i)

@@ -50,6 +50,19 @@ std::vector<std::size_t> by_support(const std::vector<Keyblock>& keyblocks) {
   return order;
 }
 
+/// Of the blocks that stay with less than the target factor of safety.
+std::string doubtful_text(const BoltingReport& bolting, const KeyblockReport& keyblocks) {
+  Index doubtful = 0, held = 0;
+  for (std::size_t i = 0; i < keyblocks.stable.size(); ++i) {
+    if (!(keyblocks.stable[i].support_force > 0)) continue;
+    ++doubtful;
+    held += bolting.stable[i].held.adequate;
+  }
+  return doubtful == 0
+             ? ""
+             : fmt::format("; of those that stay below the target {} of {}", held, doubtful);
+}
+
 std::string bolting_text(const BoltingReport& bolting, const KeyblockReport& keyblocks) {
   std::string text;
   for (const BoltGroup& group : bolting.groups)
@@ -59,7 +72,8 @@ std::string bolting_text(const BoltingReport& bolting, const KeyblockReport& key
   text += fact("bolts", fmt::format("{}, {:.6g} m", bolting.bolts.size(), bolting.length));
   text += fact("held", fmt::format("{} of {} key blocks; of the first batch {} of {}",
                                    bolting.adequate, bolting.keyblocks.size(),
-                                   bolting.first_batch_adequate, bolting.first_batch));
+                                   bolting.first_batch_adequate, bolting.first_batch) +
+                           doubtful_text(bolting, keyblocks));
   if (!bolting.disturbed.empty())
     text += fact("disturbed", fmt::format("{} (below the target because of active bolts)",
                                           block_list(bolting.disturbed)));

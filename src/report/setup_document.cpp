@@ -166,6 +166,7 @@ Json support_json(const Model& model) {
             {"seismic_coefficient", s.seismic_coefficient},
             {"rotation", s.rotation},
             {"largest_group", s.largest_group},
+            {"smallest_block", s.smallest_block},
             {"clamping", s.clamping},
             {"elastic_stress", has_elastic_joint_stress(model)},
             {"in_situ_stress", model.initial_stress.any},

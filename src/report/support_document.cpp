@@ -49,6 +49,11 @@ Json keyblock_json(const Keyblock& key, const BlockArrays& blocks) {
       {"normal_forces", key.normal_forces},
       {"removable", {{"edges", key.removable.edges}, {"solid_angle", key.removable.solid_angle}}}};
   for (const MeshPlaneCount& mesh : key.mesh_planes) json["mesh_planes"][mesh.mesh] = mesh.planes;
+  json["free_face"] =
+      key.free_face == none
+          ? Json()
+          : Json{{"centre", face_centre(blocks, key.free_face)},
+                 {"normal", blocks.face_normal[static_cast<std::size_t>(key.free_face)]}};
   if (key.mode == SlidingMode::rotation) json["rotation"] = rotation_json(key.rotations[0]);
   return json;
 }

@@ -17,7 +17,9 @@ namespace rockfold {
 const char* mode_words(SlidingMode mode, const Vec3& direction) {
   switch (mode) {
     case SlidingMode::lifting:
-      return direction[2] > 0 ? "pushed up" : direction[2] > -0.5 ? "pushed out" : "falls";
+      return direction[2] > 0                  ? "pushed up"
+             : direction[2] > pushed_out_above ? "pushed out"
+                                               : "falls";
     case SlidingMode::single_plane:
       return "slides";
     case SlidingMode::two_planes:
@@ -111,20 +113,22 @@ std::string unexamined_summary(const KeyblockReport& report) {
 
 /// What blocks need together.
 struct KeyblockSums {
-  std::size_t blocks = 0, unheld = 0;  // along a given direction no force may suffice
+  std::int64_t blocks = 0, unheld = 0;  // along a given direction no force may suffice
   Real volume = 0, force = 0;
+
+  void add(const Keyblock& key) {
+    ++blocks;
+    volume += key.volume;
+    if (std::isfinite(key.support_force))
+      force += key.support_force;
+    else
+      ++unheld;
+  }
 };
 
 KeyblockSums sums_of(const std::vector<Keyblock>& keys) {
   KeyblockSums sums;
-  for (const Keyblock& key : keys) {
-    ++sums.blocks;
-    sums.volume += key.volume;
-    if (std::isfinite(key.support_force))
-      sums.force += key.support_force;
-    else
-      ++sums.unheld;
-  }
+  for (const Keyblock& key : keys) sums.add(key);
   return sums;
 }
 
@@ -136,14 +140,24 @@ std::string sums_text(const KeyblockSums& sums) {
   return text;
 }
 
-std::string keyblock_table(const std::vector<Keyblock>& keys, std::size_t most) {
+/// The rows of those of `keys` that are not smaller than `smallest`, `most` of them, and how many are not there.
+std::string keyblock_table(std::vector<Keyblock> keys, std::size_t most, Real smallest) {
   std::vector<std::vector<std::string>> rows;
+  KeyblockSums small;
+  std::erase_if(keys, [&](const Keyblock& key) {
+    if (key.volume >= smallest) return false;
+    small.add(key);
+    return true;
+  });
   for (std::size_t k = 0; k < std::min(most, keys.size()); ++k)
     rows.push_back(keyblock_row(keys[k]));
   std::string text = table_text(keyblock_columns, rows);
   if (rows.size() < keys.size())
     text += fmt::format("  … {} more: --table keyblocks.csv lists all\n",
                         grouped(static_cast<std::int64_t>(keys.size() - rows.size())));
+  if (small.blocks > 0)
+    text += fmt::format("  … {} smaller than {:g} m3, {:.4g} m3 together\n", grouped(small.blocks),
+                        smallest, small.volume);
   return text;
 }
 
@@ -162,7 +176,7 @@ std::string later_batches(const KeyblockReport& report, std::size_t most) {
              sums_text(sums_of(keys)));
     if (!first) continue;
     sort_by_safety(keys);
-    text += "\n" + keyblock_table(keys, most);
+    text += "\n" + keyblock_table(keys, most, report.smallest_block);
   }
   return text.empty() ? "" : "\n" + text;
 }
@@ -189,11 +203,13 @@ std::string mesh_fact(const KeyblockReport& report) {
 std::string stable_table(const KeyblockReport& report) {
   constexpr std::size_t most = 10;
   auto stable = report.stable;
-  std::erase_if(stable, [](const Keyblock& key) { return !std::isfinite(key.factor_of_safety); });
+  std::erase_if(stable, [&](const Keyblock& key) {
+    return !std::isfinite(key.factor_of_safety) || key.volume < report.smallest_block;
+  });
   if (stable.empty()) return "";
   sort_by_safety(stable);
   if (stable.size() > most) stable.resize(most);
-  return "\n  Blocks that stay, the least safe first:\n\n" + keyblock_table(stable, most);
+  return "\n  Blocks that stay, the least safe first:\n\n" + keyblock_table(stable, most, 0);
 }
 
 }  // namespace
@@ -215,8 +231,8 @@ std::string support_summary(const KeyblockReport& report, const BlockArrays& blo
   text += fact("first batch", sums_text(sums_of(first)));
   if (report.batches.size() > 1) text += fact("all batches", sums_text(sums_of(report.keyblocks)));
   text += doubtful_summary(report) + unexamined_summary(report) + mesh_fact(report);
-  return text + "\n" + keyblock_table(first, most) + later_batches(report, most) +
-         stable_table(report);
+  return text + "\n" + keyblock_table(first, most, report.smallest_block) +
+         later_batches(report, most) + stable_table(report);
 }
 
 }  // namespace rockfold

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "host/keyblock/face_shape.hpp"
 #include "src/base/vector.hpp"
 #include "src/report/csv_row.hpp"
 #include "src/report/design_names.hpp"
@@ -30,13 +31,16 @@ std::string blocks_table(const BlockArrays& blocks, const KeyblockReport& keyblo
   return text;
 }
 
-std::string keyblocks_table(const KeyblockReport& keyblocks, const SupportDesign& design) {
+std::string keyblocks_table(const BlockArrays& blocks, const KeyblockReport& keyblocks,
+                            const SupportDesign& design) {
   std::string text =
       "block,batch,volume m3,weight N,mode,planes,direction x,direction y,direction z,"
       "sliding force N,factor of safety,free area m2,support force N,support pressure Pa,"
       "support x,support y,support z,bolts,bolt capacity N,supported factor of safety,adequate,"
-      "missing force N,utilisation %,displacement utilisation %,supported mode,blocks\n";
+      "missing force N,utilisation %,displacement utilisation %,supported mode,blocks,"
+      "free face x m,free face y m,free face z m,into rock x,into rock y,into rock z\n";
   const auto add = [&](const Keyblock& key, const BlockSupport* support) {
+    if (key.volume < keyblocks.smallest_block) return;
     CsvRow row;
     row << key.block + 1 << key.batch << key.volume << key.weight << mode_name(key.mode)
         << joined(key.planes) << key.direction << key.sliding_force << key.factor_of_safety
@@ -54,6 +58,10 @@ std::string keyblocks_table(const KeyblockReport& keyblocks, const SupportDesign
     std::vector<std::string> members;
     for (const Index block : key.members) members.push_back(std::to_string(block + 1));
     row << joined(members);
+    if (key.free_face != none)
+      row << face_centre(blocks, key.free_face) << Vec3{} - blocks.face_normal[key.free_face];
+    else
+      row.empty(6);
     text += row.line();
   };
   const auto& bolting = design.bolting;
@@ -170,7 +178,7 @@ std::string csv_table(TableFile::Kind kind, const BlockArrays& blocks,
     case TableFile::Kind::blocks:
       return blocks_table(blocks, keyblocks);
     case TableFile::Kind::keyblocks:
-      return keyblocks_table(keyblocks, design);
+      return keyblocks_table(blocks, keyblocks, design);
     case TableFile::Kind::bolts:
       return bolts_table(design);
     case TableFile::Kind::bolt_crossings:

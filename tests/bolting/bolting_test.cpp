@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "host/bolting/pattern_search.hpp"
+#include "host/keyblock/face_shape.hpp"
 #include "src/base/vector.hpp"
 #include "tests/bolting/bolted_models.hpp"
 
@@ -52,6 +53,9 @@ TEST(Bolting, OfAFallingRoofWedgeByOneSpotBolt) {
   EXPECT_NEAR(key.weight, 15588.46, 0.01);
   EXPECT_NEAR(key.support_force, 2 * 15588.46, 0.02);
   EXPECT_NEAR(key.support_pressure, 2 * 9e3, 1e-3);
+  ASSERT_NE(key.free_face, none);  // the triangle in the roof
+  EXPECT_EQ(rock.blocks.face_normal[key.free_face], (Vec3{0, 0, -1}));
+  EXPECT_NEAR(norm(face_centre(rock.blocks, key.free_face)), 0, 1e-9);
   EXPECT_EQ(bolts_needed(key.support_force, 100e3), 1);
   EXPECT_NEAR(square_spacing(100e3, key.support_pressure), 2.357, 5e-4);
 
@@ -141,6 +145,24 @@ TEST(BoltPattern, OnAWholeRoomLeavesOutFacesByTheirInclination) {
   EXPECT_EQ(bolts(""), 16u + 16 + 4 * 4);
   EXPECT_EQ(bolts("inclination = [-10, 90]\n"), 16u + 4 * 4);
   EXPECT_EQ(bolts("inclination = [45, 90]\n"), 16u);
+}
+
+TEST(BoltPattern, OnSeveralWallsHasTheBoltsOfEach) {
+  const auto bolts_on = [](const std::string& walls) {
+    return supported(cut_rock(roof_wedge + "[[bolt_pattern]]\nname = 'p'\non = " + walls +
+                              "\nspacing = 2\nlength = 2\n" + bolt_of_100_kn));
+  };
+  const BoltingReport both = bolts_on("['room.zmax', 'room.xmin']");
+  const BoltingReport roof = bolts_on("'room.zmax'"), wall = bolts_on("'room.xmin'");
+  ASSERT_EQ(both.groups.size(), 1u);
+  EXPECT_EQ(both.groups[0].on, "room.zmax, room.xmin");
+  EXPECT_EQ(both.groups[0].wall_area, roof.groups[0].wall_area + wall.groups[0].wall_area);
+  ASSERT_EQ(both.bolts.size(), roof.bolts.size() + wall.bolts.size());
+  for (std::size_t i = 0; i < both.bolts.size(); ++i) {
+    const Bolt& alone = i < roof.bolts.size() ? roof.bolts[i] : wall.bolts[i - roof.bolts.size()];
+    EXPECT_EQ(both.bolts[i].collar, alone.collar);
+    EXPECT_EQ(both.bolts[i].number, static_cast<Index>(i) + 1);
+  }
 }
 
 /// A tunnel of 4 m x 3 m along y through rock without key blocks.

@@ -200,6 +200,27 @@ class TableOfTheCommandLine(ProgramTest):
         told = self.run_program("support", "crossing_tunnels.toml", "--no-result").stdout
         self.assertRegex(told, r"… \d+ more: --table keyblocks.csv lists all")
 
+    def test_leaves_small_ones_out_where_told_so(self):
+        self.copy_case("crossing_tunnels")
+        keys = self.json_of("support", "crossing_tunnels.toml", "--no-result", "--table", "all.csv")["keyblocks"]
+        middle = sorted(key["volume"] for key in keys)[len(keys) // 2]
+        size = ("--set", f"support.smallest_block={middle}")
+        document = self.json_of("support", "crossing_tunnels.toml", "--no-result", "--table", "large.csv", *size)
+        self.assertEqual(document["keyblocks"], keys)
+        large = [row for row in self.rows("all.csv") if float(row["volume m3"]) >= middle]
+        self.assertEqual(self.rows("large.csv"), large)
+        self.assertGreater(len(large), 10)
+        told = self.run_program("support", "crossing_tunnels.toml", "--no-result", *size).stdout
+        self.assertRegex(told, rf"… \d+ smaller than {middle:g} m3, [0-9.]+ m3 together")
+
+    def test_has_a_place_and_a_direction_for_a_bolt_of_each_block(self):
+        self.copy_case("wedge")
+        key = self.json_of("support", "wedge.toml", "--table", "keys.csv")["keyblocks"][0]
+        row = self.rows("keys.csv")[0]
+        for i, axis in enumerate("xyz"):
+            self.assertAlmostEqual(float(row[f"free face {axis} m"]), key["free_face"]["centre"][i])
+            self.assertAlmostEqual(float(row[f"into rock {axis}"]), -key["free_face"]["normal"][i])
+
     def test_stands_in_the_folder_one_works_in(self):
         self.copy_case("wedge")
         (self.folder / "results").mkdir()

@@ -30,9 +30,10 @@ TEST(ReadBolts, OfTheCompleteModel) {
   EXPECT_EQ(model.bolts[1].type.action, BoltAction::passive);
   ASSERT_EQ(model.bolt_patterns.size(), 1u);
   const BoltPattern& pattern = model.bolt_patterns[0];
-  EXPECT_TRUE(pattern.on.excavation);
-  EXPECT_EQ(pattern.on.owner, 1);
-  EXPECT_EQ(pattern.on.faces.size(), 16u);  // the sides of the tunnel
+  ASSERT_EQ(pattern.on.size(), 1u);
+  EXPECT_TRUE(pattern.on[0].excavation);
+  EXPECT_EQ(pattern.on[0].owner, 1);
+  EXPECT_EQ(pattern.on[0].faces.size(), 16u);  // the sides of the tunnel
   EXPECT_TRUE(pattern.staggered);
   EXPECT_EQ(pattern.spacing, (std::array<Real, 2>{1.5, 2}));
   EXPECT_EQ(pattern.type.name, "rebar");
@@ -81,6 +82,8 @@ TEST(WrongSupport, OfBolts) {
       {TYPE CAPACITIES "[[bolt]]\ntype = 'a'\nforce_capacity = 3\ncollar = [0, 0, 0]\ntoe = [0, 0, 1]", 12, 18, "bolt[1].force_capacity", "is given by the bolt type"},
       {PATTERN, 6, 1, "bolt_pattern[1].on", "is missing, must name an excavation, a solid or a face of one"},
       {PATTERN "on = 'tunnel'", 11, 6, "bolt_pattern[1].on", "must be an excavation, a solid or a face of one (\"tunnel\", \"rock.xmin\"); the model has: rock"},
+      {PATTERN "on = ['rock.zmin', 'rock']", 11, 6, "bolt_pattern[1].on", "\"rock.zmin\" and \"rock\" have faces in common, which would get two grids"},
+      {PATTERN "on = ['rock.zmin', 'rck']", 11, 20, "bolt_pattern[1].on[2]", "did you mean \"rock\"?"},
       {PATTERN "on = 'rock.top'", 11, 6, "bolt_pattern[1].on", "unknown face \"top\" of \"rock\"; its faces are: xmin, xmax"},
       {PATTERN "on = 'rock.zmn'", 11, 6, "bolt_pattern[1].on", "did you mean \"zmin\"?"},
       {PATTERN "on = 'rock'\nlayout = 'hexagonal'", 12, 10, "bolt_pattern[1].layout", "must be \"rectangular\" or \"staggered\""},

@@ -123,9 +123,21 @@ void read_pair(TableReader& in, const std::string& key, std::array<Real, 2>& tar
     if (const auto x = real_from((*list)[i], item_path(path, i), range, in.out())) target[i] = *x;
 }
 
+/// No face may carry two grids.
+void require_apart(TableReader& in, const std::vector<WallFaces>& walls) {
+  if (!in.has("on"))
+    in.missing({"on"}, "is missing, must name an excavation, a solid or a face of one");
+  for (std::size_t i = 0; i < walls.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (walls[i].shares_faces_with(walls[j]))
+        in.wrong("on", "\"" + walls[j].name + "\" and \"" + walls[i].name +
+                           "\" have faces in common, which would get two grids");
+}
+
 /// What patterns and the search for one have in common.
 void read_layout(TableReader& in, const Draft& draft, BoltPattern& pattern) {
-  if (auto on = read_wall(in, "on", draft)) pattern.on = std::move(*on);
+  pattern.on = read_walls(in, "on", draft);
+  require_apart(in, pattern.on);
   const auto layout = in.choose("layout", {{"rectangular", "staggered"}, {}}, Need::optional);
   pattern.staggered = layout && *layout == 1;
   read_pair(in, "offset", pattern.offset, coordinate(), Need::optional);

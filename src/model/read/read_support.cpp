@@ -101,6 +101,7 @@ void read_support(Draft& draft) {
     in.read("largest_group", support.largest_group, IntegerRange{.low = 1, .high = 1000},
             Need::optional);
     read_batches(in, support);
+    in.read("smallest_block", support.smallest_block, not_negative("m3"), Need::optional);
     const auto stress = in.choose("stress", {{"elastic", "far_field"}, {}}, Need::optional);
     support.stress = stress ? static_cast<JointStress>(*stress) : usual_joint_stress(draft.model);
     in.read("clamping", support.clamping, Need::optional);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -74,6 +75,8 @@ class Layout {
   static std::string clip_name(std::size_t chart) { return "panel" + std::to_string(chart); }
   const Look& look_of(Index block) const;
   void draw_faces(Svg& svg) const;
+  std::vector<Point2> bolt_places() const;
+  static Point2 clear_of(const std::vector<Point2>& bolts, const Point2& at);
   void draw_numbers(Svg& svg) const;
   void draw_bolts(Svg& svg) const;
   void draw_axes(Svg& svg, const Chart& chart, const std::string& name) const;
@@ -214,8 +217,33 @@ Point2 Layout::place(std::size_t face, const Vec3& x) const {
   return chart.at({u, v});
 }
 
+/// Where on the drawing bolts stand.
+std::vector<Point2> Layout::bolt_places() const {
+  std::vector<Point2> places;
+  if (!design_.bolting) return places;
+  for (const Bolt& bolt : design_.bolting->bolts)
+    if (const auto face = wall_.face_at(bolt.collar)) places.push_back(place(*face, bolt.collar));
+  return places;
+}
+
+/// A place at most a line of text from `at`, the farthest from bolts; `at` itself where none is near.
+Point2 Layout::clear_of(const std::vector<Point2>& bolts, const Point2& at) {
+  constexpr Real line = 12;  // px
+  Point2 best = at;
+  Real farthest = -1;
+  for (const auto& [dx, dy] : {std::pair{0, 0}, {0, -1}, {0, 1}, {-1, 0}, {1, 0}}) {
+    const Point2 there{at[0] + line * dx, at[1] + line * dy};
+    Real nearest = line;
+    for (const Point2& bolt : bolts)
+      nearest = std::min(nearest, std::hypot(bolt[0] - there[0], bolt[1] - there[1]));
+    if (nearest > farthest) farthest = nearest, best = there;
+  }
+  return best;
+}
+
 /// On the largest face of each key block, where there is room.
 void Layout::draw_numbers(Svg& svg) const {
+  const std::vector<Point2> bolts = bolt_places();
   std::unordered_map<Index, std::size_t> largest;
   for (std::size_t k = 0; k < wall_.faces().size(); ++k) {
     const Index block = block_of_face_[k];
@@ -238,7 +266,7 @@ void Layout::draw_numbers(Svg& svg) const {
       middle += x;
       ++count;
     });
-    const Point2 at = place(k, (1 / count) * middle);
+    const Point2 at = clear_of(bolts, place(k, (1 / count) * middle));
     svg.text({at[0], at[1] + 4}, number,
              {.size = 11, .anchor = "middle", .bold = true, .halo = true});
   }
