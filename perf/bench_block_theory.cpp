@@ -18,7 +18,7 @@
 #include "host/flatten/flatten.hpp"
 #include "host/keyblock/bodies.hpp"
 #include "host/keyblock/keyblock.hpp"
-#include "host/keyblock/theory.hpp"
+#include "host/keyblock/theory/theory.hpp"
 #include "perf/three_sets.hpp"
 #include "src/model/tunnel_section.hpp"
 

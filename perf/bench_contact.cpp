@@ -11,7 +11,7 @@
 
 #include "host/contact/lattice_surfaces.hpp"
 #include "host/cover/cover.hpp"
-#include "host/cover/loads.hpp"
+#include "host/cover/points/loads.hpp"
 #include "host/cut/cut.hpp"
 #include "host/flatten/flatten.hpp"
 #include "perf/run_benchmarks.hpp"

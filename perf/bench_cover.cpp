@@ -13,12 +13,12 @@
 #include <benchmark/benchmark.h>
 
 #include "host/cover/cover.hpp"
-#include "host/cover/loads.hpp"
+#include "host/cover/points/loads.hpp"
 #include "host/flatten/flatten.hpp"
 #include "kernels/integrate/moments.hpp"
 #include "perf/run_benchmarks.hpp"
 #include "perf/three_sets.hpp"
-#include "src/io/element_mesh.hpp"
+#include "src/io/viewers/element_mesh.hpp"
 
 namespace rockfold {
 namespace {

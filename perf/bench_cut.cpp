@@ -20,7 +20,7 @@
 
 #include "generated/version.hpp"
 #include "host/cut/adjacency.hpp"
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 #include "host/cut/cut.hpp"
 #include "host/flatten/flatten.hpp"
 #include "perf/memory.hpp"

@@ -12,7 +12,7 @@
 #include <omp.h>
 
 #include "generated/version.hpp"
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 #include "host/cut/cut.hpp"
 #include "host/flatten/flatten.hpp"
 #include "perf/fracture_models.hpp"

@@ -21,7 +21,7 @@
 #include <omp.h>
 
 #include "generated/version.hpp"
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 #include "host/cut/cut.hpp"
 #include "perf/three_sets.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "host/keyblock/pyramid.hpp"
+#include "host/keyblock/motions/pyramid.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {

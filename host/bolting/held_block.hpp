@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "host/keyblock/sliding.hpp"
+#include "host/keyblock/motions/sliding.hpp"
 #include "src/base/types.hpp"
 
 namespace rockfold {

@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 #include "host/flatten/face_polygons.hpp"
 #include "host/flatten/near_vertices.hpp"
 #include "src/base/vector.hpp"

@@ -10,7 +10,7 @@
 
 #include "host/cover/glue.hpp"
 #include "host/cover/piece_interfaces.hpp"
-#include "host/cut/union_find.hpp"
+#include "host/cut/bodies/union_find.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 

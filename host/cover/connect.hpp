@@ -2,9 +2,9 @@
 // element, elements joined inside the star of a lattice node are one physical cover of it (thesis 2.3).
 #pragma once
 
-#include "host/cover/piece_index.hpp"
-#include "host/cover/pieces.hpp"
-#include "host/cut/complex.hpp"
+#include "host/cover/lattice/piece_index.hpp"
+#include "host/cover/lattice/pieces.hpp"
+#include "host/cut/cells/complex.hpp"
 #include "src/arrays/cover_arrays.hpp"
 #include "src/model/model.hpp"
 

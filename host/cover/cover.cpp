@@ -6,14 +6,14 @@
 #include "host/cover/centre_functions.hpp"
 #include "host/cover/connect.hpp"
 #include "host/cover/joint_tips.hpp"
-#include "host/cover/piece_index.hpp"
-#include "host/cover/pieces.hpp"
-#include "host/cover/slivers.hpp"
+#include "host/cover/lattice/piece_index.hpp"
+#include "host/cover/lattice/pieces.hpp"
+#include "host/cover/lattice/slivers.hpp"
 #include "host/cover/whole_blocks.hpp"
-#include "host/cut/complex.hpp"
-#include "src/arrays/shape_functions.hpp"
+#include "host/cut/cells/complex.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold {
 

@@ -3,9 +3,9 @@
 
 #include <functional>
 
-#include "host/cover/lattice_walk.hpp"
-#include "host/cover/occupied_cells.hpp"
-#include "host/cut/complex.hpp"
+#include "host/cover/lattice/lattice_walk.hpp"
+#include "host/cover/lattice/occupied_cells.hpp"
+#include "host/cut/cells/complex.hpp"
 
 namespace rockfold {
 

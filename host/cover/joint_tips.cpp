@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "host/cover/glue.hpp"
-#include "host/cover/slivers.hpp"
-#include "host/cut/union_find.hpp"
+#include "host/cover/lattice/slivers.hpp"
+#include "host/cut/bodies/union_find.hpp"
 
 namespace rockfold {
 

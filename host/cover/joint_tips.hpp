@@ -2,7 +2,7 @@
 // between two elements to the facet's edges.
 #pragma once
 
-#include "host/cover/pieces.hpp"
+#include "host/cover/lattice/pieces.hpp"
 
 namespace rockfold {
 

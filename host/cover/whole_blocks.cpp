@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "host/cut/union_find.hpp"
-#include "src/arrays/shape_functions.hpp"
+#include "host/cut/bodies/union_find.hpp"
 #include "src/base/error.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold {
 

@@ -2,7 +2,7 @@
 // solid bounds a cell where nothing is behind it.
 #pragma once
 
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 
 namespace rockfold {
 

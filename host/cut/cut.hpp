@@ -1,5 +1,5 @@
 // Exact block cutting: a model's solids and joints become a complex of convex cells, and its cells blocks.
-// The geometry itself is host/cut/complex.hpp.
+// The geometry itself is host/cut/cells/complex.hpp.
 #pragma once
 
 #include <cstdint>

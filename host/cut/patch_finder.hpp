@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "host/cut/patch.hpp"
+#include "host/cut/cells/patch.hpp"
 
 namespace rockfold {
 

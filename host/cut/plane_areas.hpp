@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 
 namespace rockfold {
 

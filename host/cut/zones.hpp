@@ -2,7 +2,7 @@
 // excavation, regions of joints and merges.
 #pragma once
 
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 #include "src/model/model.hpp"
 
 namespace rockfold {

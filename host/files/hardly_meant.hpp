@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "host/files/polygon_soup.hpp"
+#include "host/files/meshes/polygon_soup.hpp"
 #include "src/model/model.hpp"
 
 namespace rockfold {

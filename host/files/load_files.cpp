@@ -10,10 +10,10 @@
 #include "host/files/faults.hpp"
 #include "host/files/foreign_format.hpp"
 #include "host/files/hardly_meant.hpp"
+#include "host/files/meshes/read_mesh.hpp"
 #include "host/files/read_joint_table.hpp"
-#include "host/files/read_mesh.hpp"
 #include "host/files/read_record.hpp"
-#include "host/files/read_terrain.hpp"
+#include "host/files/terrain/read_terrain.hpp"
 
 namespace rockfold {
 

@@ -11,9 +11,9 @@
 
 #include "host/files/text.hpp"
 #include "src/model/strike.hpp"
-#include "src/model/text/decimal_comma.hpp"
 #include "src/model/text/nearest.hpp"
-#include "src/model/text/range.hpp"
+#include "src/model/text/numbers/decimal_comma.hpp"
+#include "src/model/text/numbers/range.hpp"
 
 namespace rockfold {
 

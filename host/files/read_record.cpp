@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "host/files/text.hpp"
-#include "src/model/text/range.hpp"
+#include "src/model/text/numbers/range.hpp"
 
 namespace rockfold {
 

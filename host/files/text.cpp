@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "src/model/text/range.hpp"
+#include "src/model/text/numbers/range.hpp"
 
 namespace rockfold {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 
 namespace rockfold {
 

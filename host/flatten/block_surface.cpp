@@ -8,7 +8,7 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "host/cut/union_find.hpp"
+#include "host/cut/bodies/union_find.hpp"
 #include "host/flatten/near_vertices.hpp"
 #include "src/base/vector.hpp"
 

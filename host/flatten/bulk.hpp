@@ -1,7 +1,7 @@
 // What blocks are made of, as opposed to what bounds them.
 #pragma once
 
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 #include "host/flatten/block_order.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/model/model.hpp"

@@ -8,7 +8,7 @@
 #include <set>
 #include <tuple>
 
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 #include "host/flatten/block_order.hpp"
 #include "host/flatten/block_surface.hpp"
 #include "host/flatten/bulk.hpp"

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "host/cut/patch.hpp"
+#include "host/cut/cells/patch.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {

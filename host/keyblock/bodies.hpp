@@ -8,7 +8,7 @@
 #include "host/keyblock/face_interfaces.hpp"
 #include "host/keyblock/face_shape.hpp"
 #include "host/keyblock/mesh_planes.hpp"
-#include "host/keyblock/single_block.hpp"
+#include "host/keyblock/motions/single_block.hpp"
 #include "host/keyblock/surface_loads.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/arrays/face_tractions.hpp"

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "host/keyblock/pyramid.hpp"
+#include "host/keyblock/motions/pyramid.hpp"
 #include "host/parallel.hpp"
 #include "src/base/vector.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "host/keyblock/bodies.hpp"
 #include "host/keyblock/groups.hpp"
-#include "host/keyblock/least_support.hpp"
+#include "host/keyblock/motions/least_support.hpp"
 #include "host/parallel.hpp"
 #include "src/base/vector.hpp"
 #include "src/model/openings.hpp"

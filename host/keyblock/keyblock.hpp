@@ -2,26 +2,23 @@
 // Goodman & Shi (1985); thesis chapter 5, Eq. 5-1 … 5-9, corrected as docs/block_theory.md shows.
 //
 // Table of contents:
-//   pyramid.hpp        cones of directions: joint pyramids and their codes, removability
-//   sliding.hpp        the motion that a resultant starts, its driving and resisting forces
-//   least_support.hpp  the force that brings it to a factor of safety
-//   in_situ.hpp        what in-situ normal stress adds to the resistance
-//   rotation.hpp       rotation about an edge or a corner
-//   single_block.hpp   all of this for one block given by its faces
+//   keyblock.hpp       the blocks of a model, stage by stage and batch by batch
+//   bodies.hpp         blocks of a model as rigid bodies, alone or several as one
+//   groups.hpp         blocks that fail together where none can alone
+//   first_look.hpp     what of it can be done again with other strengths and loads
 //   face_shape.hpp     polygons of faces: water on them, where they touch, inertia
 //   mean_planes.hpp    rough surfaces as planes; mesh_planes.hpp: those of joint meshes on blocks
-//   bodies.hpp         blocks of a model as such blocks, alone or several as one
-//   groups.hpp         blocks that fail together where none can alone
-//   keyblock.hpp       the blocks of a model, stage by stage and batch by batch
-//   first_look.hpp     what of it can be done again with other strengths and loads
+//   motions/           one block given by its faces: the directions it may take (pyramid), how a resultant moves it (sliding, rotation),
+//                      what in-situ stress adds (in_situ), the force that brings it to a factor of safety (least_support)
+//   theory/            joint sets alone, without a cut model
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "host/keyblock/pyramid.hpp"
-#include "host/keyblock/single_block.hpp"
+#include "host/keyblock/motions/pyramid.hpp"
+#include "host/keyblock/motions/single_block.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/arrays/face_tractions.hpp"
 #include "src/base/stage_keys.hpp"

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "host/cut/union_find.hpp"
+#include "host/cut/bodies/union_find.hpp"
 #include "host/keyblock/face_shape.hpp"
 #include "host/keyblock/mean_planes.hpp"
 #include "host/parallel.hpp"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <tuple>
 
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 #include "host/parallel.hpp"
 #include "src/base/sum.hpp"
 #include "src/base/vector.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 #include "src/base/sum.hpp"
 
 namespace rockfold {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 #include "host/parallel.hpp"
 #include "src/base/sum.hpp"
 #include "src/base/vector.hpp"

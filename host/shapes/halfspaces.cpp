@@ -1,7 +1,7 @@
 // Boxes and intersections of half-spaces.
 #include <algorithm>
 
-#include "host/cut/convex_cell.hpp"
+#include "host/cut/cells/convex_cell.hpp"
 #include "host/exact/orientation.hpp"
 #include "host/refuse.hpp"
 #include "host/shapes/families_exact.hpp"

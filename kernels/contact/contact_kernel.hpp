@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "kernels/contact/broad_phase_kernel.hpp"
 #include "kernels/contact/contact.hpp"
-#include "kernels/contact/pair_points_kernel.hpp"
+#include "kernels/contact/detection/broad_phase_kernel.hpp"
+#include "kernels/contact/detection/pair_points_kernel.hpp"
 #include "kernels/operator/point_terms_kernel.hpp"
 
 namespace rockfold::contact {

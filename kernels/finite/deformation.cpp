@@ -4,9 +4,9 @@
 #include "kernels/finite/deformation_kernel.hpp"
 #include "kernels/finite/strain_kernel.hpp"
 #include "kernels/finite/tangent_row_kernel.hpp"
-#include "kernels/operator/assemble_kernel.hpp"
-#include "src/arrays/shape_functions.hpp"
+#include "kernels/operator/elements/assemble_kernel.hpp"
 #include "src/base/vector.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold::finite {
 

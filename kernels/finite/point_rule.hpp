@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "src/arrays/element_points.hpp"
+#include "src/space/element_points.hpp"
 
 namespace rockfold::finite {
 

@@ -5,8 +5,8 @@
 #include "kernels/device/device_kernel.hpp"
 #include "kernels/finite/point_rule.hpp"
 #include "kernels/integrate/moments_kernel.hpp"
-#include "kernels/operator/part_functions.hpp"
-#include "src/arrays/shape_functions.hpp"
+#include "kernels/operator/elements/part_functions.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold::finite {
 

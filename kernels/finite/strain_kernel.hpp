@@ -1,7 +1,7 @@
 // Strain and stress at a point. Symmetric tensors are xx yy zz xy yz zx.
 #pragma once
 
-#include "kernels/operator/element_kernel.hpp"
+#include "kernels/operator/elements/element_kernel.hpp"
 
 namespace rockfold::finite {
 

@@ -4,7 +4,7 @@
 // A block row reads for each neighbour 80 bytes of values and 4 of column, which is nearly all that it moves.
 #include "kernels/operator/operator_kernel.hpp"
 #include "kernels/operator/simd.hpp"
-#include "src/arrays/shape_functions.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold::solve {
 namespace {

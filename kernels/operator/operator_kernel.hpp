@@ -6,7 +6,7 @@
 #pragma once
 
 #include "kernels/device/device_kernel.hpp"
-#include "kernels/operator/element_table_kernel.hpp"
+#include "kernels/operator/elements/element_table_kernel.hpp"
 #include "kernels/operator/rows.hpp"
 #include "kernels/operator/simd.hpp"
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "kernels/operator/part_functions.hpp"
+#include "kernels/operator/elements/part_functions.hpp"
 
 namespace rockfold::solve {
 namespace {

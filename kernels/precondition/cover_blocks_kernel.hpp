@@ -4,7 +4,7 @@
 
 #include "kernels/operator/point_terms_kernel.hpp"
 #include "kernels/operator/simd.hpp"
-#include "src/arrays/shape_functions.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold::solve {
 

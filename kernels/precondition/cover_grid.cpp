@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "kernels/precondition/chebyshev.hpp"
-#include "kernels/precondition/coarse_points.hpp"
 #include "kernels/precondition/cover_grid_kernel.hpp"
+#include "kernels/precondition/levels/coarse_points.hpp"
 
 namespace rockfold::solve {
 namespace {

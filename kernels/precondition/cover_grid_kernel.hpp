@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "kernels/krylov/krylov_work_kernel.hpp"
-#include "kernels/precondition/coarse_covers.hpp"
 #include "kernels/precondition/cover_blocks_kernel.hpp"
+#include "kernels/precondition/levels/coarse_covers.hpp"
 
 namespace rockfold::solve {
 

@@ -3,7 +3,7 @@
 
 #include "kernels/device/sums_kernel.hpp"
 #include "kernels/precondition/chebyshev.hpp"
-#include "kernels/precondition/coarse_points.hpp"
+#include "kernels/precondition/levels/coarse_points.hpp"
 #include "kernels/precondition/multigrid_kernel.hpp"
 
 namespace rockfold::solve {

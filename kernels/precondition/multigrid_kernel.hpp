@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "kernels/precondition/dense_parts_kernel.hpp"
-#include "kernels/precondition/level_kernel.hpp"
+#include "kernels/precondition/levels/dense_parts_kernel.hpp"
+#include "kernels/precondition/levels/level_kernel.hpp"
 
 namespace rockfold::solve {
 

@@ -7,9 +7,9 @@
 
 #include "kernels/constraints/constrained_system_kernel.hpp"
 #include "kernels/contact/term_kernel.hpp"
-#include "kernels/time/deformation_kernel.hpp"
-#include "kernels/time/following_kernel.hpp"
-#include "kernels/time/loads_kernel.hpp"
+#include "kernels/time/forces/deformation_kernel.hpp"
+#include "kernels/time/forces/following_kernel.hpp"
+#include "kernels/time/forces/loads_kernel.hpp"
 #include "kernels/time/motion.hpp"
 
 namespace rockfold {

@@ -7,7 +7,7 @@
 
 #include "host/cut/cut.hpp"
 #include "host/keyblock/keyblock.hpp"
-#include "host/keyblock/theory.hpp"
+#include "host/keyblock/theory/theory.hpp"
 #include "host/measure/measure.hpp"
 #include "host/shapes/extents.hpp"
 #include "src/app/command_line.hpp"
@@ -17,7 +17,7 @@
 #include "src/io/result_file.hpp"
 #include "src/page/write_page.hpp"
 #include "src/printed/printed_report.hpp"
-#include "src/report/documents.hpp"
+#include "src/report/documents/documents.hpp"
 #include "src/report/phase_seconds.hpp"
 #include "src/report/terminal.hpp"
 #include "src/run/reduction.hpp"

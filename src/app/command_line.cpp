@@ -13,7 +13,7 @@
 #include "src/base/error.hpp"
 #include "src/io/exports/export.hpp"
 #include "src/model/text/nearest.hpp"
-#include "src/model/text/units.hpp"
+#include "src/model/text/numbers/units.hpp"
 
 namespace rockfold {
 

@@ -10,18 +10,18 @@
 #include <fmt/format.h>
 
 #include "host/cover/cover.hpp"
-#include "host/cover/loads.hpp"
-#include "host/cover/locate.hpp"
+#include "host/cover/points/loads.hpp"
+#include "host/cover/points/locate.hpp"
 #include "host/cut/cut.hpp"
 #include "host/direct/multifrontal.hpp"
 #include "host/flatten/face_polygons.hpp"
 #include "host/flatten/flatten.hpp"
 #include "kernels/integrate/moments.hpp"
 #include "kernels/time/motion.hpp"
-#include "src/arrays/shape_functions.hpp"
-#include "src/arrays/stress_on_plane.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
+#include "src/space/shape_functions.hpp"
+#include "src/space/stress_on_plane.hpp"
 
 namespace rockfold {
 namespace {

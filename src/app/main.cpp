@@ -10,7 +10,7 @@
 
 #include "generated/version.hpp"
 #include "src/app/pipeline.hpp"
-#include "src/app/threads.hpp"
+#include "src/app/process/threads.hpp"
 #include "src/base/error.hpp"
 #include "src/report/error_text.hpp"
 #include "src/report/names.hpp"

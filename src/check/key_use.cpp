@@ -7,7 +7,7 @@
 
 #include "host/cut/cut.hpp"
 #include "host/keyblock/keyblock.hpp"
-#include "host/keyblock/theory.hpp"
+#include "host/keyblock/theory/theory.hpp"
 #include "host/measure/measure.hpp"
 #include "src/app/support_design.hpp"
 #include "src/base/error.hpp"

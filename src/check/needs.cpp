@@ -11,7 +11,7 @@
 #include "host/joints/missed_rock.hpp"
 #include "host/shapes/extents.hpp"
 #include "src/app/examples.hpp"
-#include "src/app/signals.hpp"
+#include "src/app/process/signals.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 #include "src/check/key_use.hpp"

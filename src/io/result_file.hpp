@@ -41,9 +41,9 @@
 #include "src/arrays/first_look_arrays.hpp"
 #include "src/arrays/polygon_mesh.hpp"
 #include "src/base/error.hpp"
-#include "src/io/element_mesh.hpp"
 #include "src/io/history.hpp"
 #include "src/io/run_journal.hpp"
+#include "src/io/viewers/element_mesh.hpp"
 #include "src/model/model.hpp"
 
 namespace rockfold {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "src/io/hdf5_file.hpp"
+#include "src/io/hdf5/hdf5_file.hpp"
 #include "src/io/result_file.hpp"
 #include "src/io/result_reader.hpp"
 

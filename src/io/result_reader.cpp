@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "src/io/native_arrays.hpp"
+#include "src/io/hdf5/native_arrays.hpp"
 
 namespace rockfold {
 namespace {

@@ -9,14 +9,14 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "src/io/block_mesh.hpp"
-#include "src/io/element_mesh.hpp"
-#include "src/io/native_arrays.hpp"
+#include "src/io/hdf5/native_arrays.hpp"
 #include "src/io/partial_file.hpp"
 #include "src/io/result_file.hpp"
-#include "src/io/stress_fields.hpp"
-#include "src/io/vtkhdf.hpp"
-#include "src/io/xdmf.hpp"
+#include "src/io/viewers/block_mesh.hpp"
+#include "src/io/viewers/element_mesh.hpp"
+#include "src/io/viewers/stress_fields.hpp"
+#include "src/io/viewers/vtkhdf.hpp"
+#include "src/io/viewers/xdmf.hpp"
 
 namespace rockfold {
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "src/base/error.hpp"
-#include "src/io/deflate.hpp"
+#include "src/io/hdf5/deflate.hpp"
 #include "src/io/result_reader.hpp"
 #include "src/page/page_contacts.hpp"
 #include "src/page/page_states.hpp"

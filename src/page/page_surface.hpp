@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "src/base/types.hpp"
-#include "src/io/hdf5_file.hpp"
+#include "src/io/hdf5/hdf5_file.hpp"
 
 namespace rockfold {
 

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "src/base/error.hpp"
-#include "src/io/deflate.hpp"
+#include "src/io/hdf5/deflate.hpp"
 #include "src/io/partial_file.hpp"
 #include "src/page/page_bundle.hpp"
 #include "src/page/page_content.hpp"

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "src/base/error.hpp"
-#include "src/io/deflate.hpp"
+#include "src/io/hdf5/deflate.hpp"
 #include "src/io/partial_file.hpp"
 #include "src/page/page_bundle.hpp"
 #include "src/page/page_content.hpp"

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "src/printed/sections.hpp"
-#include "src/report/keyblock_words.hpp"
+#include "src/report/summaries/keyblock_words.hpp"
 
 namespace rockfold {
 

@@ -7,7 +7,7 @@
 
 #include "src/base/vector.hpp"
 #include "src/report/confirmed_reasons.hpp"
-#include "src/report/document_parts.hpp"
+#include "src/report/documents/document_parts.hpp"
 #include "src/report/names.hpp"
 
 namespace rockfold {

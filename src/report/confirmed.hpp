@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/report/documents.hpp"
+#include "src/report/documents/documents.hpp"
 
 namespace rockfold {
 

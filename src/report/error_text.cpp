@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "src/report/documents.hpp"
+#include "src/report/documents/documents.hpp"
 
 namespace rockfold {
 

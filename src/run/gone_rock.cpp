@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "src/arrays/shape_functions.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold {
 

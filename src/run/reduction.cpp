@@ -13,7 +13,7 @@
 #include "src/base/archive.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
-#include "src/run/block_motion.hpp"
+#include "src/run/records/block_motion.hpp"
 
 namespace rockfold {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "src/arrays/shape_functions.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold {
 namespace {

@@ -8,7 +8,7 @@
 #include "src/arrays/surface_arrays.hpp"
 #include "src/base/progress.hpp"
 #include "src/base/stage_keys.hpp"
-#include "src/io/element_mesh.hpp"
+#include "src/io/viewers/element_mesh.hpp"
 #include "src/model/model.hpp"
 #include "src/run/run_result.hpp"
 #include "src/run/run_state.hpp"

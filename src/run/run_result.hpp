@@ -70,7 +70,7 @@ struct LargestDisplacement {
 /// How near the rock is to failure.
 struct RockStrength {
   Real least_ratio =
-      0;  ///< strength over stress (src/io/stress_measures.hpp) of the element nearest to failure
+      0;  ///< strength over stress (src/io/viewers/stress_measures.hpp) of the element nearest to failure
   Vec3 point{};            ///< m, its centroid
   Index block = none;      ///< that holds it; none: no rock has a strength
   Real failed_volume = 0;  ///< m³ of elements whose ratio is below 1

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "src/arrays/shape_functions.hpp"
 #include "src/run/run_state.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold {
 

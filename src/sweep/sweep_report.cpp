@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "src/report/summary.hpp"
-#include "src/report/table.hpp"
+#include "src/report/summaries/summary.hpp"
+#include "src/report/summaries/table.hpp"
 #include "src/sweep/sweep_table.hpp"
 
 namespace rockfold::sweep {

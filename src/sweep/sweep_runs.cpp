@@ -12,7 +12,7 @@
 #include "src/base/archive.hpp"
 #include "src/model/text/overrides.hpp"
 #include "src/model/text/parse_toml.hpp"
-#include "src/report/documents.hpp"
+#include "src/report/documents/documents.hpp"
 #include "src/sweep/sampling.hpp"
 
 namespace fs = std::filesystem;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "src/app/command_line.hpp"
-#include "src/sweep/run_pool.hpp"
+#include "src/sweep/processes/run_pool.hpp"
 #include "src/sweep/sweep_record.hpp"
 #include "src/sweep/sweep_spec.hpp"
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "src/io/hdf5_file.hpp"
+#include "src/io/hdf5/hdf5_file.hpp"
 #include "src/io/partial_file.hpp"
 
 namespace rockfold::sweep {

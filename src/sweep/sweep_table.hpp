@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/report/documents.hpp"
+#include "src/report/documents/documents.hpp"
 #include "src/sweep/statistics.hpp"
 #include "src/sweep/sweep_record.hpp"
 

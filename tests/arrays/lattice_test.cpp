@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold {
 namespace {

@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/keyblock/least_support.hpp"
+#include "host/keyblock/motions/least_support.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "host/cover/locate.hpp"
-#include "host/cover/piece_index.hpp"
+#include "host/cover/lattice/piece_index.hpp"
+#include "host/cover/points/locate.hpp"
 #include "tests/cover/covers.hpp"
 
 namespace rockfold::test {

@@ -1,7 +1,7 @@
 // Cover functions about the rock that a cover holds (host/cover/centre_functions.hpp).
 #include <gtest/gtest.h>
 
-#include "src/arrays/shape_functions.hpp"
+#include "src/space/shape_functions.hpp"
 #include "tests/cover/covers.hpp"
 
 namespace rockfold {

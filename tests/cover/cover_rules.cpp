@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "host/cover/free_faces.hpp"
-#include "host/cover/surface_split.hpp"
-#include "host/cut/union_find.hpp"
-#include "host/cut/width.hpp"
-#include "src/arrays/shape_functions.hpp"
+#include "host/cover/points/free_faces.hpp"
+#include "host/cover/points/surface_split.hpp"
+#include "host/cut/bodies/union_find.hpp"
+#include "host/cut/bodies/width.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold::test {
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/cover/loads.hpp"
+#include "host/cover/points/loads.hpp"
 #include "src/base/vector.hpp"
 #include "tests/cover/covers.hpp"
 #include "tests/cover/plain_clipping.hpp"

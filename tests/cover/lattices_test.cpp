@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "src/arrays/shape_functions.hpp"
 #include "src/base/error.hpp"
+#include "src/space/shape_functions.hpp"
 #include "tests/cover/covers.hpp"
 #include "tests/cover/plain_clipping.hpp"
 

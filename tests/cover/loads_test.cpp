@@ -1,13 +1,13 @@
 // Loads on faces: their totals, what they do to the functions of the elements, and what is refused.
-#include "host/cover/loads.hpp"
+#include "host/cover/points/loads.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "host/cover/triangle_rule.hpp"
-#include "src/arrays/shape_functions.hpp"
+#include "host/cover/points/triangle_rule.hpp"
 #include "src/base/error.hpp"
+#include "src/space/shape_functions.hpp"
 #include "tests/cover/covers.hpp"
 
 namespace rockfold::test {

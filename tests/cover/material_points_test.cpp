@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/cover/piece_index.hpp"
+#include "host/cover/lattice/piece_index.hpp"
 #include "src/base/error.hpp"
 #include "tests/cover/covers.hpp"
 

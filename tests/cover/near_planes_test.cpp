@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "host/cover/locate.hpp"
-#include "host/cover/surface_split.hpp"
+#include "host/cover/points/locate.hpp"
+#include "host/cover/points/surface_split.hpp"
 #include "tests/cover/covers.hpp"
 
 namespace rockfold::test {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "host/cover/free_faces.hpp"
-#include "host/cover/loads.hpp"
+#include "host/cover/points/free_faces.hpp"
+#include "host/cover/points/loads.hpp"
 #include "tests/cover/cover_rules.hpp"
 
 namespace rockfold::test {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold::test {

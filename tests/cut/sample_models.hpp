@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 #include "host/cut/cut.hpp"
 #include "host/flatten/flatten.hpp"
 #include "src/model/model.hpp"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/cut/complex.hpp"
+#include "host/cut/cells/complex.hpp"
 #include "tests/cut/conservation.hpp"
 #include "tests/cut/draw.hpp"
 

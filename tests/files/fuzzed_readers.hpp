@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "host/files/meshes/read_mesh.hpp"
 #include "host/files/read_joint_table.hpp"
-#include "host/files/read_mesh.hpp"
-#include "host/files/read_terrain.hpp"
+#include "host/files/terrain/read_terrain.hpp"
 
 namespace rockfold {
 

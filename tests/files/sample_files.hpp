@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "host/files/read_mesh.hpp"
-#include "host/files/read_terrain.hpp"
+#include "host/files/meshes/read_mesh.hpp"
+#include "host/files/terrain/read_terrain.hpp"
 
 namespace rockfold {
 

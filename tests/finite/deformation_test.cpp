@@ -6,8 +6,8 @@
 
 #include "kernels/finite/strained_body.hpp"
 #include "kernels/integrate/moments.hpp"
-#include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
+#include "src/space/shape_functions.hpp"
 #include "tests/reference/box_covers.hpp"
 #include "tests/reference/slivers.hpp"
 

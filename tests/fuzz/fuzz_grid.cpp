@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "host/files/read_terrain.hpp"
+#include "host/files/terrain/read_terrain.hpp"
 #include "tests/files/fuzzed_readers.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

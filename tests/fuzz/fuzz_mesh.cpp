@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "host/files/read_mesh.hpp"
+#include "host/files/meshes/read_mesh.hpp"
 #include "tests/files/fuzzed_readers.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -18,7 +18,7 @@
 #include "host/measure/parts.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
-#include "src/io/block_mesh.hpp"
+#include "src/io/viewers/block_mesh.hpp"
 #include "tests/cut/sample_models.hpp"
 #include "tests/io/sample.hpp"
 

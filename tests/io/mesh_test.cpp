@@ -4,8 +4,8 @@
 
 #include "host/flatten/face_polygons.hpp"
 #include "src/base/vector.hpp"
-#include "src/io/block_mesh.hpp"
-#include "src/io/element_mesh.hpp"
+#include "src/io/viewers/block_mesh.hpp"
+#include "src/io/viewers/element_mesh.hpp"
 #include "tests/io/sample.hpp"
 
 namespace rockfold::test {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "src/io/hdf5_file.hpp"
+#include "src/io/hdf5/hdf5_file.hpp"
 #include "tests/io/sample.hpp"
 
 namespace rockfold::test {

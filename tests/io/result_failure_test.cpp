@@ -9,7 +9,7 @@
 
 #include "host/flatten/face_polygons.hpp"
 #include "src/io/exports/export.hpp"
-#include "src/io/hdf5_file.hpp"
+#include "src/io/hdf5/hdf5_file.hpp"
 #include "src/io/result_file.hpp"
 #include "tests/io/sample.hpp"
 

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "host/flatten/face_polygons.hpp"
-#include "src/io/hdf5_file.hpp"
+#include "src/io/hdf5/hdf5_file.hpp"
 #include "tests/io/sample.hpp"
 
 namespace rockfold::test {

@@ -1,4 +1,4 @@
-#include "src/io/stress_measures.hpp"
+#include "src/io/viewers/stress_measures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Joints clamped by in-situ stress: the falling wedge of 3DEC's verification manual (case E9).
-#include "host/keyblock/in_situ.hpp"
+#include "host/keyblock/motions/in_situ.hpp"
 
 #include <cmath>
 #include <random>

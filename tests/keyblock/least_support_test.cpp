@@ -1,5 +1,5 @@
 // Support forces against the closed forms of a bolted block and against a search over directions.
-#include "host/keyblock/least_support.hpp"
+#include "host/keyblock/motions/least_support.hpp"
 
 #include <cmath>
 #include <random>

@@ -1,13 +1,13 @@
 // Probabilities where they are known, and that nothing but the seed decides.
-#include "host/keyblock/monte_carlo.hpp"
+#include "host/keyblock/theory/monte_carlo.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 #include <omp.h>
 
-#include "host/keyblock/theory.hpp"
-#include "host/keyblock/tunnel_block.hpp"
+#include "host/keyblock/theory/theory.hpp"
+#include "host/keyblock/theory/tunnel_block.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 #include "src/model/tunnel_section.hpp"

@@ -1,6 +1,6 @@
 // Joint pyramids against counts of block theory and against two oracles: sampled directions, and
 // the theorem of the alternative on normals with small integer coordinates, in integers.
-#include "host/keyblock/pyramid.hpp"
+#include "host/keyblock/motions/pyramid.hpp"
 
 #include <array>
 #include <cstdint>

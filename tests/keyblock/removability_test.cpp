@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "host/keyblock/pyramid.hpp"
-#include "host/keyblock/single_block.hpp"
+#include "host/keyblock/motions/pyramid.hpp"
+#include "host/keyblock/motions/single_block.hpp"
 #include "src/base/vector.hpp"
 #include "tests/keyblock/half_space_block.hpp"
 #include "tests/keyblock/linear_program.hpp"

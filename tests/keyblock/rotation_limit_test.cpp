@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/keyblock/face_shape.hpp"
-#include "host/keyblock/rotation.hpp"
+#include "host/keyblock/motions/rotation.hpp"
 #include "src/base/vector.hpp"
 #include "tests/keyblock/half_space_block.hpp"
 #include "tests/keyblock/linear_program.hpp"

@@ -1,6 +1,6 @@
 // Rotations about edges and corners: toppling columns by the closed form, overhanging slabs, and
 // random blocks whose rotation is carried out.
-#include "host/keyblock/rotation.hpp"
+#include "host/keyblock/motions/rotation.hpp"
 
 #include <cmath>
 #include <random>
@@ -9,7 +9,7 @@
 
 #include "host/keyblock/bodies.hpp"
 #include "host/keyblock/keyblock.hpp"
-#include "host/keyblock/least_support.hpp"
+#include "host/keyblock/motions/least_support.hpp"
 #include "src/base/vector.hpp"
 #include "tests/keyblock/half_space_block.hpp"
 

@@ -1,13 +1,13 @@
 // One block from its faces: published wedges with cohesion and water, classes, and input at its
 // limits.
-#include "host/keyblock/single_block.hpp"
+#include "host/keyblock/motions/single_block.hpp"
 
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "host/keyblock/least_support.hpp"
+#include "host/keyblock/motions/least_support.hpp"
 #include "src/base/vector.hpp"
 #include "tests/keyblock/half_space_block.hpp"
 

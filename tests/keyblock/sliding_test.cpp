@@ -1,6 +1,6 @@
 // Modes and forces against closed forms, against the printed formula that is wrong, and against
 // what any answer must satisfy.
-#include "host/keyblock/sliding.hpp"
+#include "host/keyblock/motions/sliding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/keyblock/pyramid.hpp"
+#include "host/keyblock/motions/pyramid.hpp"
 #include "src/base/vector.hpp"
 #include "tests/keyblock/half_space_block.hpp"
 

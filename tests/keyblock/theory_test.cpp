@@ -1,6 +1,6 @@
 // Joint sets alone: largest blocks of tunnels against a sum of convex pieces, Hoek & Bray's wedge in
 // a slope, the tables of three sets, scans.
-#include "host/keyblock/theory.hpp"
+#include "host/keyblock/theory/theory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "host/keyblock/slope_block.hpp"
-#include "host/keyblock/tunnel_block.hpp"
+#include "host/keyblock/theory/slope_block.hpp"
+#include "host/keyblock/theory/tunnel_block.hpp"
 #include "src/base/vector.hpp"
 #include "src/model/tunnel_section.hpp"
 #include "tests/keyblock/half_space_block.hpp"

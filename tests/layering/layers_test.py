@@ -15,12 +15,12 @@ LIBRARIES = [
     ("CGAL", r"CGAL/", r"host/.*(\.cpp|_exact\.hpp)$"),
     ("GMP or MPFR", r"gmp|mpfr", r"host/.*(\.cpp|_exact\.hpp)$"),
     ("Eigen", r"Eigen/", r"(host|kernels)/.*(\.cpp|_exact\.hpp|_kernel\.hpp)$"),
-    ("HDF5", r"hdf5|H5", r"src/io/[^/]*\.cpp$"),
-    ("zlib", r"zlib", r"src/io/[^/]*\.cpp$"),
+    ("HDF5", r"hdf5|H5", r"src/io/.*\.cpp$"),
+    ("zlib", r"zlib", r"src/io/.*\.cpp$"),
     ("toml++", r"toml\+\+/|toml\.hpp|toml\.h$", r"src/model/text/[^/]*\.cpp$"),
     ("CLI11", r"CLI/", r"src/app/[^/]*\.(cpp|hpp)$"),
-    ("nlohmann-json", r"nlohmann/", r"src/(app|io|io/exports|page|printed|report|run|store|sweep)/[^/]*\.(cpp|hpp)$"),
-    ("fmt or spdlog", r"fmt/|spdlog/", r"(host/|src/(?!base/|arrays/)).*$"),
+    ("nlohmann-json", r"nlohmann/", r"src/(app|io|page|printed|report|run|store|sweep)/.*\.(cpp|hpp)$"),
+    ("fmt or spdlog", r"fmt/|spdlog/", r"(host/|src/(?!base/|arrays/|space/)).*$"),
     ("MPI", r"mpi\.h$", r"src/sweep/mpi/[^/]*\.cpp$"),
     ("CUDA", r"cuda", r"kernels/device/.*(\.cpp|_kernel\.hpp)$"),
 ]
@@ -29,13 +29,14 @@ LIBRARIES = [
 LAYERS = [
     ("src/base", ("src/base/",)),
     ("src/arrays", ("src/base/", "src/arrays/")),
-    ("src/model", ("src/base/", "src/arrays/", "src/model/")),
-    ("src/io", ("src/base/", "src/arrays/", "src/model/", "src/io/", "generated/")),
+    ("src/space", ("src/base/", "src/arrays/", "src/space/")),
+    ("src/model", ("src/base/", "src/arrays/", "src/space/", "src/model/")),
+    ("src/io", ("src/base/", "src/arrays/", "src/space/", "src/model/", "src/io/", "generated/")),
     ("src", ("src/", "host/", "kernels/", "generated/")),
-    ("host", ("src/base/", "src/arrays/", "src/model/", "host/")),
-    ("kernels", ("src/base/", "src/arrays/", "kernels/")),
+    ("host", ("src/base/", "src/arrays/", "src/space/", "src/model/", "host/")),
+    ("kernels", ("src/base/", "src/arrays/", "src/space/", "kernels/")),
 ]
-STANDARD_ALONE = ("src/base/", "src/arrays/")
+STANDARD_ALONE = ("src/base/", "src/arrays/", "src/space/")
 POSIX = r"unistd\.h$|fcntl\.h$|signal\.h$|sys/|dirent\.h$|termios\.h$|omp\.h$|time\.h$|cstdatomic$"
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

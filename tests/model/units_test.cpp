@@ -1,5 +1,5 @@
 // Numbers with units, and orientations in the ways that engineers give them.
-#include "src/model/text/units.hpp"
+#include "src/model/text/numbers/units.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "src/io/deflate.hpp"
+#include "src/io/hdf5/deflate.hpp"
 #include "src/page/block_motion_fit.hpp"
 #include "src/page/page_arrays.hpp"
 

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold::reference {
 namespace {

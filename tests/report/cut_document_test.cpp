@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "src/report/documents.hpp"
-#include "src/report/summary.hpp"
+#include "src/report/documents/documents.hpp"
+#include "src/report/summaries/summary.hpp"
 #include "tests/cut/sample_models.hpp"
 
 namespace rockfold::test {

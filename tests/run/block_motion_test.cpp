@@ -1,4 +1,4 @@
-#include "src/run/block_motion.hpp"
+#include "src/run/records/block_motion.hpp"
 
 #include <gtest/gtest.h>
 

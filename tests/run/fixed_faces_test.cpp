@@ -6,15 +6,15 @@
 #include <gtest/gtest.h>
 
 #include "host/cover/cover.hpp"
-#include "host/cover/loads.hpp"
+#include "host/cover/points/loads.hpp"
 #include "host/cut/cut.hpp"
 #include "host/flatten/flatten.hpp"
-#include "src/arrays/shape_functions.hpp"
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 #include "src/check/needs.hpp"
 #include "src/model/read/read_model.hpp"
 #include "src/run/run_analysis.hpp"
+#include "src/space/shape_functions.hpp"
 #include "tests/solve/spaces.hpp"
 
 namespace rockfold {

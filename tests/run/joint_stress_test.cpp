@@ -12,9 +12,9 @@
 #include "host/flatten/flatten.hpp"
 #include "host/keyblock/face_shape.hpp"
 #include "host/keyblock/keyblock.hpp"
-#include "src/arrays/stress_on_plane.hpp"
 #include "src/base/vector.hpp"
 #include "src/model/read/read_model.hpp"
+#include "src/space/stress_on_plane.hpp"
 
 namespace rockfold {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/run/nodal_stress.hpp"
+#include "src/run/records/nodal_stress.hpp"
 
 #include <algorithm>
 #include <cmath>

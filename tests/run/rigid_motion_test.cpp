@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "kernels/integrate/moments.hpp"
-#include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
-#include "src/run/block_stress.hpp"
+#include "src/run/records/block_stress.hpp"
+#include "src/space/shape_functions.hpp"
 #include "tests/reference/box_covers.hpp"
 
 namespace rockfold {

@@ -7,7 +7,7 @@
 
 #include "host/contact/lattice_surfaces.hpp"
 #include "host/cover/cover.hpp"
-#include "host/cover/loads.hpp"
+#include "host/cover/points/loads.hpp"
 #include "host/cut/cut.hpp"
 #include "host/flatten/flatten.hpp"
 #include "src/model/read/read_model.hpp"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "host/cut/convex_cell.hpp"
+#include "host/cut/cells/convex_cell.hpp"
 
 namespace rockfold::test {
 

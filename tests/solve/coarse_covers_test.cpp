@@ -1,4 +1,4 @@
-#include "kernels/precondition/coarse_covers.hpp"
+#include "kernels/precondition/levels/coarse_covers.hpp"
 
 #include <map>
 #include <set>

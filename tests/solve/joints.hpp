@@ -5,7 +5,7 @@
 #include <functional>
 #include <numeric>
 
-#include "src/arrays/shape_functions.hpp"
+#include "src/space/shape_functions.hpp"
 #include "tests/solve/systems.hpp"
 
 namespace rockfold {

@@ -1,13 +1,13 @@
 // Functions of parts against the host's weights and cover functions, which evaluate them without any expansion.
-#include "kernels/operator/part_functions.hpp"
+#include "kernels/operator/elements/part_functions.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "kernels/integrate/moments.hpp"
-#include "src/arrays/shape_functions.hpp"
 #include "src/base/vector.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold {
 namespace {

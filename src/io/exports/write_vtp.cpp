@@ -1,5 +1,5 @@
-#include "src/io/block_mesh.hpp"
 #include "src/io/exports/writers.hpp"
+#include "src/io/viewers/block_mesh.hpp"
 
 namespace rockfold {
 

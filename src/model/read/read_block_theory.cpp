@@ -1,6 +1,6 @@
 // [block_theory]: joint sets alone, without a cut model.
 #include "src/model/read/draft.hpp"
-#include "src/model/read/read_shapes.hpp"
+#include "src/model/read/geometry/read_shapes.hpp"
 #include "src/model/read/read_value.hpp"
 
 namespace rockfold {

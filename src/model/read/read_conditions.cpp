@@ -1,7 +1,7 @@
 // [[fixed]] and [[monitor]].
 #include "src/model/read/draft.hpp"
+#include "src/model/read/geometry/read_region.hpp"
 #include "src/model/read/read_loads.hpp"
-#include "src/model/read/read_region.hpp"
 #include "src/model/read/read_value.hpp"
 #include "src/model/text/nearest.hpp"
 

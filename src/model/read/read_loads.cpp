@@ -2,8 +2,8 @@
 #include "src/model/read/read_loads.hpp"
 
 #include "src/model/read/draft.hpp"
-#include "src/model/read/read_region.hpp"
-#include "src/model/read/read_shapes.hpp"
+#include "src/model/read/geometry/read_region.hpp"
+#include "src/model/read/geometry/read_shapes.hpp"
 #include "src/model/read/read_value.hpp"
 
 namespace rockfold {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/model/text/decimal_comma.hpp"
-#include "src/model/text/units.hpp"
+#include "src/model/text/numbers/decimal_comma.hpp"
+#include "src/model/text/numbers/units.hpp"
 
 namespace rockfold {
 

@@ -9,7 +9,7 @@
 
 #include "src/arrays/time_table.hpp"
 #include "src/model/text/diagnostics.hpp"
-#include "src/model/text/range.hpp"
+#include "src/model/text/numbers/range.hpp"
 #include "src/model/text/value.hpp"
 
 namespace rockfold {

@@ -34,8 +34,8 @@
 #include <algorithm>
 
 #include "src/base/error.hpp"
-#include "src/model/text/decimal_comma.hpp"
 #include "src/model/text/file_kind.hpp"
+#include "src/model/text/numbers/decimal_comma.hpp"
 
 namespace rockfold {
 

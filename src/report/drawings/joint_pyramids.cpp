@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "host/keyblock/pyramid.hpp"
+#include "host/keyblock/motions/pyramid.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {

@@ -1,9 +1,9 @@
-// The only file that knows MPI: a module of its own, which the program loads where a launcher of MPI started it (src/sweep/mpi_link.hpp).
+// The only file that knows MPI: a module of its own, which the program loads where a launcher of MPI started it (src/sweep/processes/mpi_link.hpp).
 #define OMPI_SKIP_MPICXX 1
 #define MPICH_SKIP_MPICXX 1
 #include <mpi.h>
 
-#include "src/sweep/mpi_link.hpp"
+#include "src/sweep/processes/mpi_link.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-// The force that brings a moving block to a target factor of safety: host/keyblock/least_support.cpp again.
+// The force that brings a moving block to a target factor of safety: host/keyblock/motions/least_support.cpp again.
 import type { Rotation } from './rotation';
 import type { ContactPlane, Movement } from './sliding';
 import { add, cross, dot, norm, reciprocalNormal, scale, sub, unit, type Vec3, zero } from './vector';

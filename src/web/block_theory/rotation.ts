@@ -1,4 +1,4 @@
-// Rotation of a block about an edge or a corner where it stays in touch with the rock: host/keyblock/rotation.cpp again.
+// Rotation of a block about an edge or a corner where it stays in touch with the rock: host/keyblock/motions/rotation.cpp again.
 // Which axes move no corner into the rock follows from geometry alone, so that it is found once.
 import { add, cross, directionTolerance, dot, norm, normalized, reciprocalNormal, scale, sub, type Vec3 } from './vector';
 

@@ -1,4 +1,4 @@
-// The translation that a resultant starts and what joints hold against it: host/keyblock/sliding.cpp again, operation by
+// The translation that a resultant starts and what joints hold against it: host/keyblock/motions/sliding.cpp again, operation by
 // operation, so that both give the same numbers.
 import { cross, directionTolerance, dot, norm, reciprocalNormal, scale, sub, unit, type Vec3 } from './vector';
 

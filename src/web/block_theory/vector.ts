@@ -34,7 +34,7 @@ export function withoutNegativeZero(a: Vec3): Vec3 {
   return [a[0] + 0, a[1] + 0, a[2] + 0];
 }
 
-/// Two directions closer than this (radians) are one, as in host/keyblock/pyramid.hpp.
+/// Two directions closer than this (radians) are one, as in host/keyblock/motions/pyramid.hpp.
 export const directionTolerance = 1e-9;
 
 /// b with b·n = 1, b·m = 0 in the plane of n and m: N = r·b is the normal force on the plane of n, of two.

@@ -1,0 +1,314 @@
+#include "src/report/summaries/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "src/base/vector.hpp"
+#include "src/io/viewers/stress_measures.hpp"
+#include "src/model/check_model.hpp"
+#include "src/report/design_names.hpp"
+#include "src/report/documents/document_parts.hpp"
+#include "src/report/names.hpp"
+#include "src/report/progress_line.hpp"
+#include "src/report/summaries/table.hpp"
+
+namespace rockfold {
+
+namespace {
+
+std::string point_text(const Vec3& x) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", x[0], x[1], x[2]);
+}
+
+Index count_true(const std::vector<std::uint8_t>& flags) {
+  return static_cast<Index>(std::count(flags.begin(), flags.end(), std::uint8_t{1}));
+}
+
+std::string cover_text(const CoverSpec& cover) {
+  const Vec3& h = cover.spacing;
+  std::string text = fmt::format("{}, order {}", lattice_name(cover.lattice), cover.order);
+  if (h[0] != h[1] || h[1] != h[2])
+    text += fmt::format(", spacing {:g}, {:g}, {:g} m", h[0], h[1], h[2]);
+  else if (h[0] > 0)
+    text += fmt::format(", spacing {:g} m", h[0]);
+  return text;
+}
+
+std::string counted(std::size_t n, const std::string& one, const std::string& many) {
+  return grouped(static_cast<std::int64_t>(n)) + " " + (n == 1 ? one : many);
+}
+
+/// With a comma behind, for the middle of a list.
+std::string counted_if_any(std::size_t n, const std::string& one, const std::string& many) {
+  return n == 0 ? "" : counted(n, one, many) + ", ";
+}
+
+std::string excavations_text(const Model& model) {
+  std::set<Index> stages;
+  for (const auto& excavation : model.excavations) stages.insert(excavation.stage);
+  return grouped(static_cast<std::int64_t>(model.excavations.size())) + " in " +
+         counted(stages.size(), "stage", "stages");
+}
+
+/// With the digits that map coordinates need.
+std::string extent_text(const NamedExtent& extent) {
+  if (!extent.bounded) return "without bounds";
+  const auto& [low, high] = extent.box;
+  return fmt::format("x {:.10g} to {:.10g}, y {:.10g} to {:.10g}, z {:.10g} to {:.10g} m", low[0],
+                     high[0], low[1], high[1], low[2], high[2]);
+}
+
+std::string analysis_name(AnalysisType type) {
+  switch (type) {
+    case AnalysisType::static_:
+      return "static";
+    case AnalysisType::quasi_static:
+      return "quasi-static";
+    case AnalysisType::dynamic:
+      return "dynamic";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string fact(const std::string& name, const std::string& value) {
+  return fmt::format("  {:<22} {}\n", name, value);
+}
+
+std::string check_summary(const Model& model, const std::vector<NamedExtent>& extents) {
+  std::string text = model.path + ": ok\n";
+  text += fact("title", model.title.empty() ? "-" : model.title);
+  text += fact("rock", counted(model.solids.size(), "solid", "solids") + ", " +
+                           counted(model.materials.size(), "material", "materials"));
+  text += fact("joints",
+               counted(model.joint_sets.size(), "set", "sets") + ", " +
+                   counted(model.joints.size(), "single joint", "single joints") + ", " +
+                   counted_if_any(model.joint_meshes.size(), "mesh", "meshes") +
+                   counted_if_any(model.joint_tables.size(), "table", "tables") +
+                   counted(model.joint_materials.size(), "joint material", "joint materials"));
+  for (const NamedExtent& extent : extents) text += fact("  " + extent.name, extent_text(extent));
+  if (!model.merges.empty())
+    text += fact("merges", counted(model.merges.size(), "region", "regions"));
+  if (!model.excavations.empty()) text += fact("excavations", excavations_text(model));
+  if (model.cover) text += fact("covers", cover_text(*model.cover));
+  if (model.analysis)
+    for (const AnalysisStage& stage : model.analysis->stages)
+      text += fact(
+          stage.name.empty() ? "analysis" : stage.name,
+          fmt::format("{}, {}", analysis_name(stage.type), counted(stage.steps, "step", "steps")) +
+              (stage.excavate != 0 ? fmt::format(", without the rock of stage {}", stage.excavate)
+                                   : ""));
+  for (const auto& [command, purpose] :
+       {std::pair{"support", Purpose::support}, {"run", Purpose::run}})
+    for (const auto& lack : missing_for(model, purpose))
+      text += fact(fmt::format("not yet for {}", command), lack.place.key + ": " + lack.message);
+  return text;
+}
+
+namespace {
+
+/// Joints with the same block on both sides: of those that were meant to cut blocks off, a sign that they fall short.
+std::string dead_end_fact(const CutTotals& totals) {
+  constexpr Real least = 1e-6;  // of the joint area, whose six digits stand above it
+  const Real area = totals.dangling_joint_area, whole = totals.joint_area;
+  if (!(area > least * whole)) return "";
+  if (area < whole)
+    return fact("dead ends",
+                fmt::format("{:.6g} m2 of it, {:.3g} %: joints that end inside a block", area,
+                            100 * area / whole));
+  return fact("dead ends",
+              fmt::format("{:.6g} m2, all of it: every joint ends inside a block and cuts nothing "
+                          "off. Larger joints, or others that they end on, would",
+                          area));
+}
+
+}  // namespace
+
+std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks) {
+  const auto [smallest, largest] = std::minmax_element(blocks.volume.begin(), blocks.volume.end());
+  std::string text =
+      fact("blocks",
+           fmt::format("{} ({} finite, {} convex)", grouped(blocks.block_count()),
+                       grouped(count_true(blocks.finite)), grouped(count_true(blocks.convex))));
+  text += fact("volume", fmt::format("{:.6g} m3 of rock", total_volume(blocks)));
+  if (smallest != blocks.volume.end())
+    text += fact("smallest, largest", fmt::format("{:.4g} m3, {:.4g} m3", *smallest, *largest));
+  text += fact("joint area", fmt::format("{:.6g} m2", totals.joint_area));
+  text += dead_end_fact(totals);
+  text += fact("faces, vertices",
+               fmt::format("{}, {}", grouped(static_cast<std::int64_t>(blocks.face_normal.size())),
+                           grouped(static_cast<std::int64_t>(blocks.vertex.size()))));
+  return text;
+}
+
+namespace {
+
+/// More [[fixed]] than this are summed.
+constexpr std::size_t most_conditions = 8;
+
+std::string monitor_facts(const MonitorHistory& monitor) {
+  if (monitor.displacement.empty()) return "";
+  return fact("monitor " + monitor.name, fmt::format("displacement {} m, {:.4g} m long",
+                                                     point_text(monitor.displacement.back()),
+                                                     norm(monitor.displacement.back()))) +
+         fact("", fmt::format("principal stresses {} Pa",
+                              point_text(principal_stresses(monitor.stress.back()))));
+}
+
+std::string monitor_facts(const JointHistory& monitor) {
+  if (monitor.time.empty()) return "";
+  return fact("monitor " + monitor.name,
+              fmt::format("{}: normal stress {:.4g} Pa, shear stress {:.4g} Pa", monitor.joint,
+                          monitor.normal_stress.back(), monitor.shear_stress.back())) +
+         fact("", fmt::format("opening {:.4g} m, slip {:.4g} m, {}", monitor.opening.back(),
+                              monitor.slip.back(), contact_name(monitor.state.back())));
+}
+
+std::string largest_text(const char* what, const LargestAtJoint& largest,
+                         const BlockArrays& blocks) {
+  const std::string joint = joint_name(blocks, largest.joint);
+  return fmt::format("{} {:.4g} m, {} between blocks {} and {}", what, largest.value,
+                     joint.empty() ? "faces that met" : joint, largest.block[0] + 1,
+                     largest.block[1] + 1);
+}
+
+/// Whether displacements count from a later step than the first.
+bool resets(const Model& model) {
+  const auto& steps = model.analysis->stages;
+  return std::any_of(steps.begin(), steps.end(),
+                     [](const AnalysisStage& step) { return step.reset_displacement; });
+}
+
+std::string rest_facts(const RunReport& report) {
+  const Rest& rest = *report.run.rest;
+  const Index gone = count_true(report.run.gone);
+  const Index blocks = report.blocks.block_count() - gone;
+  std::string text =
+      gone == 0 ? "" : fact("excavated", counted(gone, "block", "blocks") + " on the way");
+  text +=
+      fact("moved",
+           fmt::format("{} of {} blocks by more than a hundredth of their size; {}",
+                       grouped(rest.moved), grouped(blocks),
+                       rest.at_rest ? fmt::format("all at rest since t = {:.4g} s", rest.since)
+                                    : fmt::format("the fastest moves at {:.3g} m/s", rest.speed)));
+  for (const auto& [what, largest] :
+       {std::pair{"largest slip", rest.slip}, {"largest opening", rest.opening}})
+    if (largest.block[0] != none)
+      text += fact("", largest_text(what, largest, report.blocks) +
+                           (resets(report.model) ? ", since t = 0" : ""));
+  const ContactCount& c = report.run.contacts;
+  return text + fact("contact points", fmt::format("{} stick, {} slide, {} open", grouped(c.stick),
+                                                   grouped(c.slide), grouped(c.open)));
+}
+
+std::string strength_fact(const RockStrength& strength) {
+  if (strength.block == none) return "";
+  std::string text =
+      fmt::format("at least {:.3g} of the stress, in block {} at {}", strength.least_ratio,
+                  strength.block + 1, point_text(strength.point));
+  if (strength.failed_volume > 0)
+    text += fmt::format("; below 1 in {:.4g} m3", strength.failed_volume);
+  return fact("strength", text);
+}
+
+Vec3 sum_of_forces(const std::vector<Reaction>& conditions) {
+  Vec3 sum{};
+  for (const Reaction& condition : conditions) sum += condition.force;
+  return sum;
+}
+
+/// Without what is nothing but rounding and the solver's tolerance.
+std::string energy_text(const Energy& energy) {
+  const std::pair<const char*, Real> parts[] = {
+      {"kinetic", energy.kinetic},           {"strain", energy.strain},
+      {"potential", energy.potential},       {"contact", energy.contact},
+      {"friction", energy.friction},         {"impact", energy.impact},
+      {"dissipated", energy.dissipated},     {"work of loads", energy.loads},
+      {"work of supports", energy.supports}, {"excavated", energy.excavated}};
+  Real largest = 0;
+  for (const auto& [name, value] : parts) largest = std::max(largest, std::abs(value));
+  std::string text;
+  for (const auto& [name, value] : parts)
+    if (std::abs(value) > 1e-6 * largest)
+      text += fmt::format("{}{} {:.4g} J", text.empty() ? "" : ", ", name, value);
+  return text.empty() ? "0 J" : text;
+}
+
+/// The preconditioner of the last solve, and the fallback by its name where one was taken.
+std::string preconditioner_text(const RunResult& run) {
+  const std::int64_t count = run.iterations.fallbacks;
+  const std::string fallback = preconditioner_name(Preconditioner::direct);
+  std::string name = preconditioner_name(run.preconditioner);
+  if (count == 0) return name;
+  return fmt::format("{}, {}as fallback in {} solve{}", name,
+                     name == fallback ? "" : fallback + " ", grouped(count), count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string run_summary(const RunReport& report) {
+  const auto& run = report.run;
+  std::string text = fact(
+      "covers", fmt::format("{} of {} elements, {} unknowns", grouped(report.covers.cover_count()),
+                            grouped(report.covers.element_count()),
+                            grouped(3 * std::int64_t{report.covers.unknown_count()})));
+  const std::string steps = run.interrupted
+                                ? fmt::format("{} of {} (interrupted)", grouped(run.steps),
+                                              grouped(report.model.analysis->steps()))
+                                : grouped(run.steps);
+  text +=
+      fact("steps", fmt::format("{} to t = {:.6g} s, {} solver iterations ({})", steps, run.time,
+                                grouped(run.iterations.pcg), preconditioner_text(run)));
+  const LargestDisplacement& largest = run.largest_displacement;
+  const bool counts_anew = resets(report.model);
+  if (largest.block != none)
+    text += fact("largest displacement",
+                 fmt::format("{:.4g} m, in block {} at {}{}", largest.length, largest.block + 1,
+                             point_text(largest.point), counts_anew ? ", since the reset" : ""));
+  if (run.rest) text += rest_facts(report);
+  for (const auto& monitor : run.monitors) text += monitor_facts(monitor);
+  for (const auto& monitor : run.joint_monitors) text += monitor_facts(monitor);
+  text += strength_fact(run.strength);
+  if (run.conditions.size() <= most_conditions)
+    for (std::size_t n = 0; n < run.conditions.size(); ++n)
+      text += fact(fmt::format("reaction of fixed {}", n + 1),
+                   point_text(run.conditions[n].force) + " N");
+  else
+    text += fact("reactions", point_text(sum_of_forces(run.conditions)) + " N in all");
+  return text + fact("energy", energy_text(run.energy));
+}
+
+std::string info_summary(const ResultInfo& info, const std::string& path) {
+  std::string text = path + (info.title.empty() ? "" : ": " + info.title) + "\n";
+  text += fact("made by", fmt::format("rockfold {} {} ({})", info.version, info.command,
+                                      info.commit.empty() ? "commit unknown" : info.commit));
+  text += fact("units", info.units);
+  text += fact("blocks", fmt::format("{}, {:.6g} m3, {} faces", grouped(info.blocks), info.volume,
+                                     grouped(info.faces)));
+  text += fact("block theory",
+               info.block_theory ? "class, batch, mode and support of each block" : "-");
+  if (info.covers > 0)
+    text += fact("covers", fmt::format("{} physical covers, {} elements", grouped(info.covers),
+                                       grouped(info.elements)));
+  if (info.step.empty()) {
+    text += fact("states", "none");
+  } else {
+    text += fact("states", fmt::format("{}, t = {:g} … {:g} s", info.step.size(), info.time.front(),
+                                       info.time.back()));
+  }
+  if (info.unfinished)
+    text += fact("unfinished",
+                 fmt::format("`rockfold resume {}` goes on from step {}, t = {:g} s", path,
+                             info.unfinished->checkpoint, info.unfinished->checkpoint_time));
+  if (info.file_bytes == 0) return text;
+  text += fact("size", fmt::format("{:.3g} MB in {}", info.file_bytes / 1e6,
+                                   counted(info.datasets.size(), "data set", "data sets")));
+  return text;
+}
+
+}  // namespace rockfold

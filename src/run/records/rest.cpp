@@ -1,0 +1,73 @@
+#include "src/run/records/rest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "src/base/vector.hpp"
+#include "src/run/records/contact_samples.hpp"
+
+namespace rockfold {
+namespace {
+
+/// Share of √(g h) below which blocks are at rest.
+constexpr Real resting = 1e-3;
+
+void take_larger(Real value, Index joint, const Index (&block)[2], LargestAtJoint& largest) {
+  if (value <= largest.value) return;
+  largest = {value, joint, {block[0], block[1]}};
+}
+
+/// By the vector that is axis times angle (Rodrigues).
+Vec3 rotated(const Vec3& v, const Vec3& rotation) {
+  const Real angle = norm(rotation);
+  if (!(angle > 0)) return v;
+  const Vec3 axis = (1 / angle) * rotation;
+  return std::cos(angle) * v + std::sin(angle) * cross(axis, v) +
+         ((1 - std::cos(angle)) * dot(axis, v)) * axis;
+}
+
+}  // namespace
+
+Real resting_speed(const RunInput& input) {
+  const auto& volume = input.blocks.volume;
+  const Real rock = std::accumulate(volume.begin(), volume.end(), Real{0});
+  const Real size = std::cbrt(rock / static_cast<Real>(volume.size()));
+  return resting * std::sqrt(norm(input.model.gravity) * size);
+}
+
+Real largest_speed(const std::vector<BlockMotion>& velocity) {
+  Real largest = 0;
+  for (const BlockMotion& block : velocity) largest = std::max(largest, norm(block.displacement));
+  return largest;
+}
+
+Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
+               const std::vector<BlockMotion>& whole, const std::vector<BlockMotion>& velocity,
+               const std::vector<ContactPoint>& start, const std::vector<Vec3>& covers,
+               const std::vector<std::uint8_t>& gone) {
+  Rest rest;
+  const auto& volume = input.blocks.volume;
+  for (std::size_t b = 0; b < counted.size(); ++b) {
+    rest.moved += has_moved(counted[b].displacement, volume[b]);
+  }
+  const auto& block_of = input.contact->surfaces.vertex_block;
+  for (const ContactPoint& p : start) {
+    if (p.joint == none) continue;
+    const Index block[2] = {block_of[p.vertex[0]], block_of[p.vertex[3]]};
+    if (!gone.empty() && (gone[block[0]] != 0 || gone[block[1]] != 0)) continue;
+    const Vec3 normal = rotated({p.normal[0], p.normal[1], p.normal[2]}, whole[block[1]].rotation);
+    const Vec3 apart = way_apart(input, p, covers);
+    const Real opening = dot(normal, apart);
+    take_larger(opening, p.joint, block, rest.opening);
+    take_larger(norm(apart - opening * normal), p.joint, block, rest.slip);
+  }
+  rest.speed = largest_speed(velocity);
+  const Real limit = resting_speed(input);
+  rest.at_rest = rest.speed <= limit;
+  for (std::size_t b = 0; b < velocity.size(); ++b)
+    if (norm(velocity[b].displacement) > limit) rest.moving.push_back(static_cast<Index>(b));
+  return rest;
+}
+
+}  // namespace rockfold
