@@ -27,7 +27,7 @@ struct JointStressReport {
 };
 
 /// The stress σ of [initial_stress] holds everywhere before anything is open. Openings free their walls: their tractions σ n are taken away,
-/// and what that strains, with the rock as one elastic body on rollers far off, is added to σ. Each stage by itself, linear in all
+/// and what that strains, with the rock as one elastic body on springs far off (2G/R), is added to σ. Each stage by itself, linear in all
 /// before. Means over faces are sums over triangles no larger than the lattice's cells. The device must have been started. Throws
 /// Error(analysis) where the body does not come to equilibrium. Independent of the number of threads.
 JointStressReport find_joint_stress(const BlockArrays& blocks, const Model& model,

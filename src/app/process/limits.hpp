@@ -9,7 +9,7 @@
 
 namespace rockfold {
 
-/// Looks fifty times a second, in a thread of its own. Where a limit is met, the program is asked to stop as by a signal (src/signals.hpp): it
+/// Looks fifty times a second, in a thread of its own. Where a limit is met, the program is asked to stop as by a signal (signals.hpp): it
 /// ends at once before there is anything to keep, an analysis ends at the last step done, with a checkpoint. Where memory grows by another
 /// quarter in spite of that, it ends at once in any case.
 class LimitWatch {
