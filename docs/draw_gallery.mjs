@@ -121,12 +121,8 @@ function dress(picture) {
   const blocks = (rules, wanted) => [...app.surface.blockId].filter((_, b) => rules.some(holds(b)) === wanted);
   if (picture.hide) app.store.set({ hidden: blocks(picture.hide, true) });
   if (picture.ghost) app.store.set({ show: 'chosen', rest: 'ghost', chosen: blocks(picture.ghost, false) });
-  const { field } = app.store.state;
-  for (const category of app.fields.find(({ key }) => key === 'material').categories) {
-    const hex = picture.materials?.[category.name];
-    if (hex) category.colour = [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
-  }
-  if (picture.materials) for (const key of ['id', field]) app.store.set({ field: key }); // so that it reads the colours again
+  if (picture.materials)
+    app.store.set({ paint: app.data.document.materials.map((name) => picture.materials[name]?.slice(1) ?? '').join('_') });
 }
 
 /// Runs in the page: its picture, `across` pixels wide, as RGBA in base64.

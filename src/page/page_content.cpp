@@ -88,9 +88,12 @@ void add_dead_ends(const File& file, const Vec3& origin, PageArrays& arrays) {
     const std::vector<double> numbers = file.read_numbers(blocks + name);
     return std::vector<std::uint32_t>(numbers.begin(), numbers.end());
   };
+  std::vector<std::uint32_t> id = indices("block");
+  for (auto& b : id) ++b;
   std::vector<float> xyz;
   for (const double x : file.read_numbers(blocks + "vertex"))
     xyz.push_back(static_cast<float>(x - origin[xyz.size() % 3]));
+  arrays.add("dead_end_block", id);
   arrays.add("dead_end_origin", indices("origin"));
   arrays.add("dead_end_begin", indices("corner_begin"));
   arrays.add("dead_end_xyz", xyz);

@@ -4,7 +4,7 @@ import { categoryBytes, mapBytes, mapColour, type Rgb } from './colour';
 import { Contacts } from './contacts';
 import { type Context, supportOf } from './context';
 import type { Keyblock, PageData } from './data';
-import { makeFields, poles, rangeOf, type Field } from './fields';
+import { makeFields, paintMaterials, poles, rangeOf, type Field } from './fields';
 import { firstState } from './first_view';
 import { Keyboard } from './keyboard';
 import { historyAt, Motion } from './motion';
@@ -65,7 +65,11 @@ export class App implements Context {
     this.first = firstState(data, this.surface, this.motion);
     this.store = new Store(alone ? decodeState(location.hash, this.first) : { ...this.first });
     this.whatIf?.apply(this.store.state.tried);
-    this.store.listen((state, changed) => { if (changed.has('tried')) this.whatIf?.apply(state.tried); }); // before all who show it
+    paintMaterials(this.fields, this.store.state.paint);
+    this.store.listen((state, changed) => { // before all who show it
+      if (changed.has('tried')) this.whatIf?.apply(state.tried);
+      if (changed.has('paint')) paintMaterials(this.fields, state.paint);
+    });
     if (!this.fields.some((f) => f.key === this.store.state.field)) this.store.state.field = this.first.field;
     const canvas = h('canvas', { id: 'view', tabindex: 0, 'aria-label': 'the model' });
     this.scene = new Scene(canvas, data, this.surface, this.motion);
@@ -77,7 +81,7 @@ export class App implements Context {
     this.waterLevel = waterLevels(marks, data.document.origin, this.scene.radius);
     this.scene.extras.add(boltRods(this.support.bolts ?? [], data.document.origin, this.scene.radius), this.waterLevel, this.marks.object);
     this.scene.add(this.dots.object);
-    this.deadEnds = new DeadEnds(data);
+    this.deadEnds = new DeadEnds(data, this.surface);
     this.scene.add(this.deadEnds.object);
     this.build(canvas);
     this.wire(canvas);
@@ -263,16 +267,16 @@ export class App implements Context {
     if (has('tried')) this.waterLevel.position.z = this.whatIf?.waterRise ?? 0;
     if (has('fly')) this.control.fly = state.fly;
     if (has('fly', 'clip')) this.scene.showBacks(state.fly || state.clip.some((c) => c.on));
-    if (has('show', 'rest', 'stage', 'selected', 'chosen', 'hidden', 'opacity', 'field', 'tried') || (has('at') && state.show === 'moved'))
-      this.scene.setFlags(this.flags(state));
-    if (has('field', 'low', 'high', 'tried') || (has('at') && this.field().changes && !this.field().shader)) this.showValues();
+    const flagged = has('show', 'rest', 'stage', 'selected', 'chosen', 'hidden', 'opacity', 'field', 'tried') || (has('at') && state.show === 'moved');
+    if (flagged) this.scene.setFlags(this.flags(state));
+    if (has('field', 'paint', 'low', 'high', 'tried') || (has('at') && this.field().changes && !this.field().shader)) this.showValues();
     if (has('at', 'magnify')) this.scene.setMotion(state.at, state.magnify);
     if (has('magnify', 'explode')) this.scene.reach = Math.max(this.scene.reach, this.drawnBox().max.distanceTo(this.drawnBox().min));
     if (has('field', 'low', 'high', 'at', 'magnify', 'explode', 'joint')) this.showContacts();
     if (has('explode', 'edges', 'texture', 'opacity', 'joint', 'show', 'rest', 'field')) this.showLook();
     if (has('clip') || (state.clip.some((c) => c.on) && has('at', 'magnify', 'explode', 'show', 'rest', 'stage', 'chosen', 'hidden', 'opacity'))) this.showClip();
     // Dead ends stand in the rock as it was cut.
-    if (has('joint', 'explode')) this.deadEnds.show(state.explode === 0 ? state.joint : -1);
+    if (flagged || has('joint', 'explode')) this.deadEnds.show(state.explode === 0 ? state.joint : -1, this.scene.flags);
     if (has('at', 'magnify')) this.marks.follow((name) => this.monitorPlace(name));
     this.scene.extras.visible = state.symbols && state.explode === 0; // symbols stand in the rock, not in blocks pulled apart
     this.scene.request();
@@ -348,12 +352,8 @@ export class App implements Context {
       return [{ normal, distance: sign * (1 + state.explode) * (this.surface.low[axis]! + (c.at + 1.3e-5) * extent) }];
     });
     const flags = this.flags({ ...state, selected: 0 });
-    const lines = planes.length && state.edges ? planes.map((p) => sectionLines(this.surface, this.positions(), p, planes.filter((q) => q !== p), (b) => flags[b] === 0)) : [];
-    // A hair on the side cut away: the faces that meet the cut would hide half of each line.
-    lines.forEach((line, i) => { for (let k = 0; k < line.length; ++k) line[k] = line[k]! + 1.2e-3 * this.scene.radius * planes[i]!.normal[k % 3]!; });
-    const all = new Float32Array(lines.reduce((n, l) => n + l.length, 0));
-    lines.reduce((at, l) => { all.set(l, at); return at + l.length; }, 0);
-    this.scene.setClip(planes, all);
+    const position = this.positions();
+    this.scene.setClip(planes, state.edges ? planes.map((p) => sectionLines(this.surface, position, p, (b) => flags[b] === 0)) : []);
     this.marks.clip(planes);
     this.dots.clip(planes);
     this.deadEnds.clip(planes);

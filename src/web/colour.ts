@@ -85,6 +85,13 @@ export function categoryColour(i: number): Rgb {
   return lchToRgb([0.55 + 0.25 * ((i * 0.381966) % 1), 0.1, (i * 137.508) % 360]);
 }
 
+/// As stone and soil look. Any two differ by 0.11 or more in OKLab, for eyes without red or without green cones too (colour_test).
+const stone: string[] = ['#d2b48c', '#6492cb', '#7f7221', '#c1e3fc', '#6e4c40', '#ede091', '#507986', '#2b568b'];
+
+export function materialColour(i: number): Rgb {
+  return i < stone.length ? fromHex(stone[i]!) : categoryColour(i);
+}
+
 /// For ids: neighbours in number look different, none shouts.
 export function idColour(id: number): Rgb {
   const hue = (id * 137.50776) % 360;

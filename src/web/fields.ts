@@ -1,5 +1,5 @@
 // What blocks can be coloured by: the values, their unit, and the colours that suit them.
-import { categoryColour, fromHex, idColour, type MapName, type Rgb } from './colour';
+import { categoryColour, fromHex, idColour, type MapName, materialColour, type Rgb } from './colour';
 import { Contacts } from './contacts';
 import type { PageData } from './data';
 import { type Motion, placeAt } from './motion';
@@ -54,7 +54,7 @@ function blockFields({ document, arrays }: PageData, surface: Surface): Field[] 
     { key: 'volume', label: 'Volume', unit: 'm³', of: 'block', map: 'sequential', changes: false,
       values: constant(arrays.get('volume')) },
     { key: 'material', label: 'Material', unit: '', of: 'block', changes: false,
-      categories: document.materials.map((name, i) => ({ name, colour: categoryColour((i + 1) % 8) })),
+      categories: document.materials.map((name, i) => ({ name, colour: materialColour(i) })),
       values: constant(arrays.get('material')) },
   ];
   const stage = arrays.get('stage');
@@ -68,6 +68,22 @@ function blockFields({ document, arrays }: PageData, surface: Surface): Field[] 
     categories: [{ name: 'goes on', colour: fromHex('#9aa3ad') }, { name: 'finite', colour: categoryColour(0) }],
     values: constant(arrays.get('finite')) });
   return fields;
+}
+
+/// Gives materials the colours of ViewState.paint, or their own.
+export function paintMaterials(fields: Field[], paint: string): void {
+  const hex = paint.split('_');
+  fields.find((f) => f.key === 'material')!.categories!.forEach((category, i) => {
+    category.colour = /^[0-9a-f]{6}$/.test(hex[i] ?? '') ? fromHex(`#${hex[i]}`) : materialColour(i);
+  });
+}
+
+/// ViewState.paint with another colour ("#99aabb") for one material.
+export function repainted(paint: string, material: number, colour: string): string {
+  const hex = paint.split('_');
+  while (hex.length <= material) hex.push('');
+  hex[material] = colour.slice(1);
+  return hex.join('_');
 }
 
 function theoryFields({ arrays }: PageData, surface: Surface, whatIf: WhatIf | undefined): Field[] {

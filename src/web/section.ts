@@ -7,10 +7,9 @@ export interface ClipPlane {
   distance: number;
 }
 
-/// Segments [..][2][3] in which the plane meets the triangles of blocks that `drawn` holds, less what other planes cut
-/// away. `position` [P][3] is where the points are now.
-export function sectionLines(surface: Surface, position: Float32Array, plane: ClipPlane, others: ClipPlane[],
-  drawn: (block: number) => boolean): Float32Array {
+/// Segments [..][2][3] in which the plane meets the triangles of blocks that `drawn` holds, counter-clockwise about the block
+/// as seen from what is cut away. `position` [P][3] is where the points are now.
+export function sectionLines(surface: Surface, position: Float32Array, plane: ClipPlane, drawn: (block: number) => boolean): Float32Array {
   const [nx, ny, nz] = plane.normal;
   const height = new Float32Array(position.length / 3);
   for (let p = 0, i = 0; p < height.length; ++p, i += 3)
@@ -20,8 +19,8 @@ export function sectionLines(surface: Surface, position: Float32Array, plane: Cl
   for (let b = 0; b + 1 < surface.triangleBegin.length; ++b) {
     if (!drawn(b)) continue;
     for (let t = 3 * surface.triangleBegin[b]!; t < 3 * surface.triangleBegin[b + 1]!; t += 3) {
-      let met = 0;
-      for (let c = 0; c < 3 && met < 2; ++c) {
+      let met = false;
+      for (let c = 0; c < 3; ++c) {
         const p = surface.corner[t + c]! >>> 3;
         const q = surface.corner[t + ((c + 1) % 3)]! >>> 3;
         const hp = height[p]!;
@@ -29,18 +28,11 @@ export function sectionLines(surface: Surface, position: Float32Array, plane: Cl
         if (hp > 0 === hq > 0) continue;
         const share = hp / (hp - hq);
         for (let d = 0; d < 3; ++d)
-          ends[3 * met + d] = position[3 * p + d]! + share * (position[3 * q + d]! - position[3 * p + d]!);
-        ++met;
+          ends[(hp > 0 ? 0 : 3) + d] = position[3 * p + d]! + share * (position[3 * q + d]! - position[3 * p + d]!);
+        met = true;
       }
-      if (met === 2 && kept(ends, others)) out.push(...ends);
+      if (met) out.push(...ends);
     }
   }
   return Float32Array.from(out);
-}
-
-/// Whether the middle of a segment is on the kept side of all planes.
-function kept(ends: number[], planes: ClipPlane[]): boolean {
-  return planes.every(({ normal, distance }) =>
-    normal[0] * (ends[0]! + ends[3]!) + normal[1] * (ends[1]! + ends[4]!) + normal[2] * (ends[2]! + ends[5]!) <=
-    2 * distance);
 }

@@ -92,3 +92,17 @@ export function areaVector(s: Surface, t: number, out: number[]): void {
   out[1] = uz * vx - ux * vz;
   out[2] = ux * vy - uy * vx;
 }
+
+/// [N] m: the sides of each block's triangles that are edges.
+export function edgeLengths(s: Surface): Float32Array {
+  const sum = new Float32Array(s.blockId.length);
+  const p = s.point;
+  for (let i = 0; i < s.corner.length; ++i) {
+    if (!((s.corner[i]! >>> (i % 3)) & 1)) continue;
+    const a = 3 * (s.corner[i]! >>> 3);
+    const b = 3 * (s.corner[i % 3 === 2 ? i - 2 : i + 1]! >>> 3);
+    const block = s.blockOfPoint[a / 3]!;
+    sum[block] = sum[block]! + Math.hypot(p[b]! - p[a]!, p[b + 1]! - p[a + 1]!, p[b + 2]! - p[a + 2]!);
+  }
+  return sum;
+}

@@ -8,6 +8,7 @@ export interface Clip {
 
 export interface ViewState {
   field: string;
+  paint: string; // colours of materials in their order, "c0c0c0__5f7f5a"; empty: the page's own
   at: number; // place in the list of states: 1.25 is a quarter past the second
   magnify: number; // of displacements
   stage: number; // excavated so far; −1: all
@@ -35,7 +36,7 @@ const off = (): Clip => ({ on: false, at: 0.5, flip: false });
 
 export function initialState(): ViewState {
   return {
-    field: '', at: 0, magnify: 1, stage: -1, show: 'all', rest: 'ghost', opacity: 1, explode: 0, edges: true, texture: true,
+    field: '', paint: '', at: 0, magnify: 1, stage: -1, show: 'all', rest: 'ghost', opacity: 1, explode: 0, edges: true, texture: true,
     symbols: true, joint: -1, clip: [off(), off(), off()], selected: 0, chosen: [], tried: [], hidden: [], low: null, high: null,
     theme: 'auto', fly: false, camera: [],
   };

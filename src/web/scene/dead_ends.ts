@@ -1,8 +1,10 @@
-// Joints that end inside blocks: no block has them for a face, so they are drawn by themselves.
+// Joints that end inside blocks: no block has them for a face, so they are drawn by themselves, where their block is shown.
 import * as THREE from 'three';
 import { originColours } from '../fields';
 import type { PageData } from '../data';
 import type { ClipPlane } from '../section';
+import type { Surface } from '../surface';
+import { Flag } from './shaders';
 
 const vertex = /* glsl */ `
 in vec3 position, aColour;
@@ -30,14 +32,17 @@ export class DeadEnds {
   private readonly clips = [new THREE.Vector4(), new THREE.Vector4(), new THREE.Vector4()];
   private readonly triangle: Uint32Array; // corners
   private readonly origin: Uint32Array; // of each triangle
-  private joint = -1;
+  private readonly block: Int32Array; // of each triangle, 0 … N-1; −1: the page leaves it out
 
-  constructor(data: PageData) {
+  constructor(data: PageData, surface: Surface) {
     const begin = data.arrays.find('dead_end_begin') ?? [0];
     const place = data.arrays.find('dead_end_xyz') ?? [];
     const of = data.arrays.find('dead_end_origin') ?? [];
+    const inBlock = data.arrays.find('dead_end_block') ?? [];
+    const row = new Map(Array.from(surface.blockId, (id, b) => [id, b]));
     const corners: number[] = [];
     const origins: number[] = [];
+    const blocks: number[] = [];
     const colour = new Float32Array(place.length);
     const colours = originColours(data);
     for (let p = 0; p + 1 < begin.length; ++p) {
@@ -46,10 +51,12 @@ export class DeadEnds {
       for (let c = first + 1; c + 1 < begin[p + 1]!; ++c) {
         corners.push(first, c, c + 1); // convex polygons, as fans
         origins.push(of[p]!);
+        blocks.push(row.get(inBlock[p]!) ?? -1);
       }
     }
     this.triangle = Uint32Array.from(corners);
     this.origin = Uint32Array.from(origins);
+    this.block = Int32Array.from(blocks);
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', new THREE.BufferAttribute(Float32Array.from(place), 3));
     geometry.setAttribute('aColour', new THREE.BufferAttribute(colour, 3));
@@ -61,12 +68,11 @@ export class DeadEnds {
     this.object.visible = false;
   }
 
-  /// Those of one joint; −1 none, −2 all.
-  show(joint: number): void {
-    this.object.visible = joint !== -1 && this.triangle.length > 0;
-    if (joint === this.joint || joint === -1) return;
-    this.joint = joint;
-    const shown = joint === -2 ? this.triangle : this.triangle.filter((_, i) => this.origin[(i / 3) | 0] === joint);
+  /// Those of one joint (−1 none, −2 all) in blocks that are not hidden. `flags` [N] of shaders.ts.
+  show(joint: number, flags: Uint8Array): void {
+    const isShown = (t: number): boolean => (joint === -2 || this.origin[t] === joint) && !((flags[this.block[t]!] ?? Flag.hidden) & Flag.hidden);
+    const shown = joint === -1 ? this.triangle.subarray(0, 0) : this.triangle.filter((_, i) => isShown((i / 3) | 0));
+    this.object.visible = shown.length > 0;
     this.object.geometry.setIndex(new THREE.BufferAttribute(shown, 1));
   }
 

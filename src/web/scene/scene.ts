@@ -4,9 +4,10 @@ import { originColours } from '../fields';
 import type { PageData } from '../data';
 import { type Motion, placeAt } from '../motion';
 import type { ClipPlane } from '../section';
-import { radius, type Surface } from '../surface';
+import { edgeLengths, radius, type Surface } from '../surface';
 import { rockTexture } from './rock';
-import { fragmentShader, Pass, vertexShader } from './shaders';
+import { SectionLines } from './section_lines';
+import { Flag, fragmentShader, Pass, vertexShader } from './shaders';
 import { floats, MotionTexture, numberTexture, pointTexture } from './textures';
 
 export interface Picked {
@@ -20,6 +21,10 @@ export interface Palette {
   none: string;
   accent: string;
 }
+
+/// Opacity of the edges of ghosts: of one alone, and of all over one place, as that of their faces (App.showLook).
+const mostGhostEdge = 0.35;
+const veil = 0.22;
 
 /// Without a graphics card several samples a pixel take several times as long, and SwiftShader mixes in what lies behind edges of caps.
 function drawsInSoftware(): boolean {
@@ -37,15 +42,18 @@ export class Scene {
   readonly extras = new THREE.Group(); // bolts and other symbols
   private readonly scene = new THREE.Scene();
   private readonly pickScene = new THREE.Scene();
-  private readonly meshes: Record<'solid' | 'caps' | 'ghost' | 'joints' | 'pick' | 'pickCaps', THREE.Mesh<THREE.BufferGeometry, THREE.RawShaderMaterial>>;
+  private readonly ghosts: THREE.Mesh;
+  private readonly joints: THREE.Mesh;
+  private readonly caps: THREE.Mesh[] = [];
+  private readonly edgeLength: Float32Array; // [N] m, of each block's faces: each edge twice
+  private ghostEdges = 0; // m, of all ghosts
   private readonly uniforms: Record<string, THREE.IUniform>;
   private readonly blockTexture: THREE.DataTexture;
   private readonly motionTextures: [MotionTexture, MotionTexture];
   private readonly values: Record<'block' | 'point' | 'origin', THREE.DataTexture>;
   private readonly map: THREE.DataTexture;
   private readonly target: THREE.WebGLRenderTarget;
-  private readonly sectionLines: THREE.LineSegments;
-  private readonly nearer = { value: 0 }; // of backs: shaders.ts
+  private readonly sectionLines: SectionLines;
   private waiting = false;
   /// Called before each frame, with the size of the canvas in CSS pixels.
   beforeFrame: () => void = () => {};
@@ -59,7 +67,7 @@ export class Scene {
   reach: number;
 
   constructor(readonly canvas: HTMLCanvasElement, data: PageData, private readonly surface: Surface, private readonly motion: Motion) {
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !drawsInSoftware(), preserveDrawingBuffer: false });
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !drawsInSoftware(), stencil: true, preserveDrawingBuffer: false });
     this.renderer.localClippingEnabled = true; // of bolts; the blocks' shader cuts by itself
     this.radius = this.reach = radius(surface);
     this.camera.up.set(0, 0, 1);
@@ -74,34 +82,40 @@ export class Scene {
     };
     this.map = new THREE.DataTexture(new Uint8Array(4 * 256), 256, 1);
     this.motionTextures = [new MotionTexture(motion, surface), new MotionTexture(motion, surface)];
+    this.edgeLength = edgeLengths(surface);
     this.uniforms = this.makeUniforms(data);
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('aCorner', new THREE.BufferAttribute(surface.corner, 1));
     geometry.setAttribute('aOrigin', this.originAttribute());
     geometry.setDrawRange(0, surface.corner.length);
-    // Two blocks have a face in common wherever they touch. Through a cut the back of the nearer one must win: backs are drawn a
-    // hair nearer, and fronts farther by some of the 1/256 pixel to which places on the screen are rounded.
-    const backs = { side: THREE.BackSide };
-    const fronts = { side: THREE.FrontSide, polygonOffset: true, polygonOffsetFactor: 1 / 32, polygonOffsetUnits: 2 };
-    this.meshes = {
-      solid: this.mesh(geometry, Pass.solid, fronts),
-      caps: this.mesh(geometry, Pass.solid, backs),
-      ghost: this.mesh(geometry, Pass.ghost, { side: THREE.FrontSide, transparent: true, depthWrite: false }),
-      joints: this.mesh(geometry, Pass.joints, { transparent: true, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 }),
-      pick: this.mesh(geometry, Pass.pick, { ...fronts, blending: THREE.NoBlending }),
-      pickCaps: this.mesh(geometry, Pass.pick, { ...backs, blending: THREE.NoBlending }),
-    };
-    this.meshes.ghost.renderOrder = 2;
-    this.meshes.joints.renderOrder = 1;
-    this.sectionLines = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x222222 }));
-    this.sectionLines.frustumCulled = false;
-    this.scene.add(this.meshes.solid, this.meshes.caps, this.meshes.ghost, this.meshes.joints, this.sectionLines, this.extras);
-    this.pickScene.add(this.meshes.pick, this.meshes.pickCaps);
-    this.target = new THREE.WebGLRenderTarget(1, 1, { type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter });
+    this.ghosts = this.mesh(geometry, Pass.ghost, { side: THREE.FrontSide, transparent: true, depthWrite: false });
+    this.joints = this.mesh(geometry, Pass.joints, { transparent: true, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 });
+    this.ghosts.renderOrder = 2;
+    this.joints.renderOrder = 1;
+    this.sectionLines = new SectionLines(this.uniforms.uInk!);
+    this.scene.add(...this.rock(geometry, Pass.solid), this.ghosts, this.joints, this.sectionLines.object, this.extras);
+    this.pickScene.add(...this.rock(geometry, Pass.pick));
+    this.target = new THREE.WebGLRenderTarget(1, 1, { type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter, stencilBuffer: true });
   }
 
   add(part: THREE.Object3D): void {
     this.scene.add(part);
+  }
+
+  /// Blocks are closed and do not overlap. From where the line of sight enters what sections keep it meets as many backs of faces as
+  /// fronts, or one more: then it enters inside a block, whose cap is seen. The stencil counts that; depths of coincident faces decide nothing.
+  private rock(geometry: THREE.BufferGeometry, pass: number): THREE.Mesh[] {
+    const count = { colorWrite: false, depthWrite: false, depthTest: false, stencilWrite: true };
+    const drawn = { blending: THREE.NoBlending, stencilWrite: true };
+    const [backsCounted, frontsCounted, fronts, caps] = [
+      this.mesh(geometry, Pass.count, { ...count, side: THREE.BackSide, stencilZPass: THREE.IncrementWrapStencilOp }),
+      this.mesh(geometry, Pass.count, { ...count, side: THREE.FrontSide, stencilZPass: THREE.DecrementWrapStencilOp }),
+      this.mesh(geometry, pass, { ...drawn, side: THREE.FrontSide, stencilFunc: THREE.EqualStencilFunc }),
+      this.mesh(geometry, pass, { ...drawn, side: THREE.BackSide, stencilFunc: THREE.NotEqualStencilFunc }),
+    ] as const;
+    backsCounted.renderOrder = frontsCounted.renderOrder = -1;
+    this.caps.push(backsCounted, frontsCounted, caps);
+    return [backsCounted, frontsCounted, fronts, caps];
   }
 
   private originAttribute(): THREE.BufferAttribute {
@@ -125,7 +139,7 @@ export class Scene {
       uFrom: { value: this.motionTextures[0].texture }, uTo: { value: this.motionTextures[1].texture },
       uUnitFrom: { value: 0 }, uUnitTo: { value: 0 }, uShare: { value: 0 }, uExplode: { value: 0 }, uMagnify: { value: 1 },
       uClip: { value: [new THREE.Vector4(), new THREE.Vector4(), new THREE.Vector4()] }, uMap: { value: this.map },
-      uRock: { value: rockTexture() }, uEdges: { value: true }, uTexture: { value: true }, uGhost: { value: 0.1 }, uDepth: { value: 0.5 },
+      uRock: { value: rockTexture() }, uEdges: { value: true }, uTexture: { value: true }, uGhost: { value: 0.1 }, uGhostEdge: { value: 0 }, uDepth: { value: 0.5 },
       uGrain: { value: this.radius / 4 }, uEdgeWidth: { value: 0.9 }, uNone: { value: new THREE.Vector3(0.7, 0.7, 0.7) },
       uInk: { value: new THREE.Vector3() }, uAccent: { value: new THREE.Vector3() },
     };
@@ -135,7 +149,7 @@ export class Scene {
     const material = new THREE.RawShaderMaterial({
       glslVersion: THREE.GLSL3, vertexShader, fragmentShader, side: THREE.DoubleSide, forceSinglePass: true,
       defines: { MOTION: this.motion.pointMotion ? 1 : this.motion.blockMotion ? 2 : 0 },
-      uniforms: { ...this.uniforms, uPass: { value: pass }, uBacks: { value: parameters.side === THREE.BackSide }, uNearer: parameters.side === THREE.BackSide ? this.nearer : { value: 0 } }, ...parameters,
+      uniforms: { ...this.uniforms, uPass: { value: pass }, uBacks: { value: parameters.side === THREE.BackSide } }, ...parameters,
     });
     const mesh = new THREE.Mesh(geometry, material);
     mesh.frustumCulled = false;
@@ -148,13 +162,13 @@ export class Scene {
     this.flags = flags;
     ++this.timesFlagged;
     const data = floats(this.blockTexture);
-    let ghosts = false;
+    this.ghostEdges = 0;
     for (let b = 0; b < flags.length; ++b) {
       data[4 * b + 3] = flags[b]!;
-      ghosts ||= (flags[b]! & 3) === 2;
+      if (flags[b]! & Flag.ghost) this.ghostEdges += this.edgeLength[b]!;
     }
     this.blockTexture.needsUpdate = true;
-    this.meshes.ghost.visible = ghosts;
+    this.ghosts.visible = flags.some((f) => (f & Flag.ghost) !== 0);
   }
 
   /// Values along the map, 0 … 1; NaN: none.
@@ -202,7 +216,8 @@ export class Scene {
     this.uniforms.uShare!.value = place.share;
   }
 
-  setClip(planes: ClipPlane[], lines: Float32Array): void {
+  /// `lines`: for each plane what sectionLines finds.
+  setClip(planes: ClipPlane[], lines: Float32Array[]): void {
     const clip = this.uniforms.uClip!.value as THREE.Vector4[];
     clip.forEach((v, i) => {
       const plane = planes[i];
@@ -213,15 +228,12 @@ export class Scene {
     this.extras.traverse((part) => {
       if (part instanceof THREE.Mesh) (part.material as THREE.Material).clippingPlanes = cuts;
     });
-    this.sectionLines.geometry.dispose();
-    this.sectionLines.geometry = new THREE.BufferGeometry();
-    this.sectionLines.geometry.setAttribute('position', new THREE.BufferAttribute(lines, 3));
-    this.sectionLines.visible = lines.length > 0;
+    this.sectionLines.show(planes, lines);
   }
 
   /// Backs of faces are seen through cuts, and from within the rock.
   showBacks(shown: boolean): void {
-    this.meshes.caps.visible = this.meshes.pickCaps.visible = shown;
+    for (const mesh of this.caps) mesh.visible = shown;
   }
 
   setLook(look: { explode: number; edges: boolean; texture: boolean; ghost: number; joint: number }): void {
@@ -230,7 +242,7 @@ export class Scene {
     this.uniforms.uTexture!.value = look.texture;
     this.uniforms.uGhost!.value = look.ghost;
     this.uniforms.uJoint!.value = look.joint;
-    this.meshes.joints.visible = look.joint !== -1;
+    this.joints.visible = look.joint !== -1;
   }
 
   setPalette(palette: Palette): void {
@@ -248,7 +260,9 @@ export class Scene {
   resize(width: number, height: number, ratio: number): void {
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
-    this.uniforms.uEdgeWidth!.value = 0.55 + 0.35 * ratio;
+    const edge = 0.55 + 0.35 * ratio; // on either side of it
+    this.uniforms.uEdgeWidth!.value = edge;
+    this.sectionLines.resize(width * ratio, height * ratio, edge);
     this.ratioChanged(ratio);
     this.camera.aspect = width / Math.max(1, height);
     this.camera.updateProjectionMatrix();
@@ -267,8 +281,17 @@ export class Scene {
   draw(): void {
     this.beforeFrame();
     this.fitDepth();
+    this.thinGhosts();
     this.renderer.render(this.scene, this.camera);
     ++this.frames;
+  }
+
+  /// Lines over a place of the screen on average: half of all faces are fronts, a line of random direction is seen at π/4 of its length, and a
+  /// cube of this radius R has a mean shadow of 2 R² (Cauchy: a quarter of its surface). All of them together cover no more than `veil`.
+  private thinGhosts(): void {
+    const metresInPixel = (2 * this.camera.position.length() * Math.tan((this.camera.fov * Math.PI) / 360)) / this.renderer.domElement.height;
+    const layers = (0.5 * this.ghostEdges * (Math.PI / 4) * (this.uniforms.uEdgeWidth!.value as number) * metresInPixel) / (2 * this.radius ** 2);
+    this.uniforms.uGhostEdge!.value = Math.min(mostGhostEdge, veil / layers);
   }
 
   /// The nearest and farthest distances that hold the model, exploded and moved.
@@ -278,8 +301,6 @@ export class Scene {
     this.camera.near = Math.max(this.radius * 4e-4, distance - reach);
     this.camera.far = distance + reach;
     this.camera.updateProjectionMatrix();
-    // Some steps of a depth of 24 bits at the far end; the least was found by looking at cuts.
-    this.nearer.value = Math.max(4e-5, Math.min(1.5e-4, (4 * this.camera.far) / (this.camera.near * 2 ** 24)));
   }
 
   /// What is at a place of the canvas (CSS pixels): one pixel is drawn with numbers instead of colours.

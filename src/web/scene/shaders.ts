@@ -5,7 +5,7 @@
 export const rowLength = 2048;
 
 /// Which triangles a draw shows.
-export const Pass = { solid: 0, ghost: 1, joints: 2, pick: 3 } as const;
+export const Pass = { solid: 0, ghost: 1, joints: 2, pick: 3, count: 4 } as const;
 
 /// What a block's flags say; the shader has the same numbers.
 export const Flag = { solid: 0, hidden: 1, ghost: 2, selected: 4 } as const;
@@ -28,7 +28,6 @@ uniform float uLow, uHigh;   // limits of the map for a displacement
 uniform int uPass, uJoint;   // uJoint: the origin to show, −2 all joints
 uniform sampler2D uOrigin;   // kind, colour
 uniform float uExplode, uMagnify, uShare;
-uniform float uNearer;       // by which share of its distance a point is drawn nearer, for its depth alone
 #if MOTION == 1
 uniform isampler2D uFrom, uTo;
 uniform float uUnitFrom, uUnitTo;
@@ -65,9 +64,9 @@ vec3 displacement(int point, int block, vec3 x) {
 bool isShown(int flags, int origin, vec4 kind) {
   if ((flags & ${Flag.hidden}) != 0) return false;
   bool ghost = (flags & ${Flag.ghost}) != 0;
-  if (uPass == ${Pass.solid} || uPass == ${Pass.pick}) return !ghost;
   if (uPass == ${Pass.ghost}) return ghost;
-  return kind.w == 0.0 && (uJoint == -2 || uJoint == origin);
+  if (uPass == ${Pass.joints}) return kind.w == 0.0 && (uJoint == -2 || uJoint == origin);
+  return !ghost;
 }
 
 void main() {
@@ -87,8 +86,7 @@ void main() {
   vSides = vec3(c == 0, c == 1, c == 2);
   // A side lies opposite to the corner whose weight vanishes on it.
   vEdges = vec3((sides >> 1) & 1, (sides >> 2) & 1, sides & 1);
-  vec3 seen = (1.0 - uNearer) * (viewMatrix * vec4(vPosition, 1.0)).xyz;
-  gl_Position = isShown(vFlags, origin, kind) ? projectionMatrix * vec4(seen, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+  gl_Position = isShown(vFlags, origin, kind) ? projectionMatrix * viewMatrix * vec4(vPosition, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }
 `;
 
@@ -109,7 +107,7 @@ uniform sampler2D uMap, uRock;
 uniform int uPass;
 uniform bool uEdges, uTexture;
 uniform bool uBacks;         // this draw shows the backs of faces (three.js then calls them front)
-uniform float uGhost, uDepth, uGrain, uEdgeWidth;
+uniform float uGhost, uGhostEdge, uDepth, uGrain, uEdgeWidth;
 uniform vec3 uNone, uInk, uAccent;
 
 out vec4 colour;
@@ -135,31 +133,38 @@ float edge() {
   return max(near.x, max(near.y, near.z));
 }
 
-// Where the line of sight enters what the planes leave: there lies the cap of the block whose back it meets. Planes are
-// what it looks through, so the last of them counts. False: the eye is inside the block itself.
-bool cap(out vec3 at, out vec3 normal) {
+// Where the line of sight enters and leaves what the planes keep, in shares of the way from the eye to the fragment;
+// enter = 0: the eye is in it. Also the normal of the plane through which it enters.
+void keptSpan(out float enter, out float leave, out vec3 normal) {
   vec3 ray = vPosition - cameraPosition;
-  float last = 0.0;
+  enter = 0.0;
+  leave = 1e9;
+  normal = vec3(0.0);
   for (int i = 0; i < 3; ++i) {
     float height = dot(uClip[i].xyz, cameraPosition) - uClip[i].w;
-    if (height <= 0.0 || dot(uClip[i].xyz, uClip[i].xyz) < 0.5) continue;
-    float t = height / -dot(uClip[i].xyz, ray);
-    if (t > last) { last = t; normal = uClip[i].xyz; }
+    float climb = dot(uClip[i].xyz, ray);
+    if (height <= 0.0) { if (climb > 0.0) leave = min(leave, -height / climb); }
+    else if (climb >= 0.0) leave = -1.0;
+    else if (-height / climb > enter) { enter = -height / climb; normal = uClip[i].xyz; }
   }
-  at = cameraPosition + last * ray;
-  return last > 0.0;
 }
 
 void main() {
-  for (int i = 0; i < 3; ++i) if (dot(uClip[i].xyz, vPosition) > uClip[i].w) discard;
+  float enter, leave;
+  vec3 plane;
+  keptSpan(enter, leave, plane);
+  if (enter > 1.0) discard;
+  if (uPass == ${Pass.count}) { colour = vec4(0.0); return; }
+  bool capped = uBacks && enter > 0.0;
+  if ((capped ? enter : 1.0) > leave) discard;
   vec3 at = vPosition, rest = vRest;
   vec3 normal = normalize(cross(dFdx(vPosition), dFdy(vPosition)));
   vec3 restNormal = normalize(cross(dFdx(vRest), dFdy(vRest)));
   float line = uEdges ? edge() : 0.0;
-  bool capped = false;
-  if (uBacks) {
-    capped = cap(at, normal);
-    if (capped) { rest = at; restNormal = normal; line = 0.0; }
+  if (capped) {
+    rest = at = cameraPosition + enter * (vPosition - cameraPosition);
+    restNormal = normal = plane;
+    line = 0.0;
   }
   if (uPass == ${Pass.pick}) { colour = vec4(at, float(vBlock + 1)); return; }
 
@@ -179,7 +184,7 @@ void main() {
     line *= 1.6;
   }
   shade = mix(shade, selected ? vec3(1.0) : uInk, min(1.0, 0.62 * line));
-  float alpha = uPass == ${Pass.ghost} ? min(1.0, uGhost + 0.35 * line * (1.0 - uGhost)) : uPass == ${Pass.joints} ? 0.8 : 1.0;
+  float alpha = uPass == ${Pass.ghost} ? min(1.0, uGhost + uGhostEdge * line * (1.0 - uGhost)) : uPass == ${Pass.joints} ? 0.8 : 1.0;
   colour = vec4(shade, alpha);
 }
 `;

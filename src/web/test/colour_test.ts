@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { lchToRgb, mapColour, rgbToOklab, type Rgb } from '../colour';
+import { lchToRgb, mapColour, materialColour, rgbToOklab, type Rgb } from '../colour';
 
 const distance = (a: number[], b: number[]): number => Math.hypot(...a.map((x, i) => x - b[i]!));
 
@@ -42,4 +42,11 @@ test('the two arms of the diverging map differ for every eye', () => {
   for (const see of [(c: Rgb) => c, (c: Rgb) => colourBlind(c, 'protan'), (c: Rgb) => colourBlind(c, 'deutan')])
     for (const share of [0, 0.1, 0.2, 0.3])
       assert.ok(distance(rgbToOklab(see(mapColour('diverging', share))), rgbToOklab(see(mapColour('diverging', 1 - share)))) > 0.1, `at ${share}`);
+});
+
+test('colours of eight materials differ for every eye', () => {
+  for (const see of [(c: Rgb) => c, (c: Rgb) => colourBlind(c, 'protan'), (c: Rgb) => colourBlind(c, 'deutan')])
+    for (let i = 0; i < 8; ++i)
+      for (let j = 0; j < i; ++j)
+        assert.ok(distance(rgbToOklab(see(materialColour(i))), rgbToOklab(see(materialColour(j)))) > 0.11, `${i} and ${j}`);
 });

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { poles } from '../fields';
 import { sectionLines } from '../section';
-import { radius, readSurface } from '../surface';
+import { edgeLengths, radius, readSurface } from '../surface';
 import { sampleData } from './sample';
 
 test('polygons become triangles whose diagonals are no edges', () => {
@@ -18,7 +18,13 @@ test('polygons become triangles whose diagonals are no edges', () => {
   assert.equal(radius(s), Math.hypot(5, 3, 4) / 2);
 });
 
-test('the section of a box is its outline, less what another plane cuts away', () => {
+test('edges have each a length on both of their faces, diagonals none', () => {
+  const [wedge, slab] = edgeLengths(readSurface(sampleData().arrays));
+  assert.ok(Math.abs(wedge! - 2 * (2 + 3 + 1 + Math.sqrt(13) + Math.sqrt(5) + Math.sqrt(10))) < 1e-5);
+  assert.ok(Math.abs(slab! - 2 * 4 * (2 + 1 + 4)) < 1e-5);
+});
+
+test('the section of a box is its outline', () => {
   const s = readSurface(sampleData().arrays);
   const plane = { normal: [0, 0, 1] as [number, number, number], distance: 2 };
   const lengthOf = (lines: Float32Array): number => {
@@ -26,12 +32,14 @@ test('the section of a box is its outline, less what another plane cuts away', (
     for (let i = 0; i < lines.length; i += 6) sum += Math.hypot(lines[i]! - lines[i + 3]!, lines[i + 1]! - lines[i + 4]!, lines[i + 2]! - lines[i + 5]!);
     return sum;
   };
-  const all = sectionLines(s, s.point, plane, [], () => true);
+  const all = sectionLines(s, s.point, plane, () => true);
   assert.ok(Math.abs(lengthOf(all) - 6) < 1e-6); // 2 × (2 + 1): the wedge is lower
   for (let i = 2; i < all.length; i += 3) assert.equal(all[i], 2);
-  assert.equal(sectionLines(s, s.point, plane, [], (b) => b === 0).length, 0);
-  const half = sectionLines(s, s.point, plane, [{ normal: [1, 0, 0], distance: 2.5 }], () => true);
-  assert.equal(half.length, 0); // the slab lies beyond x = 2.5
+  for (let i = 0; i < all.length; i += 6) { // counter-clockwise about its middle (4, 0.5)
+    const [x, y, dx, dy] = [all[i]! - 4, all[i + 1]! - 0.5, all[i + 3]! - all[i]!, all[i + 4]! - all[i + 1]!];
+    assert.ok(x * dy - y * dx > 0);
+  }
+  assert.equal(sectionLines(s, s.point, plane, (b) => b === 0).length, 0);
 });
 
 test('poles are those of joints alone, upward, with their area', () => {

@@ -1,5 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { makeFields, paintMaterials, repainted } from '../fields';
+import { Motion } from '../motion';
 import { readSurface } from '../surface';
 import { digits, dipText, niceStep, quantity, reductionText, ticks, unitFor } from '../ui/format';
 import { greatCircle, meanNormal, project } from '../ui/stereonet';
@@ -9,7 +11,7 @@ import { decodeState, encodeState, initialState } from '../view_state';
 import { sampleData } from './sample';
 
 test('a view comes back from its address', () => {
-  const state = { ...initialState(), field: 'factor_of_safety', at: 2.5, selected: 12, hidden: [3, 4], edges: false, low: -1.5, fly: true,
+  const state = { ...initialState(), field: 'factor_of_safety', paint: '_c0c0c0', at: 2.5, selected: 12, hidden: [3, 4], edges: false, low: -1.5, fly: true,
     camera: [1, -2.25, 3, 0, 0, 0.125], clip: [{ on: true, at: 0.25, flip: true }, { on: false, at: 0.5, flip: false }, { on: true, at: 1, flip: false }] } as ReturnType<typeof initialState>;
   assert.deepEqual(decodeState('#' + encodeState(state)), state);
   assert.equal(encodeState(initialState()), '');
@@ -18,6 +20,20 @@ test('a view comes back from its address', () => {
 test('nonsense in an address is passed over', () => {
   const state = decodeState('#at=x&show=everything&clip=a_b&selected=7&__proto__=1&field=%E0%A4%A&camera=1_2&theme=dark');
   assert.deepEqual(state, { ...initialState(), selected: 7, camera: [1, 2], theme: 'dark' });
+});
+
+test('materials are painted as the view says, and have their own colours again', () => {
+  const data = sampleData();
+  const surface = readSurface(data.arrays);
+  const fields = makeFields(data, surface, new Motion(surface, data.arrays));
+  const colours = (paint: string): number[][] => {
+    paintMaterials(fields, paint);
+    return fields.find((f) => f.key === 'material')!.categories!.map((c) => [...c.colour]);
+  };
+  const own = colours('');
+  assert.equal(repainted('', 1, '#ff0000'), '_ff0000');
+  assert.deepEqual(colours('_ff0000'), [own[0], [1, 0, 0]]);
+  assert.deepEqual(colours('red_#ff000'), own);
 });
 
 test('flags: stages, filters, hidden and picked blocks', () => {

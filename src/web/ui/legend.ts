@@ -1,17 +1,18 @@
 // The legend, the scale bar and the north arrow: one drawing over the picture, also part of the exported image.
 import type { Context } from '../context';
 import { mapColour, toHex } from '../colour';
-import { svg, textWidth } from './dom';
+import { repainted } from '../fields';
+import { h, svg, textWidth } from './dom';
 import { Flag } from '../scene/shaders';
 import { digits, niceStep, ticks, unitFor } from './format';
 
 const least = 250; // px, of a bar's box
 const titleFont = '600 13px';
 
-/// Everything in pixels from the lower left corner of its own box.
-export function legend(context: Context): SVGSVGElement {
+/// Everything in pixels from the lower left corner of its own box. `live`: colours of materials can be changed in it.
+export function legend(context: Context, live = false): SVGSVGElement {
   const field = context.field();
-  return field.categories ? categoryLegend(context) : barLegend(context);
+  return field.categories ? categoryLegend(context, live && field.key === 'material') : barLegend(context);
 }
 
 /// Says so where block theory is of what is tried, not of the model.
@@ -50,7 +51,15 @@ function barLegend(context: Context): SVGSVGElement {
   return box(72, width, ...parts);
 }
 
-function categoryLegend(context: Context): SVGSVGElement {
+/// A swatch that opens the browser's choice of colours.
+function colourInput(context: Context, material: number, colour: string): SVGForeignObjectElement {
+  const { store, data } = context;
+  const input = h('input', { type: 'color', value: colour, title: 'another colour', 'aria-label': `colour of ${data.document.materials[material]}`,
+    change: () => store.set({ paint: repainted(store.state.paint, material, input.value) }) });
+  return svg('foreignObject', { width: 13, height: 13 }, input);
+}
+
+function categoryLegend(context: Context, live: boolean): SVGSVGElement {
   const field = context.field();
   if (field.key === 'id') return box(32, 190, heading('Each block its colour'));
   const used = usedCategories(context);
@@ -62,8 +71,9 @@ function categoryLegend(context: Context): SVGSVGElement {
   };
   const width = Math.max(170, textWidth(titleOf(context), titleFont) + 24, ...shown.map((i) => 45 + textWidth(nameOf(i), '12px')));
   const rows = shown.map((i, row) => {
-    const { colour } = field.categories![i]!;
-    return svg('g', {}, svg('rect', { x: 12, y: 32 + 20 * row, width: 13, height: 13, rx: 2, fill: toHex(colour), class: 'legend-swatch' }),
+    const colour = toHex(field.categories![i]!.colour);
+    const swatch = live ? colourInput(context, i, colour) : svg('rect', { width: 13, height: 13, rx: 2, fill: colour, class: 'legend-swatch' });
+    return svg('g', {}, svg('g', { transform: `translate(12 ${32 + 20 * row})` }, swatch),
       svg('text', { x: 33, y: 43 + 20 * row, class: 'legend-text' }, nameOf(i)));
   });
   if (used.length > most) rows.push(svg('g', {}, svg('text', { x: 33, y: 43 + 20 * most, class: 'legend-text' }, `and ${used.length - most} more`)));

@@ -24,8 +24,8 @@ export class Overlay {
   update(theme: string): void {
     const { store, scene } = this.context;
     const [low, high] = this.context.limits();
-    const key = [store.state.field, low, high, theme, store.state.tried.join('_'), scene.timesFlagged].join();
-    if (key !== this.legendKey) this.corner.legend.replaceChildren(legend(this.context));
+    const key = [store.state.field, store.state.paint, low, high, theme, store.state.tried.join('_'), scene.timesFlagged].join();
+    if (key !== this.legendKey) this.corner.legend.replaceChildren(legend(this.context, true));
     this.legendKey = key;
     this.corner.scale.replaceChildren(scaleBar(this.context));
     this.corner.compass.replaceChildren(compass(this.context));
