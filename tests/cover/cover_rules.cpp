@@ -61,9 +61,10 @@ void check_volumes(const Covered& c, Faults& faults) {
     if (!(std::abs(found[b] - expected[b]) <= 1e-9L * expected[b] + 1e-14L * all))
       faults.push_back(fmt::format("volume: block {} has {} m3, its elements {}", b,
                                    static_cast<Real>(expected[b]), static_cast<Real>(found[b])));
+  // A sliver that nothing is beside is an element of its own: of its volume rounding may be all that is left.
   const std::vector<Real> volume = element_volumes(a);
   for (std::size_t e = 0; e < volume.size(); ++e)
-    if (!(volume[e] > 0))
+    if (!(volume[e] > -1e-16L * all))
       faults.push_back(fmt::format("volume: element {} has {} m3", e, volume[e]));
 }
 

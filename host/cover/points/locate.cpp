@@ -148,12 +148,22 @@ Holder Locator::find_firm(const Vec3& x, Index block) const {
 }
 
 Holder Locator::of_vertex(const Vec3& x, Index block) const {
-  if (covers_.lattice.kind != LatticeKind::block) return find_firm(x, block);
+  if (covers_.lattice.kind != LatticeKind::block) {
+    const Holder own = find_firm(x, block);
+    return own.found() ? own : nearest_of(x, block);
+  }
   const IndexRange own = elements_of_cell(covers_, block);
   if (own.end - own.begin > 1) return find(x, block);
   Holder whole;
   if (own.begin < own.end) whole.element = own.begin;
   return whole;
+}
+
+Holder Locator::nearest_of(const Vec3& x, Index block) const {
+  Holder own = nearest_within(x, continued, [&](const Holder& h) { return h.block == block; });
+  if (own.found() && own.other == none)
+    own.other = other_of(own, near(x, continued), [](const Holder&) { return false; });
+  return own;
 }
 
 Holder Locator::firm_for(const Vec3& x, const Holder& own) const {

@@ -34,7 +34,10 @@ class Locator {
   /// That of x in the element and block of `own`.
   Holder firm_for(const Vec3& x, const Holder& own) const;
 
-  /// That of a vertex of a block, which the block holds. Of kind `block` a block of one material is one element: then nothing is
+  /// The block's nearest to x, up to a hundredth of the spacing away.
+  Holder nearest_of(const Vec3& x, Index block) const;
+
+  /// That of a vertex of a block, which the block holds, but for the rounding of what is as thin as that. Of kind `block` a block of one material is one element: then nothing is
   /// searched, and only `element` is filled.
   Holder of_vertex(const Vec3& x, Index block) const;
 
