@@ -122,7 +122,7 @@ void merge_lists(const ContactTerm& term, Index count, const Array<Index>& lengt
 void store_lists(const ContactTerm& term, Index count, solve::PointTerms& rows) {
   const auto from = term.staged_begin, staged_unknown = term.staged_unknown;
   const auto staged_weight = term.staged_weight;
-  const auto begin = rows.points.begin, unknown = rows.points.unknown, owner = rows.entry_point;
+  const auto begin = rows.points.begin, unknown = rows.points.unknown, owner = term.owner;
   const auto weight = rows.points.weight;
   device::for_each(
       "rockfold::contact::store_lists", count,
@@ -138,7 +138,8 @@ void store_lists(const ContactTerm& term, Index count, solve::PointTerms& rows) 
 }
 
 /// Which entries act on an unknown, ascending.
-void transpose(SortedKeys& sorted, Index entries, solve::PointTerms& rows) {
+void transpose(ContactTerm& term, Index entries, solve::PointTerms& rows) {
+  SortedKeys& sorted = term.transposed;
   reserve(sorted, entries);
   const auto key = sorted.key;
   const auto value = sorted.value;
@@ -152,12 +153,17 @@ void transpose(SortedKeys& sorted, Index entries, solve::PointTerms& rows) {
   int bits = 0;
   while (bits < 31 && (Index{1} << bits) < unknowns) ++bits;
   sort(sorted, entries, bits);
-  grow(rows.row_entry, "contact::row_entry", entries);
+  grow(rows.row_point, "contact::row_point", entries);
+  grow(rows.row_weight, "contact::row_weight", entries);
   const auto sorted_key = sorted.key;
-  const auto entry = sorted.value, row_entry = rows.row_entry, row_begin = rows.row_begin;
+  const auto entry = sorted.value, owner = term.owner, row_point = rows.row_point,
+             row_begin = rows.row_begin;
+  const auto weight = rows.points.weight, row_weight = rows.row_weight;
   device::for_each(
-      "rockfold::contact::row_entries", entries,
-      KOKKOS_LAMBDA(const Index i) { row_entry(i) = entry(i); });
+      "rockfold::contact::row_entries", entries, KOKKOS_LAMBDA(const Index i) {
+        row_point(i) = owner(entry(i));
+        row_weight(i) = weight(entry(i));
+      });
   device::for_each(
       "rockfold::contact::row_begins", unknowns + 1, KOKKOS_LAMBDA(const Index p) {
         row_begin(p) = lower_bound(sorted_key, entries, static_cast<std::uint64_t>(p));
@@ -193,9 +199,9 @@ DetectReport detect(ContactTerm& term, solve::PointTerms& rows) {
   const Index entries = to_offsets(rows.points.begin, count);
   grow(rows.points.unknown, "contact::unknown", entries);
   grow(rows.points.weight, "contact::weight", entries);
-  grow(rows.entry_point, "contact::entry_point", entries);
+  grow(term.owner, "contact::owner", entries);
   store_lists(term, count, rows);
-  transpose(term.transposed, entries, rows);
+  transpose(term, entries, rows);
   return report;
 }
 

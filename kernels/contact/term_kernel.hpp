@@ -18,6 +18,7 @@ struct ContactTerm {
   Tangents tangent;  ///< of the points
   Field heading, held;                        ///< hold_reversed
   Array<Index> staged_begin, staged_unknown;  ///< lists not merged yet; work space
+  Array<Index> owner;                         ///< the point of each entry of the rows; work space
   Array<Real> staged_weight;
   SortedKeys transposed;
   Index rows_of = 0;     ///< the detection whose points the rows are of

@@ -11,7 +11,9 @@ DevicePoints upload(const MaterialPoints& points) {
 void interpolate(const DevicePoints& points, const Field& x, const Field& value) {
   device::for_each(
       "rockfold::solve::interpolate", points.count, KOKKOS_LAMBDA(const Index n) {
-        for (int d = 0; d < 3; ++d) value(n, d) = interpolate_one(points, n, d, x);
+        Real u[3];
+        interpolate_all(points, n, x, u);
+        for (int d = 0; d < 3; ++d) value(n, d) = u[d];
       });
 }
 
@@ -27,27 +29,34 @@ PointRows make_point_rows(const MaterialPoints& points, Index unknowns) {
     }
     begin[p + 1] += begin[p];
   }
-  std::vector<Index> entry(points.unknown.size()), point(points.unknown.size());
+  std::vector<Index> entry(points.unknown.size()), point(entry.size());
+  std::vector<Real> weight(entry.size());
   for (std::size_t n = 0; n < points.size(); ++n)
     for (Index i = points.begin[n]; i < points.begin[n + 1]; ++i) {
-      entry[begin[points.unknown[i]]++] = i;
-      point[i] = static_cast<Index>(n);
+      const Index at = begin[points.unknown[i]]++;
+      entry[at] = i;
+      point[at] = static_cast<Index>(n);
+      weight[at] = points.weight[i];
     }
-  return {upload(points), device::to_device("solve::point_row", row),
+  return {upload(points),
+          device::to_device("solve::point_row", row),
           device::to_device("solve::point_row_begin", row_begin),
           device::to_device("solve::point_row_entry", entry),
-          device::to_device("solve::point_of_entry", point)};
+          device::to_device("solve::point_of_row", point),
+          device::to_device("solve::weight_of_row", weight)};
 }
 
 void scatter(const PointRows& rows, Real scale, const Field& value, const Field& y) {
-  const auto row = rows.row, begin = rows.row_begin, entry = rows.row_entry;
-  const auto weight = rows.points.weight;
-  const auto point = rows.entry_point;
+  const auto row = rows.row, begin = rows.row_begin, point = rows.row_point;
+  const auto weight = rows.row_weight;
   device::for_each(
       "rockfold::solve::scatter", static_cast<Index>(row.extent(0)), KOKKOS_LAMBDA(const Index t) {
         Real sum[3] = {0, 0, 0};
-        for (Index i = begin(t); i < begin(t + 1); ++i)
-          for (int d = 0; d < 3; ++d) sum[d] += weight(entry(i)) * value(point(entry(i)), d);
+        for (Index i = begin(t); i < begin(t + 1); ++i) {
+          const Real w = weight(i);
+          const Index n = point(i);
+          for (int d = 0; d < 3; ++d) sum[d] += w * value(n, d);
+        }
         for (int d = 0; d < 3; ++d) y(row(t), d) += scale * sum[d];
       });
 }

@@ -29,13 +29,25 @@ KOKKOS_INLINE_FUNCTION Real interpolate_one(const DevicePoints& points, Index n,
   return sum;
 }
 
+/// u[d] = Σ weight · x(…, d).
+KOKKOS_INLINE_FUNCTION void interpolate_all(const DevicePoints& points, Index n, const Field& x,
+                                            Real (&u)[3]) {
+  u[0] = u[1] = u[2] = 0;
+  for (Index i = points.begin(n); i < points.begin(n + 1); ++i) {
+    const Real w = points.weight(i);
+    const Index p = points.unknown(i);
+    for (int d = 0; d < 3; ++d) u[d] += w * x(p, d);
+  }
+}
+
 /// Points and which of them act on an unknown.
 struct PointRows {
   DevicePoints points;
-  Array<Index> row;          ///< [T] unknowns touched, ascending
-  Array<Index> row_begin;    ///< [T+1]
-  Array<Index> row_entry;    ///< into points.unknown
-  Array<Index> entry_point;  ///< the point of each entry
+  Array<Index> row;        ///< [T] unknowns touched, ascending
+  Array<Index> row_begin;  ///< [T+1]
+  Array<Index> row_entry;  ///< into points.unknown
+  Array<Index> row_point;  ///< the point of each of these, …
+  Array<Real> row_weight;  ///< … and its weight: products read them one after the other
 
   KOKKOS_INLINE_FUNCTION bool any() const { return points.count > 0; }
 };

@@ -26,7 +26,7 @@ void apply_terms(const PointTerms& terms, const Field& x, const Field& y, Index 
   device::for_each(
       "rockfold::solve::term_forces", t.points.count, KOKKOS_LAMBDA(const Index n) {
         Real u[3] = {0, 0, 0};
-        for (int d = 0; d < 3 && n >= first; ++d) u[d] = interpolate_one(t.points, n, d, x);
+        if (n >= first) interpolate_all(t.points, n, x, u);
         for (int i = 0; i < 3; ++i) {
           Real sum = 0;
           for (int j = 0; j < 3; ++j)
@@ -44,8 +44,8 @@ void add_terms_diagonal(const PointTerms& terms, const Blocks& block) {
       "rockfold::solve::term_diagonal", static_cast<Index>(t.row.extent(0)),
       KOKKOS_LAMBDA(const Index r) {
         for (Index i = t.row_begin(r); i < t.row_begin(r + 1); ++i) {
-          const Real w = t.points.weight(t.row_entry(i));
-          const Index n = t.entry_point(t.row_entry(i));
+          const Real w = t.row_weight(i);
+          const Index n = t.row_point(i);
           for (int m = 0; m < 6; ++m) block(t.row(r), m) += w * w * t.tangent(n, m);
         }
       });

@@ -81,12 +81,12 @@ void choose_spring_stiffness(const Springs& springs, Real factor, Index covers, 
         const Index begin = s.row_begin(t), end = s.row_begin(t + 1), p = s.row(t);
         Real squares = 0;
         for (Index i = begin; i < end; ++i) {
-          const Real w = s.points.weight(s.row_entry(i));
+          const Real w = s.row_weight(i);
           squares += w * w;
         }
         const Real mean = (block(p, 0) + block(p, 1) + block(p, 2)) / 3;
         for (Index i = begin; i < end; ++i) {
-          const Real w = s.points.weight(s.row_entry(i));
+          const Real w = s.row_weight(i);
           s.share(s.row_entry(i)) = squares > 0 ? w * w / squares * mean : 0;
         }
       });

@@ -38,11 +38,16 @@ LoadedRows load_columns(const OperatorRows& rows, Index covers) {
 
 /// The points of the terms on the host.
 struct HostPoints {
-  explicit HostPoints(const PointTerms& terms) {
+  HostPoints(const PointTerms& terms, Index unknowns) : row_of(unknowns, none) {
     if (!terms.any()) return;
     begin = device::to_host(terms.points.begin);
     unknown = device::to_host(terms.points.unknown);
     weight = device::to_host(terms.points.weight);
+    row_begin = device::to_host(terms.row_begin);
+    row_point = device::to_host(terms.row_point);
+    row_weight = device::to_host(terms.row_weight);
+    const std::vector<Index> row = device::to_host(terms.row);
+    for (std::size_t t = 0; t < row.size(); ++t) row_of[row[t]] = static_cast<Index>(t);
     tangent.resize(terms.points.count);  // arrays may have room for more
     const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), terms.tangent);
     for (std::size_t n = 0; n < tangent.size(); ++n)
@@ -57,40 +62,46 @@ struct HostPoints {
         if (left_out[n][d] > 0) tangent[n][d] = 0;
   }
 
-  /// f(point, entry, entry) for all pairs of entries of a point.
+  /// f(point, weight of the unknown, entry): all that is coupled with an unknown, point by point.
   template <class F>
-  void for_each_pair(const F& f) const {
-    for (std::size_t n = 0; n < tangent.size(); ++n)
-      for (Index i = begin[n]; i < begin[n + 1]; ++i)
-        for (Index j = begin[n]; j < begin[n + 1]; ++j) f(n, i, j);
+  void for_each_coupling(Index of, const F& f) const {
+    if (row_of[of] == none) return;
+    for (Index k = row_begin[row_of[of]]; k < row_begin[row_of[of] + 1]; ++k)
+      for (Index j = begin[row_point[k]]; j < begin[row_point[k] + 1]; ++j)
+        f(row_point[k], row_weight[k], j);
   }
 
   std::vector<Index> begin, unknown;
   std::vector<Real> weight;
+  std::vector<Index> row_of;  ///< [unknowns] none: no point acts on it
+  std::vector<Index> row_begin, row_point;
+  std::vector<Real> row_weight;
   std::vector<std::array<Real, 6>> tangent;
 };
 
 BlockMatrix find_pattern(const Operator& op, const TermLists& terms) {
   const LoadedRows rows = load_columns(rows_of(op, {}), op.covers);
   const std::vector<Index> begin = device::to_host(rows.begin);
-  std::vector<std::vector<Index>> columns(op.covers);
-  for (Index i = 0; i < op.covers; ++i)
-    for (Index m = begin[i]; m < begin[i + 1]; ++m)
-      if (rows.column[m] != none) columns[i].push_back(rows.column[m]);
-  for (const PointTerms* list : terms) {
-    const HostPoints points(*list);
-    points.for_each_pair([&](std::size_t, Index i, Index j) {
-      const Index row = points.unknown[i] % op.covers, column = points.unknown[j] % op.covers;
-      if (columns[row].empty() || columns[row].back() != column) columns[row].push_back(column);
-    });
-  }
+  std::vector<HostPoints> points;
+  for (const PointTerms* list : terms) points.emplace_back(*list, op.unknowns);
+  std::vector<Index> seen_by(op.covers, none), columns;
   BlockMatrix a;
   a.width = 3 * op.functions;
   a.begin = {0};
-  for (auto& of_row : columns) {
-    std::sort(of_row.begin(), of_row.end());
-    of_row.erase(std::unique(of_row.begin(), of_row.end()), of_row.end());
-    a.column.insert(a.column.end(), of_row.begin(), of_row.end());
+  for (Index i = 0; i < op.covers; ++i) {
+    columns.clear();
+    const auto add = [&](Index column) {
+      if (column == none || seen_by[column] == i) return;
+      seen_by[column] = i;
+      columns.push_back(column);
+    };
+    for (Index m = begin[i]; m < begin[i + 1]; ++m) add(rows.column[m]);
+    for (const HostPoints& list : points)
+      for (int k = 0; k < op.functions; ++k)
+        list.for_each_coupling(k * op.covers + i,
+                               [&](Index, Real, Index j) { add(list.unknown[j] % op.covers); });
+    std::sort(columns.begin(), columns.end());
+    a.column.insert(a.column.end(), columns.begin(), columns.end());
     a.begin.push_back(static_cast<Index>(a.column.size()));
   }
   return a;
@@ -102,24 +113,21 @@ Index find_block(const BlockMatrix& a, Index row, Index column) {
       std::lower_bound(begin + a.begin[row], begin + a.begin[row + 1], column) - begin);
 }
 
-void add_terms(BlockMatrix& a, Index covers, const HostPoints& points) {
+void add_terms(BlockMatrix& a, Index covers, int functions, const HostPoints& points) {
   const std::size_t width = a.width, size = width * width;
-  Index of_row = none, of_column = none, block = none;
-  points.for_each_pair([&](std::size_t n, Index i, Index j) {
-    const Index row = points.unknown[i], column = points.unknown[j];
-    if (row % covers != of_row ||
-        column % covers != of_column) {  // functions of a cover follow each other
-      of_row = row % covers;
-      of_column = column % covers;
-      block = find_block(a, of_row, of_column);
-    }
-    Real* to = &a.value[block * size];
-    const Real w = points.weight[i] * points.weight[j];
-    for (int d = 0; d < 3; ++d)
-      for (int e = 0; e < 3; ++e)
-        to[(3 * (column / covers) + d) * width + 3 * (row / covers) + e] +=
-            w * points.tangent[n][symmetric_entry(d, e)];
-  });
+  std::vector<Index> block(covers);  // of the row's columns
+  for (Index i = 0; i < covers; ++i) {
+    for (Index m = a.begin[i]; m < a.begin[i + 1]; ++m) block[a.column[m]] = m;
+    for (int k = 0; k < functions; ++k)
+      points.for_each_coupling(k * covers + i, [&](Index n, Real of_row, Index j) {
+        const Index column = points.unknown[j];
+        Real* to = &a.value[block[column % covers] * size + 3 * (column / covers) * width + 3 * k];
+        const Real w = of_row * points.weight[j];
+        for (int d = 0; d < 3; ++d)
+          for (int e = 0; e < 3; ++e)
+            to[d * width + e] += w * points.tangent[n][symmetric_entry(d, e)];
+      });
+  }
 }
 
 void fill_values(BlockMatrix& a, const Operator& op, const Combination& c, const TermLists& terms,
@@ -144,9 +152,9 @@ void fill_values(BlockMatrix& a, const Operator& op, const Combination& c, const
       if (loaded.column[m] != none)
         std::copy_n(&of_rows[m * size], size, &a.value[find_block(a, i, loaded.column[m]) * size]);
   for (std::size_t n = 0; n < terms.size(); ++n) {
-    HostPoints points(*terms[n]);
+    HostPoints points(*terms[n], op.unknowns);
     if (n == 0 && constraints.constrain) points.leave_out(constraints.eliminated);
-    add_terms(a, op.covers, points);
+    add_terms(a, op.covers, op.functions, points);
   }
   if (constraints.constrain) constraints.constrain(a);
 }

@@ -19,12 +19,12 @@ KOKKOS_INLINE_FUNCTION void add_terms(const CoverParts& parts, const PointTerms&
     const Index t = find_row(s.row, k * covers + p);
     if (t == none) continue;
     for (Index i = s.row_begin(t); i < s.row_begin(t + 1); ++i) {
-      const Index of = s.row_entry(i), point = s.entry_point(of);
+      const Index point = s.row_point(i);
       for (Index j = s.points.begin(point); j < s.points.begin(point + 1); ++j) {
         const Index q = s.points.unknown(j) % covers;
         const int l = s.points.unknown(j) / covers;
         if (parts.part(q) != part) continue;
-        const Real w = s.points.weight(of) * s.points.weight(j);
+        const Real w = s.row_weight(i) * s.points.weight(j);
         for (int d = 0; d < 3; ++d)
           for (int e = 0; e < 3; ++e)
             a[entry(members, 3 * functions, parts.at(p), 3 * k + d, parts.at(q), 3 * l + e)] +=

@@ -329,10 +329,9 @@ void invert_diagonal(const LevelMatrix& a, const SingleInverse& inverse) {
       "rockfold::solve::level_terms", static_cast<Index>(terms.row.extent(0)),
       KOKKOS_LAMBDA(const Index t) {
         for (Index k = terms.row_begin(t); k < terms.row_begin(t + 1); ++k) {
-          const Index e = terms.row_entry(k);
-          const Real w = terms.points.weight(e);
+          const Real w = terms.row_weight(k);
           for (int m = 0; m < 6; ++m)
-            diagonal(terms.row(t), m) += w * w * terms.tangent(terms.entry_point(e), m);
+            diagonal(terms.row(t), m) += w * w * terms.tangent(terms.row_point(k), m);
         }
       });
   invert_blocks(diagonal);

@@ -193,10 +193,8 @@ void subtract_terms(const SingleTerms& terms, const SingleField& d, const Single
       KOKKOS_LAMBDA(const Index t) {
         for (int i = 0; i < 3; ++i) {
           Real sum = 0;
-          for (Index k = s.row_begin(t); k < s.row_begin(t + 1); ++k) {
-            const Index e = s.row_entry(k);
-            sum += s.points.weight(e) * s.force(s.entry_point(e), i);
-          }
+          for (Index k = s.row_begin(t); k < s.row_begin(t + 1); ++k)
+            sum += s.row_weight(k) * s.force(s.row_point(k), i);
           r(s.row(t), i) -= static_cast<float>(sum);
         }
       });
