@@ -30,12 +30,6 @@ UnionFind join_covers(const CoverArrays& covers) {
   return bodies;
 }
 
-Index block_of(const CoverArrays& covers, Index element) {
-  const Index parts = covers.parts_per_cell(), whole = parts * covers.regular_count();
-  return element < whole ? covers.regular_block[element / parts]
-                         : covers.piece_block[covers.piece_begin[element - whole]];
-}
-
 }  // namespace
 
 // Within one split all elements of a body are connected. Those of both are, if they share a cover.

@@ -64,7 +64,9 @@ void make_loads(Motion::Data& m, const MotionSetup& setup) {
   const Field mass = device::make_field("motion::mass", m.unknowns);
   device::copy_to_device(uniform_field(m.unknowns, m.covers, {1, 1, 1}), m.work);
   m.rock->apply({0, 1}, m.work, mass);
-  device::copy_to_device(constant_load(setup, device::copy_to_host(mass)), m.load);
+  const std::vector<Vec3> load = constant_load(setup, device::copy_to_host(mass));
+  device::copy_to_device(load, m.load);
+  if (m.contact) m.least_load = least_load_of_a_block(setup.covers, load);
   m.varying_loads = make_varying_loads(setup, mass);
   if (!m.varying_loads.any()) return;
   m.varying = device::make_field("motion::varying_load", m.unknowns);

@@ -90,6 +90,8 @@ struct Motion::Data {
   Real largest_increment = 0;
   Real energy_made = 0;    ///< see Motion::energy_made
   Real initial_force = 0;  ///< N, norm of the forces of the initial stress in place
+  Real least_load =
+      0;  ///< N, of gravity and constant loads on one block, where blocks touch each other; 0: on none
   double contact_seconds = 0;
 
   bool damped() const { return damping.mass > 0 || damping.stiffness > 0 || dashpots.any(); }

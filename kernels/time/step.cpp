@@ -25,6 +25,9 @@ constexpr int most_detections = 6;
 /// Share of the reference that may be unbalanced while bonds still break: what the last one leaves is balanced to the solver's tolerance.
 constexpr Real rough_balance = 1e-3;
 
+/// Of the load on a block, what may be unbalanced: the tolerance's share of all forces may be more than a small block weighs beside large ones.
+constexpr Real balance_of_a_block = 1e-4;
+
 /// What Newton's iterations have come to.
 struct Newton {
   Real enough = 0;         ///< of the reference that may be left; 0: the solver's tolerance
@@ -135,8 +138,11 @@ bool is_settled(Motion::Data& m, const Step& step, const Forces& forces, Newton&
   newton.gap = gap_of_supports(m, newton.reference);
   const Real rounding =
       m.rock->rounding(m.now.displacement) + (m.contact ? contact::rounding(*m.contact) : 0);
-  newton.wanted =
-      std::max(std::max(newton.enough, m.solver.tolerance) * newton.reference, 16 * rounding);
+  newton.wanted = std::max(newton.enough, m.solver.tolerance) * newton.reference;
+  if (m.least_load > 0)
+    newton.wanted = std::min(newton.wanted, std::max(newton.enough, balance_of_a_block) *
+                                                (step.middle ? 2 : 1) * m.least_load);
+  newton.wanted = std::max(newton.wanted, 16 * rounding);
   total.residual = newton.left / newton.reference;
   total.gap = newton.gap;
   // Rounding alone: what is left is small, and another iteration would not take it away.

@@ -6,12 +6,6 @@
 
 namespace rockfold {
 
-Index block_of(const CoverArrays& covers, Index element) {
-  const Index parts = covers.parts_per_cell(), whole = parts * covers.regular_count();
-  return element < whole ? covers.regular_block[element / parts]
-                         : covers.piece_block[covers.piece_begin[element - whole]];
-}
-
 GoneRock gone_rock(const RunInput& input, Index stage) {
   const auto& stages = input.model.analysis->stages;
   GoneRock gone;

@@ -9,7 +9,4 @@ namespace rockfold {
 /// What is gone once the stages of the analysis up to `stage` have begun. Empty vectors where nothing is.
 GoneRock gone_rock(const RunInput& input, Index stage);
 
-/// The block of an element.
-Index block_of(const CoverArrays& covers, Index element);
-
 }  // namespace rockfold

@@ -116,6 +116,12 @@ ElementNodes element_nodes(const CoverArrays& covers, Index element) {
   return nodes;
 }
 
+Index block_of(const CoverArrays& covers, Index element) {
+  const Index parts = covers.parts_per_cell(), whole = parts * covers.regular_count();
+  return element < whole ? covers.regular_block[element / parts]
+                         : covers.piece_block[covers.piece_begin[element - whole]];
+}
+
 Index material_of(const CoverArrays& covers, Index element) {
   const Index parts = covers.parts_per_cell(), whole = parts * covers.regular_count();
   return element < whole ? covers.regular_material[element / parts]

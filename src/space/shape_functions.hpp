@@ -51,6 +51,8 @@ struct ElementNodes {
 };
 /// Elements are numbered as in CoverArrays.
 ElementNodes element_nodes(const CoverArrays& covers, Index element);
+/// The block of an element; of welded rock that of its first piece.
+Index block_of(const CoverArrays& covers, Index element);
 /// Into Model::materials.
 Index material_of(const CoverArrays& covers, Index element);
 

@@ -32,12 +32,6 @@ long double exact_piece_volume(const CoverArrays& a, Index q) {
   return six / 6;
 }
 
-Index block_of(const CoverArrays& a, Index element) {
-  const Index whole = a.parts_per_cell() * a.regular_count();
-  return element < whole ? a.regular_block[element / a.parts_per_cell()]
-                         : a.piece_block[a.piece_begin[element - whole]];
-}
-
 void check_volumes(const Covered& c, Faults& faults) {
   const CoverArrays& a = c.arrays();
   const Complex& complex = c.blocks.complex();

@@ -229,6 +229,53 @@ TEST(BlocksOnAPlane, SlideOverJointsThatCrossIt) {
 
 /// A plate of 0.3 m on a slab, both turned, in map coordinates: corners that should lie in one plane are off it by 1e-9 m, and
 /// edges that should be parallel by as much.
+/// How a block of w × w × h lets go in half a second on a floor that is `reach` m wide to each side; gravity dips by `slope` degrees to the east.
+Vec3 way_on_a_floor(Real slope, const std::string& joint, Real w, Real h, Real reach) {
+  const Real dip = slope * std::numbers::pi / 180;
+  const auto number = [](Real x) { return std::to_string(x); };
+  const std::string from = number(-reach), to = number(reach);
+  return run_model("gravity = [" + number(gravity * std::sin(dip)) + ", 0, " +
+                   number(-gravity * std::cos(dip)) + "]\n" + rock(20) +
+                   "[[joint_material]]\nname = 'j'\n" + joint +
+                   "[contact]\nmaterial = 'j'\n[[solid]]\nname = 'floor'\nshape = 'box'\nmin = [" +
+                   from + ", " + from + ", " + from + "]\nmax = [" + to + ", " + to +
+                   ", 0]\n[[solid]]\nname = 'block'\nshape = 'box'\nmin = [0, 0, 0]\nmax = [" +
+                   number(w) + ", " + number(w) + ", " + number(h) +
+                   "]\ninterface = 'j'\n[cover]\n" + block_covers +
+                   "\n[[fixed]]\nwhere = {block_at = [-1, -1, -1]}\n"
+                   "[[monitor]]\nname = 'm'\npoint = [" +
+                   number(w / 2) + ", " + number(w / 2) + ", " + number(h / 2) +
+                   "]\n[[step]]\ntype = 'quasi_static'\ntime_step = 0.01\nsteps = 10\n"
+                   "[[step]]\ntype = 'dynamic'\ntime_step = 0.002\nend_time = 0.5\n"
+                   "reset_displacement = true\n")
+      .result.monitors[0]
+      .displacement.back();
+}
+
+// The weights are a ten-thousandth to a ten-millionth of the floor's.
+TEST(BlockOnAFloor, SlidesHoweverSmallItIsBesideTheFloor) {
+  const Real dip = 30 * std::numbers::pi / 180, friction = std::tan(20 * std::numbers::pi / 180);
+  const Real way = 0.125 * gravity * (std::sin(dip) - std::cos(dip) * friction);
+  for (const Real w : {1.0, 0.3, 0.1})
+    EXPECT_NEAR(
+        norm(way_on_a_floor(30, "friction_angle = 20\n", w, 0.3 * w, 50) - Vec3{way, 0, 0}) / way,
+        0, 1e-3)
+        << w;
+}
+
+// Over a third of its length it rides on the floor beside the joint.
+TEST(BlockOnAFloor, RidesUpAsItsJointDilates) {
+  const Real dip = 45 * std::numbers::pi / 180, friction = std::tan(30 * std::numbers::pi / 180);
+  for (const int angle : {5, 10, 20}) {
+    const Real dilation = std::tan(angle * std::numbers::pi / 180);
+    const Real way =
+        0.125 * gravity * (std::sin(dip) - std::cos(dip) * friction) / (1 + dilation * friction);
+    const Vec3 u = way_on_a_floor(
+        45, "friction_angle = 30\ndilation_angle = " + std::to_string(angle) + "\n", 1, 0.2, 5);
+    EXPECT_NEAR(norm(u - way * Vec3{1, 0, dilation}) / way, 0, 2e-3) << angle;
+  }
+}
+
 TEST(BlockOnAPlane, StaysInMapCoordinates) {
   const ModelAnswer answer = run_model(
       rock(49.65) +

@@ -151,7 +151,7 @@ def dropped_cube(program, full):
     drops = (("edge, in balance", still, None, math.sqrt(0.5)), ("edge", {}, None, math.sqrt(0.5)),
              ("vertex", onto_vertex, on_vertex, math.sqrt(0.75)))
     for name, changes, edit, high in drops if full else drops[1:2]:
-        changes = changes if full else {**changes, "analysis.end_time": 2.0}
+        changes = changes if full else {**changes, "analysis.end_time": 2.5}
         document = program.run("dropped_cube", changes, edit)
         time, u = path(document, "centre")
         height = 0.5 + high + u[:, 2]

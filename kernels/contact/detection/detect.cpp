@@ -99,7 +99,7 @@ KOKKOS_INLINE_FUNCTION void inherit(const Scene& e, Index pair, const Plane& pla
   const Index old_begin = old_pair == none ? 0 : e.accepted.point_begin(old_pair);
   const Span old{e.accepted.point, static_cast<std::size_t>(old_begin),
                  old_pair == none ? 0 : e.accepted.point_begin(old_pair + 1) - old_begin};
-  if (old.count > 0) keep_memories(old, now);
+  if (old.count > 0) keep_memories(old, now, e.laws);
   set_frames(e, n, n_before, now);
   if (old.count > 0)
     hand_over_shear(
@@ -299,6 +299,18 @@ Real largest_turn(const DeviceContacts& c) {
       });
 }
 
+namespace {
+
+/// m: faces that dilation holds apart are no farther from each other than others that touch.
+Real largest_dilation(const PointSet& points) {
+  const auto point = points.point;
+  return device::largest(
+      "rockfold::contact::largest_dilation", points.count,
+      KOKKOS_LAMBDA(const Index i) { return point(i).memory.dilation; });
+}
+
+}  // namespace
+
 DetectReport detect(DeviceContacts& c, const Field& x) {
   DetectReport report;
   const bool starting = !c.started;
@@ -316,14 +328,14 @@ DetectReport detect(DeviceContacts& c, const Field& x) {
     set_pose(c.surfaces, x, c.before);
     Kokkos::deep_copy(c.speed_before, 0.0);
   }
+  const Real distance = c.options.search_distance + (starting ? 0 : largest_dilation(c.accepted));
   report.rebuilt = starting || !(largest_shift(x, c.sorted_at) <= 0.5 * c.options.skin);
   if (report.rebuilt) {
-    const Real margin = 0.5 * (c.options.search_distance + c.options.skin);
+    const Real margin = 0.5 * (distance + c.options.skin);
     c.candidates = find_pairs(c.surfaces, c.before.x, c.now.x, margin, c.broad);
     Kokkos::deep_copy(c.sorted_at, x);
   }
-  const PointOptions points{c.options.search_distance,
-                            static_cast<std::int16_t>(c.options.material), starting};
+  const PointOptions points{distance, static_cast<std::int16_t>(c.options.material), starting};
   const Scene scene{c.surfaces, c.before, c.now,  c.speed_before, c.candidates,
                     c.accepted, points,   c.laws, c.started};
   grow(c.spare_plane, "contact::plane", c.candidates.count);

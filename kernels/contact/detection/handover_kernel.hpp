@@ -54,12 +54,19 @@ KOKKOS_INLINE_FUNCTION void add_stretch(const Vector& s, const Vector& n, const 
   p.memory.shear[1] += dot(s, cross(n, a));
 }
 
-/// What a point born into a pair remembers: it is as whole as all were that the pair had; those of a joint have slipped and are opened by
+/// Whether a point is lifted by dilation with the others of its pair: those of joints, and what faces meet by a law that dilates. A block
+/// that slides off its joint rides on the rough faces as it did.
+KOKKOS_INLINE_FUNCTION bool rides(const ContactPoint& p, const Array<JointLaw>& laws) {
+  return p.joint != none || laws(p.law).dilation > 0;
+}
+
+/// What a point born into a pair remembers: it is as whole as all were that the pair had; those that ride have slipped and are opened by
 /// dilation as it is in the mean; and the mean closing speed of those that touched is the one that its rebound is measured by: an impact goes
 /// on where corners change their names in it.
-KOKKOS_INLINE_FUNCTION ContactMemory memory_of_newborn(const Span& old) {
+KOKKOS_INLINE_FUNCTION ContactMemory memory_of_newborn(const Span& old,
+                                                       const Array<JointLaw>& laws) {
   ContactMemory newborn;
-  Real dilation = 0, slip = 0, of_joint = 0, approach = 0, touching = 0;
+  Real dilation = 0, slip = 0, riding = 0, approach = 0, touching = 0;
   newborn.met = newborn.parting = 1;
   for (Index j = 0; j < old.count; ++j) {
     const ContactMemory& memory = old[j].memory;
@@ -70,14 +77,14 @@ KOKKOS_INLINE_FUNCTION ContactMemory memory_of_newborn(const Span& old) {
       touching += old[j].area;
       newborn.parting = newborn.parting && memory.parting;
     }
-    if (old[j].joint == none) continue;
+    if (!rides(old[j], laws)) continue;
     dilation += old[j].area * memory.dilation;
     slip += old[j].area * memory.slip;
-    of_joint += old[j].area;
+    riding += old[j].area;
   }
-  if (of_joint > 0) {
-    newborn.dilation = dilation / of_joint;
-    newborn.slip = slip / of_joint;
+  if (riding > 0) {
+    newborn.dilation = dilation / riding;
+    newborn.slip = slip / riding;
   }
   if (touching > 0)
     newborn.approach = approach / touching;
@@ -87,8 +94,9 @@ KOKKOS_INLINE_FUNCTION ContactMemory memory_of_newborn(const Span& old) {
 }
 
 /// Copies the memories of points that live on. Returns how many were born.
-KOKKOS_INLINE_FUNCTION Index keep_memories(const Span& old, const Span& now) {
-  const ContactMemory newborn = memory_of_newborn(old);
+KOKKOS_INLINE_FUNCTION Index keep_memories(const Span& old, const Span& now,
+                                           const Array<JointLaw>& laws) {
+  const ContactMemory newborn = memory_of_newborn(old, laws);
   Index born = 0;
   for (Index i = 0; i < now.count; ++i) {
     ContactPoint& p = now[i];
@@ -104,9 +112,8 @@ KOKKOS_INLINE_FUNCTION Index keep_memories(const Span& old, const Span& now) {
     ++born;
     if (old.count == 0) continue;
     p.memory = newborn;
-    if (p.joint != none) continue;
-    p.memory.broken = 1;  // no bonds grow where no joint was
-    p.memory.dilation = p.memory.slip = 0;
+    if (p.joint == none) p.memory.broken = 1;  // no bonds grow where no joint was
+    if (!rides(p, laws)) p.memory.dilation = p.memory.slip = 0;
   }
   return born;
 }
@@ -124,7 +131,7 @@ KOKKOS_INLINE_FUNCTION void hand_over_shear(const Span& old, const Span& now,
     ContactPoint& p = now[i];
     bool lives = false;
     for (Index j = 0; j < old.count && !lives; ++j) lives = old[j].key == p.key;
-    if (lives || !(p.gap_before < 0)) continue;
+    if (lives || !(p.gap_before < p.memory.dilation)) continue;
     Vector n, a;
     frame(p, n, a);
     p.memory.state = Contact::stick;

@@ -71,25 +71,40 @@ struct Clipped {
   bool any = false;
 };
 
-/// The part of side i of `one` that lies in `other`, whose boundary is moved out by `margin` (m).
+/// Sine below which sides are nearly parallel: where they cross the tolerance moves them along each other by more than a thousand times itself.
+inline constexpr Real nearly_along = 1e-3;
+
+/// The part of side i of `one` that lies in `other`, whose boundary is moved out by `margin` (m). Sides of `other` that are nearly parallel to it
+/// come last, and count by how far apart both are where they run beside each other: that is the same for either outline, so that both agree
+/// which of the two bounds the overlap.
 KOKKOS_INLINE_FUNCTION Clipped clip_side(const Outline& one, Index i, const Outline& other,
                                          Real margin) {
   Clipped c;
   c.p = one.point(i);
   c.q = one.point(i + 1);
   const Real tolerance = margin < 0 ? -margin : margin;
-  const Real side = length(c.q - c.p);
+  const Flat way = c.q - c.p;
+  const Real side = length(way);
   if (!(side > tolerance)) return c;
-  Flat a = other.point(0);
-  for (Index j = 0; j < other.count; ++j) {
-    const Flat b = other.point(j + 1), e = b - a;
-    const Real l = length(e);
-    if (l > tolerance) {
-      const Real d0 = cross(e, c.p - a) / l, d1 = cross(e, c.q - a) / l;
+  bool any_along = false;
+  for (const bool along : {false, true}) {
+    if (along && !any_along) break;
+    Flat a = other.point(0);
+    for (Index j = 0; j < other.count; ++j) {
+      const Flat b = other.point(j + 1), start = a, e = b - a;
+      const Real l = length(e);
+      a = b;
+      if (!(l > tolerance)) continue;
+      const bool is_along = math::fabs(cross(e, way)) <= nearly_along * l * side;
+      any_along = any_along || is_along;
+      if (is_along != along) continue;
+      const Real low = along ? c.from : 0, high = along ? c.to : 1;
+      const Real d0 = cross(e, c.p + low * way - start) / l,
+                 d1 = cross(e, c.p + high * way - start) / l;
       const bool in0 = d0 >= -margin, in1 = d1 >= -margin;
       if (!in0 && !in1) return c;
       if (in0 != in1) {  // the crossing is that of the sides themselves
-        const Real t = math::fmin(1.0, math::fmax(0.0, d0 / (d0 - d1)));
+        const Real t = low + (high - low) * math::fmin(1.0, math::fmax(0.0, d0 / (d0 - d1)));
         if (in1 && t > c.from) {
           c.from = t;
           c.cut_from = j;
@@ -100,7 +115,6 @@ KOKKOS_INLINE_FUNCTION Clipped clip_side(const Outline& one, Index i, const Outl
       }
       if (!((c.to - c.from) * side > tolerance)) return c;
     }
-    a = b;
   }
   c.any = true;
   return c;
