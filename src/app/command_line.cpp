@@ -157,6 +157,8 @@ void add_commands(CLI::App& app, Options& options) {
       if (lists_keyblocks(help.command))
         sub->add_option_function<std::string>("--table", [&options](const std::string& name) {
           if (name.empty()) reject("--table needs the name of a file");
+          if (!name.ends_with(".csv"))
+            reject(fmt::format("--table: the table is CSV; '{}' must end in .csv", name));
           options.table = name;
         });
       if (may_leave_result(help.command)) sub->add_flag("--no-result", options.no_result);

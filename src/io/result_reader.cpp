@@ -39,7 +39,9 @@ void check_file(const std::string& path) {
   if (status.type() != fs::file_type::regular) fail(path, "is no file");
   if (!std::ifstream(path, std::ios::binary))
     fail(path, std::string("cannot be read: ") + std::strerror(errno));
-  if (!has_signature(path)) fail(path, "is no HDF5 file");
+  if (!has_signature(path))
+    fail(path, path.ends_with(".toml") ? "is no HDF5 file but a model: a result (.vtkhdf) is wanted"
+                                       : "is no HDF5 file");
 }
 
 void check_format(const File& file, const std::string& path) {

@@ -5,11 +5,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 
 #include "src/base/vector.hpp"
 #include "src/model/read/draft.hpp"
+#include "src/model/read/geometry/read_shapes.hpp"
 #include "src/model/read/read_value.hpp"
 
 namespace rockfold {
@@ -29,12 +31,21 @@ struct Slip {
 };
 
 /// Bounds: soft clay has some MPa, the strongest rock 150 GPa; pumice 500 kg/m3, steel 7,850; a thin rod of glass fibre holds 50 kN.
+/// Joints filled with soft clay have 10 MPa/m, tight ones in granite 100 GPa/m (manual of UDEC). A cohesion of 100 Pa carries 4 mm of
+/// rock; soil has some kPa, intact rock MPa. Friction bolts hold some 10 kN/m; yielding bolts give way by some 0.3 m.
 constexpr Slip slips[] = {
     {"material", "young_modulus", "Pa", 0, 1e3, 1e9, "GPa", false},
     {"material", "young_modulus", "Pa", 1e3, 1e6, 1e6, "MPa", false},
     {"material", "density", "kg/m3", 0, 10, 1e3, "t/m3", false},
     {"material", "density", "kg/m3", 10, 100, 1e3 / g, "kN/m3, a unit weight", false},
     {"material", "density", "kg/m3", 10'000, infinity, 1 / g, "N/m3, a unit weight", false},
+    {"material", "cohesion", "Pa", 0, 100, 1e6, "MPa", false},
+    {"joint_material", "cohesion", "Pa", 0, 1, 1e6, "MPa", false},
+    {"joint_material", "cohesion", "Pa", 1, 100, 1e3, "kPa", false},
+    {"joint_material", "normal_stiffness", "Pa/m", 0, 1e3, 1e9, "GPa/m", false},
+    {"joint_material", "normal_stiffness", "Pa/m", 1e3, 1e6, 1e6, "MPa/m", false},
+    {"joint_material", "shear_stiffness", "Pa/m", 0, 1e3, 1e9, "GPa/m", false},
+    {"joint_material", "shear_stiffness", "Pa/m", 1e3, 1e6, 1e6, "MPa/m", false},
     {"bolt_type", "force_capacity", "N", 0, 1e3, 1e3, "kN"},
     {"bolt_type", "plate_capacity", "N", 0, 1e3, 1e3, "kN"},
     {"bolt_type", "shear_capacity", "N", 0, 1e3, 1e3, "kN"},
@@ -44,6 +55,18 @@ constexpr Slip slips[] = {
     {"bolt_pattern", "force_capacity", "N", 0, 1e3, 1e3, "kN"},
     {"bolt_pattern", "plate_capacity", "N", 0, 1e3, 1e3, "kN"},
     {"bolt_pattern", "shear_capacity", "N", 0, 1e3, 1e3, "kN"},
+    {"bolt_type", "bond_strength", "N/m", 0, 1e3, 1e3, "kN/m"},
+    {"bolt", "bond_strength", "N/m", 0, 1e3, 1e3, "kN/m"},
+    {"bolt_pattern", "bond_strength", "N/m", 0, 1e3, 1e3, "kN/m"},
+    {"bolt_type", "displacement_capacity", "m", 1, infinity, 1e-3, "mm"},
+    {"bolt", "displacement_capacity", "m", 1, infinity, 1e-3, "mm"},
+    {"bolt_pattern", "displacement_capacity", "m", 1, infinity, 1e-3, "mm"},
+};
+
+/// Of friction alone: no surface has under 1 deg, and 1 rad is more than most have. 0 is a smooth joint.
+constexpr Slip friction_slips[] = {
+    {"material", "friction_angle", "deg", 0, 1, 180 / std::numbers::pi, "rad"},
+    {"joint_material", "friction_angle", "deg", 0, 1, 180 / std::numbers::pi, "rad"},
 };
 
 /// Angles, and what the largest of them is in radians.
@@ -93,11 +116,14 @@ class Plausibility {
     look_for_radians();
     look_at_gravity();
     look_at_loads();
+    look_at_tractions();
     look_at_motion();
     look_at_statics();
     look_at_heads();
+    look_at_heads_over_solids();
     look_at_stress();
     look_at_earthquake();
+    look_at_target();
     return std::move(found_);
   }
 
@@ -124,7 +150,8 @@ class Plausibility {
     return result;
   }
 
-  /// All angles are as small as radians: of a model in degrees some dip or friction is larger.
+  /// All angles are as small as radians: of a model in degrees some dip or friction is larger. Where some are larger, a friction may
+  /// be in radians alone.
   void look_for_radians() {
     const Value* first = nullptr;
     std::string first_path;
@@ -137,7 +164,10 @@ class Plausibility {
                       if (x == 0) return;  // says nothing
                       if (++count == 1) first = &value, first_path = path;
                     });
-    if (!all_small || count < 2) return;
+    if (!all_small || count < 2) {
+      for (const Slip& slip : friction_slips) look_for(slip);
+      return;
+    }
     add(*first, first_path,
         "is " + described(*first) +
             " deg, and no dip or friction angle is over 1.6 deg: did you mean radians? Angles are "
@@ -174,6 +204,21 @@ class Plausibility {
       if (force > 0 && force < small)
         found_.push_back({load.place, "is at most " + rounded_text(force) +
                                           " N on rock that weighs giganewtons: did you mean kN?"});
+    }
+  }
+
+  /// Stresses of which nobody takes account: 1 kPa is 4 cm of rock, or snow on a roof. A model without weight may well have no units.
+  void look_at_tractions() {
+    constexpr Real small = 1e3;  // Pa
+    if (model_.gravity == Vec3{}) return;
+    for (const Traction& traction : model_.tractions) {
+      if (traction.head) continue;
+      Real stress = norm(traction.value);
+      for (const Vec3& p : traction.table.value) stress = std::max(stress, norm(p));
+      if (stress > 0 && stress < small)
+        found_.push_back({traction.place, "is at most " + rounded_text(stress) +
+                                              " Pa, the weight of a few centimetres of rock: did "
+                                              "you mean kPa?"});
     }
   }
 
@@ -252,6 +297,44 @@ class Plausibility {
                                            rounded_text(crest) + " m"});
   }
 
+  /// Bottom and top of the solids by the points that they are given by, m; none where files or half-spaces bound one.
+  std::optional<std::array<Real, 2>> solid_heights() const {
+    Real low = infinity, high = -infinity;
+    for (const Solid& solid : model_.solids) {
+      if (!solid.add) continue;
+      if (std::holds_alternative<HalfspacesShape>(solid.shape) ||
+          std::holds_alternative<MeshShape>(solid.shape) ||
+          std::holds_alternative<TerrainShape>(solid.shape))
+        return {};
+      for (const Vec3& point : given_points(solid.shape)) {
+        low = std::min(low, point[2]);
+        high = std::max(high, point[2]);
+      }
+    }
+    return low < high ? std::optional(std::array{low, high}) : std::nullopt;
+  }
+
+  /// Water far above the rock: heights above the sea in a model with an origin of its own, or pressures in kPa. A kilometre is left to
+  /// models of deep tunnels, and ten heights to higher ones. Heads count against gravity: looked at where that is z.
+  void look_at_heads_over_solids() {
+    constexpr Real most = 10, deep = 1e3;  // heights of the solids, m, above their top
+    const auto heights = solid_heights();
+    if (!heights || model_.gravity[0] != 0 || model_.gravity[1] != 0) return;
+    const auto [low, high] = *heights;
+    const auto look = [&, low = low, high = high](Real head, const Place& place) {
+      if (head <= high + std::max(deep, most * (high - low))) return;
+      found_.push_back({place, "has a head of " + rounded_text(head) +
+                                   " m; the solids reach from z = " + rounded_text(low) + " to " +
+                                   rounded_text(high) +
+                                   " m: did you mean another datum? A head is an elevation in m"});
+    };
+    for (const Water& water : model_.waters)
+      if (const auto* head = std::get_if<WaterHead>(&water.level))
+        look(head->elevation, water.place);
+    for (const Traction& traction : model_.tractions)
+      if (traction.head) look(*traction.head, traction.place);
+  }
+
   /// Rock is pressed in every direction.
   void look_at_stress() {
     const Entry* entry = root_.find("initial_stress");
@@ -274,6 +357,16 @@ class Plausibility {
     add(entry->value, "support.seismic_coefficient",
         "is " + rounded_text(norm(model_.support->seismic_coefficient)) +
             " times g: it is a fraction of g, 0.1 for 10 %");
+  }
+
+  /// Codes ask for 1.1 to 3; 150 is per cent.
+  void look_at_target() {
+    constexpr Real largest = 20;
+    const Entry* entry = root_.find("support");
+    if (!entry || !model_.support || model_.support->target_factor_of_safety <= largest) return;
+    add(entry->value, "support.target_factor_of_safety",
+        "is " + rounded_text(model_.support->target_factor_of_safety) +
+            ": it is a factor, 1.5 for 150 %");
   }
 
   const Table& root_;

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "src/base/archive.hpp"
+#include "src/model/read/read_model.hpp"
 #include "src/model/text/overrides.hpp"
-#include "src/model/text/parse_toml.hpp"
 #include "src/report/documents/documents.hpp"
 #include "src/sweep/sampling.hpp"
 
@@ -34,17 +34,41 @@ std::vector<std::string> overrides_of(const Options& options, const SweepSpec& s
   return all;
 }
 
+/// A parameter drawn from a distribution of numbers that need not be whole.
+bool draws_fractions(const Parameter& parameter) {
+  const auto* variable = std::get_if<Variable>(&parameter.values);
+  return variable != nullptr && !variable->integer && variable->kind != Variable::Kind::constant;
+}
+
+/// What is wrong with the keys of the changes, whatever their values are: unknown ones, and fractions where whole numbers must be.
+std::vector<Diagnostic> wrong_keys(const SweepSpec& spec, const std::vector<std::string>& changes,
+                                   const Error& error) {
+  std::vector<Diagnostic> wrong;
+  const std::size_t first = changes.size() - spec.parameters.size();
+  for (Diagnostic found : error.diagnostics())
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      if (found.place.file != override_name(changes[i])) continue;
+      const bool fraction = i >= first && draws_fractions(spec.parameters[i - first]) &&
+                            found.message.find("must be an integer") != std::string::npos;
+      if (fraction) found.message += "; integer = true in its [[parameter]] draws whole numbers";
+      if (fraction || found.message.starts_with("unknown key")) wrong.push_back(found);
+      break;
+    }
+  return wrong;
+}
+
 /// That the model is there, is TOML and has what the keys name: else every run would fail with the same words.
 std::string require_model(const Options& options, const SweepSpec& spec,
                           const std::vector<std::string>& values) {
   std::error_code ignored;
   if (!fs::is_regular_file(spec.model, ignored))
     throw Error(ErrorKind::io, "no such file", Place{spec.model, 0, 0, "model"});
-  std::string text = text_of(spec.model);
-  Value root = parse_toml(text, 0, spec.model);
-  for (const std::string& change : overrides_of(options, spec, values))
-    apply_override(root, change, 1);
-  return text;
+  const auto changes = overrides_of(options, spec, values);
+  const ReadModel read = try_read_model(spec.model, changes, Purpose::cut);
+  if (read.wrong)
+    if (auto wrong = wrong_keys(spec, changes, *read.wrong); !wrong.empty())
+      throw Error(ErrorKind::model, std::move(wrong));
+  return text_of(spec.model);
 }
 
 Identity identity_of(const Options& options, const SweepSpec& spec, const std::string& model,

@@ -231,8 +231,9 @@ class TableOfTheCommandLine(ProgramTest):
         self.copy_case("free_fall")
         told = self.run_program("run", "free_fall.toml", "--table", "keys.csv", status=2).stderr
         self.assertIn("--table: lists key blocks, which `run` finds where the model has a [support]", told)
-        told = self.run_program("support", "free_fall.toml", "--table", "free_fall.toml", status=2).stderr
-        self.assertIn("would overwrite the model; give --table another name", told)
+        for name in ("free_fall.toml", "keys.xlsx"):
+            told = self.run_program("support", "free_fall.toml", "--table", name, status=2).stderr
+            self.assertIn(f"--table: the table is CSV; '{name}' must end in .csv", told)
         self.assertEqual(self.files(), ["free_fall.toml"])
 
 

@@ -19,6 +19,7 @@ continues = ["zmin"]
 """
 TETRAHEDRON = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
 POINT = "point = [5, 10, 15]\n"
+JOINT = "[[joint]]\ndip = 30\ndip_direction = 90\n" + POINT
 STATIC = "[cover]\nspacing = 5\n[analysis]\ntype = 'static'\n[[fixed]]\nwhere = {face = 'rock.zmin'}\n"
 
 
@@ -106,7 +107,8 @@ class Slips(ProgramTest):
 
     def test_single_brackets(self):
         joint = "\ndip = 30\ndip_direction = 0\npoint = [5, 5, 5]\n"
-        self.said(ROCK + "[joint]" + joint + "[[joint]]" + joint, "entries of a list stand in double brackets")
+        self.said(ROCK + "[joint]" + joint + "[[joint]]" + joint, "Entries of a list stand in double brackets")
+        self.said(ROCK + "[joint]" + joint + "[joint]" + joint, "double brackets, all of them: [[joint]]")
 
     def test_a_part_of_a_key(self):
         self.said(ROCK + "[[joint_set]]\ndip = 60\ndip_direction = 90\n[joint_set.random]\nspacing = 2\nkappa = 20\n",
@@ -129,6 +131,10 @@ class Slips(ProgramTest):
         self.write("m.toml", ground.format('"Data\\template.xyz"'))
         self.assertIn("write / between folders", self.run_program("check", "m.toml", status=3).stderr)
         self.assertIn('did you mean "m.toml"?', self.run_program("check", "M.TOML", status=3).stderr)
+        self.write("portal.html", "")
+        self.assertNotIn("did you mean", self.run_program("check", "portal.tml", status=3).stderr)
+        self.write("portal.toml", ROCK)
+        self.assertIn('did you mean "portal.toml"?', self.run_program("check", "portal.tml", status=3).stderr)
         self.write("m.toml", ground.format("'Data/Ground.xyz'"))
         self.run_program("check", "m.toml")
 
@@ -192,14 +198,45 @@ class Implausible(ProgramTest):
         bolt = "[[bolt]]\nforce_capacity = 150\ndisplacement_capacity = 0.02\ncollar = [10, 5, 5]\ndirection = [-1, 0, 0]\nlength = 3\n"
         self.warned(ROCK + bolt, "bolt[1].force_capacity: is 150 N: did you mean 150000 (150 kN)?")
         # Without weight a model may well have no units.
-        self.assertEqual(self.warnings("gravity = [0, 0, 0]\n" + ROCK.replace("30e9", "1").replace("2700", "1")), [])
+        self.assertEqual(self.warnings("gravity = [0, 0, 0]\n" + ROCK.replace("30e9", "1").replace("2700", "1").replace("angle = 30", "angle = 30\ncohesion = 1\nnormal_stiffness = 1")), [])
+
+    def test_joints_and_bolts_in_other_units(self):
+        def joint(keys):
+            return ROCK.replace("friction_angle = 30", "friction_angle = 30\n" + keys)
+        for keys, words in (("normal_stiffness = 5", "normal_stiffness: is 5 Pa/m: did you mean 5e9 (5 GPa/m)?"),
+                            ("normal_stiffness = 5e9\nshear_stiffness = 2000", "shear_stiffness: is 2000 Pa/m: did you mean 2e9 (2000 MPa/m)?"),
+                            ("cohesion = 20", "cohesion: is 20 Pa: did you mean 20000 (20 kPa)?"),
+                            ("cohesion = 0.05", "cohesion: is 0.05 Pa: did you mean 50000 (0.05 MPa)?")):
+            self.warned(joint(keys), "joint_material[1]." + words)
+        self.warned(ROCK.replace("poisson_ratio = 0.25", "poisson_ratio = 0.25\nfriction_angle = 45\ncohesion = 12"),
+                    "material[1].cohesion: is 12 Pa: did you mean 1.2e7 (12 MPa)?")
+        self.assertEqual(self.warnings(joint("cohesion = 100\nnormal_stiffness = 1e6\nshear_stiffness = 1e6")), [])
+        bolt = "[[bolt]]\nforce_capacity = 150e3\ndisplacement_capacity = {}\nbond_strength = {}\ncollar = [10, 5, 5]\n" \
+            "direction = [-1, 0, 0]\nlength = 3\n"
+        self.warned(ROCK + bolt.format(25, "200e3"), "bolt[1].displacement_capacity: is 25 m: did you mean 0.025 (25 mm)?")
+        self.warned(ROCK + bolt.format(0.025, 200), "bolt[1].bond_strength: is 200 N/m: did you mean 2e5 (200 kN/m)?")
+        self.assertEqual(self.warnings(ROCK + bolt.format(1, "1e3")), [])
+
+    def test_tractions_in_kilopascals(self):
+        traction = "[[traction]]\nwhere = {{face = 'rock.zmax'}}\n{}\n"
+        for value in ("pressure = 250", "value = [0, 0, -250]", "pressure_table = [[0, 0], [1, -250]]"):
+            self.warned(ROCK + traction.format(value), "traction[1]: is at most 250 Pa", "kPa?")
+            self.assertEqual(self.warnings("gravity = [0, 0, 0]\n" + ROCK + traction.format(value)), [])
+        for value in ("pressure = 0", "pressure = 1e3", "pressure_table = [[0, 0], [1, 250e3]]"):
+            self.assertEqual(self.warnings(ROCK + traction.format(value)), [])
+
+    def test_heads_far_above_the_rock(self):
+        for load in ("[[water]]\nhead = {}\n", "[[traction]]\nwhere = {{face = 'rock.zmax'}}\nhead = {}\n"):
+            self.warned(ROCK + JOINT + load.format(1200), "has a head of 1200 m; the solids reach from z = 0 to 30 m")
+            self.assertEqual(self.warnings(ROCK + JOINT + load.format(1030)), [])
 
     def test_angles_in_radians(self):
         joint = "[[joint]]\ndip = {}\ndip_direction = {}\n" + POINT
         radians = ROCK.replace("friction_angle = 30", "friction_angle = 0.52")
         self.warned(radians + joint.format(1.047, 2.1), "joint[1].dip: is 1.047 deg", "radians?")
-        for text in (ROCK + joint.format(1.047, 2.1), radians + joint.format(60, 2.1), radians + joint.format(1, 120),
-                     radians.replace("0.52", "0") + joint.format(0, 0)):
+        for text in (radians, radians + joint.format(60, 2.1), radians + joint.format(1, 120)):
+            self.warned(text, "joint_material[1].friction_angle: is 0.52 deg: did you mean 29.79 (0.52 rad)?")
+        for text in (ROCK + joint.format(1.047, 2.1), radians.replace("0.52", "0") + joint.format(0, 0), radians.replace("0.52", "1")):
             self.assertEqual(self.warnings(text), [])
 
     def test_gravity_that_points_up_or_acts_alone(self):
@@ -245,6 +282,8 @@ class Implausible(ProgramTest):
         self.warned(stress.format("5e6"), "initial_stress.value: is tension in every direction: compression is negative")
         self.assertEqual(self.warnings(stress.format("-5e6")), [])
         self.warned(ROCK + "[support]\nseismic_coefficient = [10, 0, 0]\n", "support.seismic_coefficient: is 10 times g")
+        self.warned(ROCK + "[support]\ntarget_factor_of_safety = 150\n", "support.target_factor_of_safety: is 150: it is a factor, 1.5 for 150 %")
+        self.assertEqual(self.warnings(ROCK + "[support]\ntarget_factor_of_safety = 20\n"), [])
 
     def test_files_in_millimetres(self):
         faces = TETRAHEDRON.index("f ")

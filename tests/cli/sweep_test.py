@@ -241,6 +241,16 @@ class Sweep(ProgramTest):
         self.write("cube.toml", CUBE + "# changed\n")
         self.assertIn("other model", self.json_of("sweep", "sweep.toml", status=2)["error"]["message"])
 
+    def test_whole_numbers_are_drawn_as_such(self):
+        sweep = ('model = "cube.toml"\ncommand = "cut"\nsampling = "monte_carlo"\nruns = 2\n[[parameter]]\nkey = "joint_set.J.random.seed"\n'
+                 'distribution = "uniform"\nmin = 1\nmax = 9\n')
+        self.write("cube.toml", CUBE.replace("spacing = 1\norigin = [0.5, 0, 0]\n", "random = {seed = 1, spacing = 2}\n"))
+        self.write("sweep.toml", sweep)
+        message = self.json_of("sweep", "sweep.toml", status=2)["error"]["message"]
+        self.assertRegex(message, r"found \d\.\d+, must be an integer .*integer = true in its \[\[parameter\]\]")
+        self.write("sweep.toml", sweep + "integer = true\n")
+        self.run_program("sweep", "sweep.toml")
+
     def test_mistakes_are_told_all_at_once_with_their_places(self):
         self.write("sweep.toml", SWEEP.replace("sampling", "samplin").replace('"cut"', '"cute"').replace('"blocks > 4"', '"block > 4"')
                    + '[limits]\nmemory = "much"\n')
@@ -250,6 +260,11 @@ class Sweep(ProgramTest):
         self.assertIn('did you mean "blocks"', errors[1]["message"])
         self.write("sweep.toml", SWEEP.replace("joint_set.J.", "joint_set.K."))
         self.assertIn('no entry named "K"', self.json_of("sweep", "sweep.toml", status=2)["error"]["message"])
+        self.write("sweep.toml", SWEEP.replace("J.spacing", "J.spcing"))
+        error = self.json_of("sweep", "sweep.toml", status=2)["error"]
+        self.assertEqual(error["key"], "joint_set[1].spcing")
+        self.assertIn('unknown key "spcing", did you mean "spacing"?', error["message"])
+        self.assertNotIn("sweep", self.files())
         self.assertEqual(self.json_of("sweep", "none.toml", status=3)["error"]["kind"], "io")
 
 

@@ -114,6 +114,10 @@ TEST(Override, ThatIsMalformedIsAUsageError) {
       {"drift.1.name=3", "the model has no drift to change an entry of"},
       {"drift=", "takes drift out of the model, where there is none"},
       {"cover.drift.x=", "takes cover.drift out of the model, where there is none"},
+      {"cover.spcing=", "(a value stands behind '='), did you mean \"spacing\"?"},
+      {"joint_sett.J1=", "takes joint_sett out of the model, where there is none"},
+      {"joint_sett.J1=", "did you mean \"joint_set\"?"},
+      {"analysis.newmark.theta=", "the keys there are: beta, gamma"},
       {"joint_set.6=", "joint_set has 5 entries, no number 6"},
       {"title=\xFF", "no UTF-8"},
   };

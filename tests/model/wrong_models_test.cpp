@@ -29,6 +29,8 @@ namespace {
 TEST(WrongModel, IsNoToml) {
   const Wrong cases[] = {
       {"title = [1,", 1, 0, "", "TOML syntax"},
+      {ROCK "[joint]\nname = 'a'\n[joint]\nname = 'b'\n", 8, 0, "", "double brackets, all of them: [[joint]]"},
+      {ROCK "[cover]\nspacing = 1\n[cover]\nlattice = 'block'\n", 8, 0, "", "a table stands once"},
       {"title = 'a'\ntitle = 'b'", 2, 0, "", "cannot redefine existing"},
       {"title = 'a\n'", 1, 0, "", "TOML syntax"},
       {"title = '\xFF'", 1, 0, "", "utf-8"},
@@ -71,6 +73,9 @@ TEST(WrongModel, AsAWhole) {
 TEST(WrongModel, OfMaterials) {
   const Wrong cases[] = {
       {MATERIAL "density = 0", 8, 11, "material[1].density", "found 0, must be > 0 (kg/m3) (in \"a\")"},
+      {MATERIAL "density = '26,5 kN/m3'", 8, 11, "material[1].density", "decimals stand behind a point: 26.5, not 26,5 (a decimal comma)"},
+      {MATERIAL "density = ' -0,005 t/m3'", 8, 11, "material[1].density", "point: -0.005, not -0,005 (a decimal comma)"},
+      {MATERIAL "density = '2,6,5 t/m3'", 8, 11, "material[1].density", "must be a number (kg/m3), or text with a unit: kg/m3"},
       {MATERIAL "density = true", 8, 11, "material[1].density", "found true, must be a number (kg/m3)"},
       {MATERIAL "density = 1979-05-27", 8, 11, "material[1].density", "found a date or time, must be a number"},
       {MATERIAL "young_modulus = 1e9\npoisson_ratio = 0.5", 9, 17, "material[1].poisson_ratio", "found 0.5, must be > -1 and < 0.5 ("},
@@ -260,7 +265,9 @@ TEST(WrongModel, OfCovers) {
 TEST(WrongModel, OfConditions) {
   const Wrong cases[] = {
       {FIXED, 6, 1, "fixed[1].where", "must say one of face, box, point, plane or block_at"},
-      {FIXED "where = 'rock.zmin'", 7, 9, "fixed[1].where", "found \"rock.zmin\", must be a table of keys"},
+      {FIXED "where = 'rock.zmin'", 7, 9, "fixed[1].where", "found \"rock.zmin\", must be a table: where = {face = \"rock.zmin\"}"},
+      {FIXED "where = 'top'", 7, 9, "fixed[1].where", "found \"top\", must be a table: where = {face = \"rock.zmin\"}"},
+      {FIXED "where = 3", 7, 9, "fixed[1].where", "found 3, must be a table of keys"},
       {FIXED "where = {}", 7, 9, "fixed[1].where", "says no region, must have one of face, box"},
       {FIXED "where = {fase = 'rock.zmin'}", 7, 10, "fixed[1].where.fase", "did you mean \"face\"?"},
       {FIXED "where = {face = 'rock.zmin', point = [0, 0, 0]}", 7, 9, "fixed[1].where", "has both face and point"},

@@ -33,7 +33,8 @@ std::string file_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file)
     reject_file(path, std::string("cannot be read: ") +
-                          (errno ? std::strerror(errno) : "cannot be opened") + file_hint(path));
+                          (errno ? std::strerror(errno) : "cannot be opened") +
+                          file_hint(path, ".toml"));
   std::string text;
   std::vector<char> chunk(std::size_t{1} << 20);
   while (file.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || file.gcount() > 0) {

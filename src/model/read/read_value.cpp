@@ -28,7 +28,7 @@ std::optional<Real> real_from(const Value& value, const std::string& path, const
   const auto* text = std::get_if<std::string>(&value.data);
   const auto with_unit = text ? number_with_unit(*text, range.unit) : std::nullopt;
   if (!integer && !real && !with_unit) {
-    const std::string hint = text ? decimal_comma_hint(*text) : "";
+    const std::string hint = text ? decimal_comma_hint(decimal_comma_number(*text)) : "";
     wrong(value, path,
           "must be a number" + (range.unit.empty() ? "" : " (" + range.unit + ")") +
               (text && hint.empty() ? other_units(range.unit) : hint),

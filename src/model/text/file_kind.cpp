@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "src/model/text/nearest.hpp"
@@ -17,14 +19,16 @@ bool is_there(const fs::path& path) {
   return fs::exists(path, ignored);
 }
 
-/// The entry of a folder that was probably meant; "" if none is near.
-std::string nearest_entry(const fs::path& folder, const std::string& name) {
+/// The entry of a folder with this ending that was probably meant; "" if none is near.
+std::string nearest_entry(const fs::path& folder, const std::string& name,
+                          std::string_view ending) {
   constexpr std::size_t most = 10'000;  // of a folder's entries; bounds the time
   std::vector<std::string> names;
   std::error_code failure;
   for (fs::directory_iterator at(folder.empty() ? "." : folder, failure), end;
        !failure && at != end && names.size() < most; at.increment(failure))
-    names.push_back(at->path().filename().string());
+    if (std::string entry = at->path().filename().string(); entry.ends_with(ending))
+      names.push_back(std::move(entry));
   std::sort(names.begin(), names.end());
   return nearest_word(name, names);
 }
@@ -62,15 +66,18 @@ std::string kind_of_binary(std::string_view bytes) {
   return wide ? "text in UTF-16: save it as UTF-8" : "binary";
 }
 
-std::string file_hint(const std::string& path) {
+std::string file_hint(const std::string& path, std::string_view ending) {
   if (std::any_of(path.begin(), path.end(), [](unsigned char c) { return c < 0x20; }))
     return backslash_hint;
   std::string meant = path;
   std::replace(meant.begin(), meant.end(), '\\', '/');
   fs::path found;
-  for (const fs::path& part : fs::path(meant)) {
+  const fs::path all(meant);
+  for (auto at = all.begin(); at != all.end(); ++at) {
+    const fs::path& part = *at;
     if (!is_there(found / part)) {
-      const std::string entry = nearest_entry(found, part.string());
+      const bool is_file = std::next(at) == all.end();
+      const std::string entry = nearest_entry(found, part.string(), is_file ? ending : "");
       if (entry.empty()) return "";
       found /= entry;
     } else {

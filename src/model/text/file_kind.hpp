@@ -16,7 +16,7 @@ inline constexpr const char* backslash_hint =
     "; in \"…\" a backslash begins an escape (\\t is a tab): write / between folders";
 
 /// `, did you mean "data/Ground.asc"?` where a file is there but for case, a letter or '\\' for '/'; why a name holds control
-/// characters; else "".
-std::string file_hint(const std::string& path);
+/// characters; else "". Of files only those are suggested whose names have this ending.
+std::string file_hint(const std::string& path, std::string_view ending = "");
 
 }  // namespace rockfold

@@ -178,6 +178,13 @@ Value& child(Value& parent, std::size_t i, const std::string& parent_path, const
   return table->entries.back().value;
 }
 
+/// What of a table was probably meant by a key that it does not have.
+std::string suggested_key(const std::string& key, const Table& table) {
+  std::vector<std::string> keys;
+  for (const auto& entry : table.entries) keys.push_back(entry.key);
+  return suggestion(key, keys, "the keys there are");
+}
+
 /// Takes what the path names out of `root`.
 void remove(Value& root, const Override& change) {
   Value* parent = &root;
@@ -198,7 +205,8 @@ void remove(Value& root, const Override& change) {
       if (!entry)
         reject(change.text,
                "takes " + joined(path, part) +
-                   " out of the model, where there is none; a value stands behind '='");
+                   " out of the model, where there is none (a value stands behind '=')" +
+                   (table ? suggested_key(part, *table) : ""));
       if (last) {
         table->entries.erase(table->entries.begin() + (entry - table->entries.data()));
         return;

@@ -191,8 +191,11 @@ std::string escape_hint(std::string_view description) {
   return description.find("escape sequence") == std::string_view::npos ? "" : backslash_hint;
 }
 
-/// A list of tables whose entry stands in single brackets.
+/// A list of tables whose entries, one or all of them, stand in single brackets.
 std::string list_hint(std::string_view description) {
+  if (description.find("redefine existing table") != std::string_view::npos)
+    return "; a table stands once. Entries of a list stand in double brackets, all of them: "
+           "[[joint]]";
   if (description.find("as array-of-tables") == std::string_view::npos) return "";
   return "; entries of a list stand in double brackets, all of them: [[joint_set]]";
 }

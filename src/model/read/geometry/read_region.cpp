@@ -99,6 +99,11 @@ std::optional<Region> read_region(TableReader& entry, const Draft& draft, Region
   const std::string list = way_list(ways);
   const auto* value = entry.find("where", "must say one of " + list);
   if (!value) return {};
+  if (const auto* text = std::get_if<std::string>(&value->data)) {  // a face without its table
+    entry.wrong("where", "found " + described(*value) + ", must be a table: where = {face = \"" +
+                             (text->find('.') == std::string::npos ? "rock.zmin" : *text) + "\"}");
+    return {};
+  }
   TableReader in(*value, entry.path_of("where"), entry.out());
   std::vector<std::string> given;
   for (const auto& way : ways)

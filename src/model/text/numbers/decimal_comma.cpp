@@ -28,6 +28,14 @@ bool has_decimal_comma(std::string_view word) {
   return !word.empty() && length_with_comma(word) == word.size();
 }
 
+std::string_view decimal_comma_number(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  const std::size_t length = length_with_comma(text);
+  const bool goes_on = length < text.size() && (text[length] == ',' || text[length] == '.');
+  if (goes_on) return {};  // "1,2,3" is a list, "1,234.5" has a point
+  return text.substr(0, length);
+}
+
 std::string decimal_comma_hint(std::string_view word) {
   if (!has_decimal_comma(word)) return "";
   std::string right(word);
