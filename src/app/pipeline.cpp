@@ -211,6 +211,8 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
   const std::string path = result_path(options);
   check_output_paths(options, model);
   if (!options.no_result) require_states_replaced_knowingly(options, path);
+  if (!options.no_result && !resumption && wants_run(options))
+    if (const std::string lost = unfinished_run(path); !lost.empty()) terminal.warn(lost);
 
   Cutting cutting = clock.measure("cut", [&] { return cut_blocks(model, terminal); });
   return_free_memory();

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "src/base/vector.hpp"
 #include "src/report/design_names.hpp"
 
 namespace rockfold {
@@ -40,6 +41,19 @@ void warn_of_idle_bolts(const BoltingReport& bolting, Terminal& terminal) {
           bolting.groups[g].name, idle[g], bolting.groups[g].bolts));
 }
 
+/// A plate needs rock behind it; a wider gap than a millimetre is air there (bolting.cpp).
+void warn_of_collars_in_air(const BoltingReport& bolting, Terminal& terminal) {
+  for (const Bolt& bolt : bolting.bolts) {
+    const BoltGroup& group = bolting.groups[bolt.group];
+    if (group.is_pattern || bolt.rock.empty() || !(bolt.rock.front().from > 1e-3)) continue;
+    const Vec3 face = bolt.collar + bolt.rock.front().from * bolt.direction;
+    terminal.warn(fmt::format(
+        "{}: its collar is {:.3g} m off the rock, so that its plate holds nothing; on the face it "
+        "is at ({:.6g}, {:.6g}, {:.6g})",
+        group.name, bolt.rock.front().from, face[0], face[1], face[2]));
+  }
+}
+
 }  // namespace
 
 void warn_of_support_design(const SupportDesign& design, Terminal& terminal) {
@@ -49,7 +63,10 @@ void warn_of_support_design(const SupportDesign& design, Terminal& terminal) {
         terminal.warn(fmt::format(
             "{}: no bond_strength is given: any length beyond a block anchors the whole capacity",
             group.name));
-  if (design.bolting) warn_of_idle_bolts(*design.bolting, terminal);
+  if (design.bolting) {
+    warn_of_idle_bolts(*design.bolting, terminal);
+    warn_of_collars_in_air(*design.bolting, terminal);
+  }
   if (design.bolting && !design.bolting->disturbed.empty())
     terminal.warn(fmt::format(
         "active bolts bring blocks that stay without them below the target factor of safety: {}",

@@ -140,6 +140,10 @@ void require_loads_used(const Options& options, const Model& model, Terminal& te
                                 not_in.front(),
                                 action.instead.empty() ? "" : ": " + action.instead));
   }
+  if (model.support && wants_run(options) && model.support->seismic_coefficient != Vec3{})
+    terminal.warn(
+        "support.seismic_coefficient acts on key blocks alone, not on the analysis: "
+        "base_acceleration acts there");
   if (!refused.empty()) throw Error(ErrorKind::model, refused);
 }
 

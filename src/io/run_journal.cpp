@@ -46,7 +46,7 @@ struct CheckpointHead {
 void pass(Archive& archive, RunOrigin& origin) {
   archive.all(origin.version, origin.commit, origin.command, origin.model, origin.folder,
               origin.text, origin.overrides, origin.ignored, origin.exports, origin.table,
-              origin.seed);
+              origin.report, origin.seed);
   auto count = static_cast<std::uint64_t>(origin.inputs.size());
   archive.pass(count);
   origin.inputs.resize(std::min<std::uint64_t>(count, 1 << 20));

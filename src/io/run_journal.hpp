@@ -33,7 +33,8 @@ struct RunOrigin {
   std::string folder;           ///< … from this absolute one
   std::string text;             ///< of the model file
   std::vector<std::string> overrides, ignored, exports;
-  std::string table;  ///< of --table; empty = none
+  std::string table;    ///< of --table; empty = none
+  bool report = false;  ///< --report
   std::optional<std::uint64_t> seed;
   std::vector<Input> inputs;
   std::vector<std::byte> search;  ///< what a strength reduction found before it

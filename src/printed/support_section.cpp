@@ -142,7 +142,17 @@ void add_keyblocks(Html& html, const ReportSource& source) {
   html.heading(2, "Key blocks", "keyblocks");
   const Real smallest = smallest_block(source);
   std::vector<Json> keys = by_safety(support.at("keyblocks"));
-  if (keys.empty()) html.paragraph("No block can move.");
+  if (keys.empty()) html.paragraph("No block moves under these loads.");
+  const Json& totals = support.at("totals");
+  if (const Json& doubtful = totals.at("below_target"); doubtful.at("blocks") > 0)
+    html.paragraph(fmt::format(
+        "Blocks that stay, but with less than the target factor of safety: {}; they need a support "
+        "force of {}.",
+        doubtful.at("blocks").get<Index>(), quantity(doubtful.at("support_force"), "N")));
+  if (totals.at("further_batches") == "not_examined")
+    html.paragraph(
+        "What moves once these key blocks are gone has not been looked for: support.batches = 0 "
+        "does.");
   const auto small =
       std::erase_if(keys, [&](const Json& key) { return key.at("volume") < smallest; });
   add_batches(html, support);

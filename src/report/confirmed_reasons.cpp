@@ -8,11 +8,17 @@
 namespace rockfold {
 namespace {
 
-/// m, that a constant acceleration (m/s²) takes a block from rest in the whole analysis. A quasi-static step begins at rest, and
+/// m, that a constant acceleration (m/s²) takes a block from rest in the analysis, once a stage of excavation has been dug (where a step does
+/// that; 0: none). A quasi-static step begins at rest, and
 /// Newmark's average acceleration takes it a Δt²/4 far.
-Real way_from_rest(Real acceleration, const Analysis& analysis) {
+Real way_from_rest(Real acceleration, const Analysis& analysis, Index excavation) {
   Real way = 0, speed = 0;
-  for (const AnalysisStage& stage : analysis.stages) {
+  const auto dug = std::find_if(analysis.stages.begin(), analysis.stages.end(), [&](const auto& s) {
+    return excavation > 0 && s.excavate == excavation;
+  });
+  for (auto at = dug == analysis.stages.end() ? analysis.stages.begin() : dug;
+       at != analysis.stages.end(); ++at) {
+    const AnalysisStage& stage = *at;
     const Real dt = stage.time_step, time = dt * stage.steps;
     if (stage.share_handed_on() == 0) {
       way += 0.25 * acceleration * dt * dt * stage.steps;
@@ -48,7 +54,8 @@ Reason Reasons::of_stay(const Confirmed& c) const {
     return Reason::held;
   Real mass = 0;
   for (const Index b : c.members) mass += report_.blocks.mass[b];
-  const Real way = way_from_rest(c.key->sliding_force / mass, *report_.model.analysis);
+  const Real way =
+      way_from_rest(c.key->sliding_force / mass, *report_.model.analysis, c.key->stage);
   if (!has_moved({way, 0, 0}, c.key->volume)) return Reason::time;
   if (c.key->batch > 1) return Reason::batch;
   if (other_loads()) return Reason::loads;
@@ -60,7 +67,9 @@ Reason Reasons::of_motion(const Confirmed& c) const {
   const auto beside = [&](Index b) { return beside_loose_rock_[b] != 0; };
   if (std::any_of(c.members.begin(), c.members.end(), beside)) return Reason::rock;
   const Index first = c.members.front();
-  if (c.key ? c.key->batch > 1 : report_.keyblocks->block_class[first] == BlockClass::not_examined)
+  if (c.key ? c.key->batch > 1
+            : report_.keyblocks->groups_left ||
+                  report_.keyblocks->block_class[first] == BlockClass::not_examined)
     return Reason::batch;
   if (other_loads() || !report_.model.initial_velocities.empty()) return Reason::loads;
   return report_.model.initial_stress.any ? Reason::in_situ_stress : Reason::neighbours;

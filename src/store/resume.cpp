@@ -70,6 +70,7 @@ Options options_of_run(const Options& now, const RunOrigin& origin) {
   options.input = origin.model.empty() ? "" : present_path(origin);
   options.exports = origin.exports;
   options.table = origin.table;
+  options.report = origin.report;
   options.ignored = origin.ignored;
   options.overrides = origin.overrides;
   options.overrides.insert(options.overrides.end(), now.overrides.begin(), now.overrides.end());
@@ -124,6 +125,7 @@ RunOrigin run_origin(const Options& options, const Model& model) {
   origin.ignored = options.ignored;
   origin.exports = options.exports;
   origin.table = options.table;
+  origin.report = options.report;
   origin.seed = options.seed;
   for (const std::string& file : files_named_by(model)) origin.inputs.push_back(fingerprint(file));
   return origin;
@@ -188,6 +190,21 @@ Checkpoints checkpoints_in(RunJournal& journal, const Model& model, const Resump
   if (resumption && resumption->journal.checkpoint)
     checkpoints.from = *resumption->journal.checkpoint;
   return checkpoints;
+}
+
+std::string unfinished_run(const std::string& result) {
+  try {
+    const std::optional<JournalContents> journal = read_journal(result);
+    if (!journal) return "";
+    const CheckpointFacts facts = facts_of(result, *journal);
+    if (facts.steps == 0) return "";
+    return fmt::format(
+        "{}: the run that ended at step {}, {:.6g} s, is thrown away; `rockfold resume {}` would "
+        "have gone on with it",
+        journal_path(result), facts.steps, facts.time, result);
+  } catch (const Error&) {
+    return "";  // nothing that could go on
+  }
 }
 
 ResultInfo info_of_result(const std::string& path) {

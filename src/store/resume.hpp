@@ -39,6 +39,9 @@ std::unique_ptr<RunJournal> open_journal(const Options& options, const Model& mo
 /// Leaves checkpoints in the journal, and starts from the one gone on with.
 Checkpoints checkpoints_in(RunJournal& journal, const Model& model, const Resumption* resumption);
 
+/// What a new run to this result would throw away: an earlier one that could go on. Empty: nothing.
+std::string unfinished_run(const std::string& result);
+
 /// Of a result, or of the run under way or killed that would have made it.
 ResultInfo info_of_result(const std::string& path);
 

@@ -2,6 +2,7 @@
 import filecmp
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -168,13 +169,16 @@ class Resume(ProgramTest):
         self.assertEqual(self.resumed("whole.vtkhdf", "--set", "step.slide.steps=50"), longer)
         self.assertNotEqual(longer, whole)
 
-    def test_a_table_asked_for_on_the_command_line_is_written_again(self):
+    def test_table_and_report_asked_for_on_the_command_line_are_written_again(self):
         self.write("stack.toml", STACK + "[support]\n")
-        self.assertEqual(self.stopped(signal.SIGINT, 10, "part.vtkhdf", "--table", "keys.csv"), 130)
+        self.assertEqual(self.stopped(signal.SIGINT, 10, "part.vtkhdf", "--table", "keys.csv", "--report"), 130)
         table = (self.folder / "keys.csv").read_text()
+        told = re.compile(r"<td>(\d+ steps to [0-9.]+ s)(, interrupted)?</td>")
+        self.assertTrue(told.search((self.folder / "part.report.html").read_text()).group(2))
         (self.folder / "keys.csv").unlink()
         self.resumed()
         self.assertEqual((self.folder / "keys.csv").read_text(), table)
+        self.assertEqual(told.search((self.folder / "part.report.html").read_text()).groups(), ("50 steps to 0.3 s", None))
 
     def test_an_interrupted_run_goes_on_to_another_end(self):
         longer = self.whole_run("longer.vtkhdf", "--set", "step.slide.steps=50")

@@ -69,7 +69,7 @@ def toppling_slope(program, full):
     resting = run(limit + 0.003, **{"analysis.steps": 400})  # friction between blocks 3 and 4 may take hundreds of steps to come to work
     _, u = path(resting, crest)
     found.row("motion of the crest in the last step, tan φ 0.003 above the limit", "m", 0, float(np.linalg.norm(u[-1] - u[-2])), 1e-9, "limit equilibrium")
-    near = run(limit + 2e-4)
+    near = run(limit + 2e-4, **{"analysis.steps": 400})
     expected, mode = slope.forces(limit)
     off = max(abs(pressed(near, n) - expected[n]) for n in range(1, slope.BLOCKS) if mode[n + 1] == "topples") / max(expected.values())
     found.row("forces of the blocks that topple on those before, off the largest, at the limit", "relative", 0, off, 3 * TURNED, "Goodman & Bray 1976")

@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "host/keyblock/face_shape.hpp"
 #include "src/base/vector.hpp"
 #include "src/report/documents/document_parts.hpp"
@@ -64,11 +68,28 @@ Json support_totals_json(const BlockArrays& blocks, const KeyblockReport& report
     std::size_t blocks = 0;
     Real volume = 0, force = 0;
     void add(const Keyblock& key) { ++blocks, volume += key.volume, force += key.support_force; }
-  } all, first;
+    Json json() const {
+      return {{"keyblocks", blocks}, {"volume", volume}, {"support_force", force}};
+    }
+  } all, first, listed;
+  Real least = std::numeric_limits<Real>::infinity();
+  const auto look = [&](const Keyblock& key) {
+    if (key.volume < report.smallest_block) return;
+    least = std::min(least, std::isfinite(key.factor_of_safety) ? key.factor_of_safety : 0);
+  };
   for (const auto& key : report.keyblocks) {
     all.add(key);
     if (key.batch == 1) first.add(key);
+    if (key.volume >= report.smallest_block) listed.add(key);
+    look(key);
   }
+  Sums below_target;
+  for (const auto& key : report.stable) {
+    look(key);
+    if (key.support_force > 0) below_target.add(key);
+  }
+  const auto unexamined =
+      std::count(report.block_class.begin(), report.block_class.end(), BlockClass::not_examined);
   return {
       {"blocks", blocks.block_count()},
       {"keyblocks", all.blocks},
@@ -76,8 +97,11 @@ Json support_totals_json(const BlockArrays& blocks, const KeyblockReport& report
       {"batch_stages", report.batch_stage},
       {"keyblock_volume", all.volume},
       {"support_force", all.force},
-      {"first_batch",
-       {{"keyblocks", first.blocks}, {"volume", first.volume}, {"support_force", first.force}}}};
+      {"first_batch", first.json()},
+      {"listed", listed.json()},
+      {"least_factor_of_safety", std::isfinite(least) ? Json(least) : Json()},
+      {"below_target", {{"blocks", below_target.blocks}, {"support_force", below_target.force}}},
+      {"further_batches", unexamined > 0 || report.groups_left ? "not_examined" : "none"}};
 }
 
 Json blocks_json(const KeyblockReport& report) {

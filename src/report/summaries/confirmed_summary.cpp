@@ -116,7 +116,7 @@ std::string confirmed_summary(const RunReport& report, std::size_t most) {
   std::size_t other_count = 0;
   for (Confirmed& c : confirmed_motion(report)) {
     if (c.key) {
-      keys.push_back(std::move(c));
+      if (c.key->volume >= report.keyblocks->smallest_block) keys.push_back(std::move(c));
       continue;
     }
     if (++other_count <= most)

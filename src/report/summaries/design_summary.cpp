@@ -78,9 +78,10 @@ std::string bolting_text(const BoltingReport& bolting, const KeyblockReport& key
     text += fact("disturbed", fmt::format("{} (below the target because of active bolts)",
                                           block_list(bolting.disturbed)));
   std::vector<std::vector<std::string>> rows;
+  std::size_t listed = 0;
   for (const std::size_t i : by_support(keyblocks.keyblocks)) {
-    if (rows.size() == most_rows) break;
-    rows.push_back(support_row(bolting.keyblocks[i]));
+    if (keyblocks.keyblocks[i].volume < keyblocks.smallest_block) continue;
+    if (++listed <= most_rows) rows.push_back(support_row(bolting.keyblocks[i]));
   }
   if (rows.empty()) return text;
   text += "\n" + table_text({{"block", "", false},
@@ -92,9 +93,9 @@ std::string bolting_text(const BoltingReport& bolting, const KeyblockReport& key
                              {"enough", "", true},
                              {"missing", "kN", false}},
                             rows);
-  if (bolting.keyblocks.size() > most_rows)
+  if (listed > most_rows)
     text += fmt::format("  … {} more: --table keyblocks.csv lists all\n",
-                        grouped(static_cast<std::int64_t>(bolting.keyblocks.size() - most_rows)));
+                        grouped(static_cast<std::int64_t>(listed - most_rows)));
   return text;
 }
 

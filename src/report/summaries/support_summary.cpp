@@ -91,10 +91,11 @@ std::string doubtful_summary(const KeyblockReport& report) {
   for (const auto& block : report.stable)
     if (block.support_force > 0) ++count, force += block.support_force;
   if (count == 0) return "";
+  const std::string more = report.keyblocks.empty() ? "" : "more ";
   return fact("below the target",
-              fmt::format("{} {}, but {} {:.4g} kN for the target factor of safety", count,
-                          count == 1 ? "more block stays" : "more blocks stay",
-                          count == 1 ? "needs" : "need", force / 1e3));
+              fmt::format("{} {}{}, but {} {:.4g} kN for the target factor of safety", count, more,
+                          count == 1 ? "block stays" : "blocks stay", count == 1 ? "needs" : "need",
+                          force / 1e3));
 }
 
 /// Blocks that the limit of batches leaves without an answer.
@@ -108,7 +109,8 @@ std::string unexamined_summary(const KeyblockReport& report) {
                        count == 1 ? "a block" : fmt::format("{} blocks", count));
   if (report.groups_left)
     what += fmt::format("{}groups that fail together", what.empty() ? "" : ", and ");
-  return fact("not examined", what + " (support.batches)");
+  return fact("not examined",
+              what + "; support.batches = 0 looks for all that moves once these are gone");
 }
 
 /// What blocks need together.
