@@ -110,7 +110,10 @@ std::optional<Region> read_region(TableReader& entry, const Draft& draft, Region
     if (in.has(way)) given.push_back(way);
   for (const auto& way : ways_of(Regions::any))
     if (given.empty() && in.has(way)) {
-      in.wrong(way, "a " + way + " has no free faces, must have one of " + list);
+      in.wrong(way, std::string("a ")
+                        .append(way)
+                        .append(" has no free faces, must have one of ")
+                        .append(list));
       return {};
     }
   if (given.empty()) {
