@@ -36,7 +36,8 @@
 // motion apart, and Newton's iteration seeks them one by one.)
 // Along the face nothing is given back either: the shear of such a point is k_s (s + (1 − e) T_s Δ/Δt), no more than its strength, with
 // T_s = 10/ω: of a stretch a tenth of its speed comes back. The stretch s slips as above.
-// A joint of the cut that has never opened is elastic: waves pass through it without drag.
+// A joint of the cut that has never opened is elastic: waves pass through it without drag, and with e > 0 its pressure is the discrete gradient
+// too, so that blocks in touch hand on what hits them.
 #pragma once
 
 #include "src/arrays/contact_arrays.hpp"

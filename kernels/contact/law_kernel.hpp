@@ -223,11 +223,14 @@ KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactR
   out.memory = before;
   ContactMemory& memory = out.memory;
   const Real g0 = motion.gap_before - before.dilation, g1 = motion.gap - before.dilation;
-  const bool impact = before.met && motion.speed_by_gap > 0;
+  const bool bonded = is_bonded(law, before), moving = motion.speed_by_gap > 0;
+  const bool impact = before.met && moving;
+  const bool gives_back = !before.met && moving && rule.restitution > 0 && !bonded;
   if (impact) remember_approach(motion, memory);
   Pressure p = end_pressure(law.normal_stiffness, g1);  // < 0: what dilation must make up for
-  if (impact) {
-    p = impact_pressure(law.normal_stiffness, rule, memory.approach, motion, g0, g1);
+  if (impact || gives_back) {
+    p = impact ? impact_pressure(law.normal_stiffness, rule, memory.approach, motion, g0, g1)
+               : mean_pressure(law.normal_stiffness, g0, g1);
     if (g1 > 0 && (law.dilation > 0 || !(p.value > 0))) {
       p.value -= law.normal_stiffness * g1;
       p.stiffness += law.normal_stiffness;
@@ -235,7 +238,6 @@ KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactR
   }
   const Real s[2] = {before.shear[0] + motion.shear[0], before.shear[1] + motion.shear[1]};
   const Real length = math::sqrt(s[0] * s[0] + s[1] * s[1]);
-  const bool bonded = is_bonded(law, before);
   Strength now{p.value, unlimited, 0, p.stiffness};
   if (!bonded && !held) now = residual_strength(law, p);
   if (bonded || held || (p.value >= 0 && law.shear_stiffness * length <= now.shear)) {
@@ -246,7 +248,7 @@ KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactR
     return out;
   }
   shear(law, now, s, motion.shear, impact && !bonded ? rule.shear_drag : 0, out);
-  const Real pressed = stored_closure(law, before, motion, impact, out);
+  const Real pressed = stored_closure(law, before, motion, impact || gives_back, out);
   memory.pressed = pressed;
   out.elastic = 0.5 * law.normal_stiffness * pressed * pressed;
   for (const double stretch : memory.shear)
