@@ -185,13 +185,15 @@ void add_summary(Html& html, const ReportSource& source) {
         "First batch",
         fmt::format("{} key blocks, {} m³; support force {}", first.at("keyblocks").get<Index>(),
                     digits(first.at("volume")), quantity(first.at("support_force"), "N")));
-    if (const Json& doubtful = sums.at("below_target"); doubtful.at("blocks") > 0)
+    // Results of programs before these keys do without.
+    if (const Json doubtful = sums.value("below_target", Json{{"blocks", 0}});
+        doubtful.at("blocks") > 0)
       facts.emplace_back(
           "Below the target",
           fmt::format("{} that {}; support force {}", doubtful.at("blocks").get<Index>(),
                       doubtful.at("blocks") == 1 ? "stays" : "stay",
                       quantity(doubtful.at("support_force"), "N")));
-    if (sums.at("further_batches") == "not_examined")
+    if (sums.value("further_batches", "") == "not_examined")
       facts.emplace_back("Further batches", "not looked for (support.batches)");
   }
   if (source.has_run()) {

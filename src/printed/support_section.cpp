@@ -144,12 +144,13 @@ void add_keyblocks(Html& html, const ReportSource& source) {
   std::vector<Json> keys = by_safety(support.at("keyblocks"));
   if (keys.empty()) html.paragraph("No block moves under these loads.");
   const Json& totals = support.at("totals");
-  if (const Json& doubtful = totals.at("below_target"); doubtful.at("blocks") > 0)
+  if (const Json doubtful = totals.value("below_target", Json{{"blocks", 0}});
+      doubtful.at("blocks") > 0)
     html.paragraph(fmt::format(
         "Blocks that stay, but with less than the target factor of safety: {}; they need a support "
         "force of {}.",
         doubtful.at("blocks").get<Index>(), quantity(doubtful.at("support_force"), "N")));
-  if (totals.at("further_batches") == "not_examined")
+  if (totals.value("further_batches", "") == "not_examined")
     html.paragraph(
         "What moves once these key blocks are gone has not been looked for: support.batches = 0 "
         "does.");

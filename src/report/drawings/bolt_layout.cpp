@@ -217,12 +217,13 @@ Point2 Layout::place(std::size_t face, const Vec3& x) const {
   return chart.at({u, v});
 }
 
-/// Where on the drawing bolts stand.
+/// Where on the drawing bolts stand, from left to right.
 std::vector<Point2> Layout::bolt_places() const {
   std::vector<Point2> places;
   if (!design_.bolting) return places;
   for (const Bolt& bolt : design_.bolting->bolts)
     if (const auto face = wall_.face_at(bolt.collar)) places.push_back(place(*face, bolt.collar));
+  std::sort(places.begin(), places.end());
   return places;
 }
 
@@ -234,8 +235,9 @@ Point2 Layout::clear_of(const std::vector<Point2>& bolts, const Point2& at) {
   for (const auto& [dx, dy] : {std::pair{0, 0}, {0, -1}, {0, 1}, {-1, 0}, {1, 0}}) {
     const Point2 there{at[0] + line * dx, at[1] + line * dy};
     Real nearest = line;
-    for (const Point2& bolt : bolts)
-      nearest = std::min(nearest, std::hypot(bolt[0] - there[0], bolt[1] - there[1]));
+    for (auto bolt = std::lower_bound(bolts.begin(), bolts.end(), Point2{there[0] - line, 0});
+         bolt != bolts.end() && (*bolt)[0] < there[0] + line; ++bolt)
+      nearest = std::min(nearest, std::hypot((*bolt)[0] - there[0], (*bolt)[1] - there[1]));
     if (nearest > farthest) farthest = nearest, best = there;
   }
   return best;
