@@ -29,6 +29,7 @@
 #include "src/app/process/threads.hpp"
 #include "src/app/support_design.hpp"
 #include "src/check/contact_needs.hpp"
+#include "src/check/contact_steps.hpp"
 #include "src/check/key_use.hpp"
 #include "src/check/needs.hpp"
 #include "src/check/rock_check.hpp"
@@ -253,11 +254,13 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
   std::optional<CoveredRock> rock;
   if (wants_run(options)) {
     check_contact(model, blocks, terminal);
-    warn_of_contact(model, blocks, terminal);
+    warn_of_contact_stiffness(model, blocks, terminal);
     warn_of_unbalanced_start(model, blocks_in_touch(model, blocks) > 0, terminal);
     warn_of_keys_without_use(model, terminal);
     warn_of_conditional_stability(model, terminal);
     rock = clock.measure("cover", [&] { return cover_rock(cutting, model, blocks, terminal); });
+    warn_of_long_contact_steps(model, blocks, rock->covering.arrays, rock->fixed, rock->velocities,
+                               terminal);
   }
 
   // From here on the flat arrays say all, but for those exports.

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "src/base/error.hpp"
-#include "src/base/vector.hpp"
 #include "src/model/openings.hpp"
 #include "src/report/error_text.hpp"
 
@@ -61,8 +60,6 @@ void check_contact(const Model& model, const BlockArrays& blocks, Terminal& term
 
 namespace {
 
-/// Of their size, by which blocks move in a step that contact finds its way through, and in one that it hardly does.
-constexpr Real good_way = 0.02, long_way = 0.2;
 /// Times E/h: joints as stiff as a hundred of these yield a hundredth of what the rock does; the iterations grow with k h/E.
 constexpr Real stiff = 1000;
 /// Of the energy that the rock has given, what contact may make out of nothing before it shows in the motion.
@@ -73,27 +70,6 @@ Real size_of(const BlockArrays& blocks) {
   Real volume = 0;
   for (const Real v : blocks.volume) volume += v;
   return std::cbrt(volume / static_cast<Real>(blocks.block_count()));
-}
-
-/// m/s: of blocks that have fallen by their own size, or as fast as they start.
-Real expected_speed(const Model& model, Real size) {
-  Real speed = std::sqrt(2 * norm(model.gravity) * size);
-  for (const InitialVelocity& v : model.initial_velocities)
-    speed = std::max(speed, norm(v.velocity));
-  return speed;
-}
-
-void warn_of_contact_steps(const Model& model, Real size, Terminal& terminal) {
-  Real longest = 0;
-  for (const AnalysisStage& stage : model.analysis->stages)
-    if (stage.type == AnalysisType::dynamic) longest = std::max(longest, stage.time_step);
-  const Real speed = expected_speed(model, size), way = longest * speed / size;
-  if (way <= long_way) return;
-  terminal.warn(fmt::format(
-      "analysis.time_step = {:.3g} s is long for contact: blocks of {:.2g} m at {:.2g} m/s (their "
-      "start, or a fall by their size) move by {:.2g} of their size in a step, which takes many "
-      "iterations or is divided. {:.1g} s is a good start",
-      longest, size, speed, way, good_way * size / speed));
 }
 
 void warn_of_stiff_joints(const Model& model, Real size, Terminal& terminal) {
@@ -113,13 +89,11 @@ void warn_of_stiff_joints(const Model& model, Real size, Terminal& terminal) {
 
 }  // namespace
 
-void warn_of_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal) {
+void warn_of_contact_stiffness(const Model& model, const BlockArrays& blocks, Terminal& terminal) {
   if (blocks_at_first(model, blocks) < 2 || model.cover->joints == JointTreatment::welded ||
       !has_contact(model))
     return;
-  const Real size = size_of(blocks);
-  warn_of_contact_steps(model, size, terminal);
-  warn_of_stiff_joints(model, size, terminal);
+  warn_of_stiff_joints(model, size_of(blocks), terminal);
 }
 
 void warn_of_unbalanced_start(const Model& model, bool meet, Terminal& terminal) {

@@ -13,8 +13,8 @@ Index blocks_in_touch(const Model& model, const BlockArrays& blocks);
 /// Several blocks that come apart: warns where they have no contact, and throws Error(model) where they have it with a scheme that makes
 /// energy in impacts.
 void check_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal);
-/// Blocks that touch each other: time steps in which they move far, and joints so stiff that they cost many iterations.
-void warn_of_contact(const Model& model, const BlockArrays& blocks, Terminal& terminal);
+/// Joints between blocks that are so stiff that they cost many iterations.
+void warn_of_contact_stiffness(const Model& model, const BlockArrays& blocks, Terminal& terminal);
 /// Blocks that `meet` at joints and whose weight a dynamic analysis puts on at once, though the joints do not bear it yet.
 void warn_of_unbalanced_start(const Model& model, bool meet, Terminal& terminal);
 /// Blocks that moved so far in a step that contact gave them energy.
