@@ -56,7 +56,9 @@ class Search {
  private:
   std::vector<PatternTrial> candidates();
   void drill_grid(Grid& grid) const;
+  BoltingReport support_by(const PatternTrial& trial);
   void judge(PatternTrial& trial);
+  void name_unsafe(PatternSearchReport& report);
   Real weight(const PatternTrial& trial) const;
 
   const BlockArrays& blocks_;
@@ -104,7 +106,7 @@ void Search::drill_grid(Grid& grid) const {
   grid.drilled = true;
 }
 
-void Search::judge(PatternTrial& trial) {
+BoltingReport Search::support_by(const PatternTrial& trial) {
   const auto at = std::find(search_.spacings.begin(), search_.spacings.end(), trial.spacing);
   Grid& grid = grids_[static_cast<std::size_t>(at - search_.spacings.begin())];
   drill_grid(grid);
@@ -118,6 +120,11 @@ void Search::judge(PatternTrial& trial) {
   }
   const Real target = model_.support.value_or(SupportSpec{}).target_factor_of_safety;
   judge_support({blocks_, wanted_, target, shotcrete_}, report);
+  return report;
+}
+
+void Search::judge(PatternTrial& trial) {
+  const BoltingReport report = support_by(trial);
   trial.held = report.adequate;
   trial.disturbed = static_cast<Index>(report.disturbed.size());
   trial.least_factor_of_safety = std::numeric_limits<Real>::quiet_NaN();
@@ -126,6 +133,22 @@ void Search::judge(PatternTrial& trial) {
         std::isnan(support.held.factor_of_safety) ? 0 : support.held.factor_of_safety;
     if (!(trial.least_factor_of_safety <= safety)) trial.least_factor_of_safety = safety;
   }
+}
+
+/// Of the nearest pattern.
+void Search::name_unsafe(PatternSearchReport& report) {
+  const auto unsafe = [&](const PatternTrial& trial) {
+    return report.wanted - trial.held + trial.disturbed;
+  };
+  const auto nearest =
+      std::min_element(report.trials.begin(), report.trials.end(),
+                       [&](const auto& a, const auto& b) { return unsafe(a) < unsafe(b); });
+  if (nearest == report.trials.end()) return;
+  report.nearest = static_cast<Index>(nearest - report.trials.begin());
+  BoltingReport left = support_by(*nearest);
+  for (const BlockSupport& support : left.keyblocks)
+    if (!support.held.adequate) report.not_held.push_back(support.block);
+  report.disturbed = std::move(left.disturbed);
 }
 
 PatternSearchReport Search::run() {
@@ -141,9 +164,10 @@ PatternSearchReport Search::run() {
     report.trials.push_back(trial);
     if (trial.held == report.wanted && trial.disturbed == 0) {
       report.best = static_cast<Index>(report.trials.size()) - 1;
-      break;
+      return report;
     }
   }
+  name_unsafe(report);
   return report;
 }
 

@@ -28,6 +28,10 @@ struct PatternSearchReport {
   std::vector<PatternTrial>
       trials;         ///< those tried, by weight: the search ends at the first that holds all
   Index best = none;  ///< into trials; none = no pattern holds all
+  /// Where none is best the one that leaves the fewest blocks below the target, of those the lightest; into trials.
+  Index nearest = none;
+  std::vector<Index> not_held;   ///< wanted blocks that miss the target with the nearest one
+  std::vector<Index> disturbed;  ///< and blocks that stay but for its active bolts
 };
 
 /// Tries spacings × lengths × types from the lightest on until one holds every key block wanted, with the model's shotcrete

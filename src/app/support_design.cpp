@@ -54,6 +54,22 @@ void warn_of_collars_in_air(const BoltingReport& bolting, Terminal& terminal) {
   }
 }
 
+void warn_of_no_pattern(const PatternSearchReport& search, Terminal& terminal) {
+  const auto named = [](const std::vector<Index>& blocks) {
+    return (blocks.size() == 1 ? "block " : "blocks ") + block_list(blocks);
+  };
+  std::string left;
+  if (!search.not_held.empty()) left = " leaves " + named(search.not_held);
+  if (!search.disturbed.empty())
+    left +=
+        (left.empty() ? "" : " and") + (" brings, by its active bolts, " + named(search.disturbed));
+  terminal.warn(fmt::format(
+      "pattern_search: none of the {} patterns holds all {} key blocks: the nearest one{} below "
+      "the target factor of safety; look at those that no bolt crosses, or let smallest_block "
+      "leave small ones to mesh or shotcrete",
+      search.patterns, search.wanted, left));
+}
+
 }  // namespace
 
 void warn_of_support_design(const SupportDesign& design, Terminal& terminal) {
@@ -71,11 +87,7 @@ void warn_of_support_design(const SupportDesign& design, Terminal& terminal) {
     terminal.warn(fmt::format(
         "active bolts bring blocks that stay without them below the target factor of safety: {}",
         block_list(design.bolting->disturbed)));
-  if (design.search && design.search->best == none)
-    terminal.warn(fmt::format(
-        "pattern_search: none of the {} patterns holds all {} key blocks; look at the blocks that "
-        "no bolt crosses, or let smallest_block leave small ones to mesh or shotcrete",
-        design.search->patterns, design.search->wanted));
+  if (design.search && design.search->best == none) warn_of_no_pattern(*design.search, terminal);
 }
 
 }  // namespace rockfold

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "src/printed/sections.hpp"
 #include "src/report/summaries/keyblock_words.hpp"
@@ -226,7 +227,10 @@ void add_support_design(Html& html, const ReportSource& source) {
          vector_text(t.at("spacing").is_array() ? t.at("spacing") : Json::array({t.at("spacing")})),
          digits(t.at("length")), fmt::format("{}", t.at("bolts").get<Index>()),
          fmt::format("{} of {}", t.at("held").get<Index>(), search.at("key_blocks").get<Index>()),
-         safety_text(t.at("least_factor_of_safety")), t == search.at("best") ? "best" : ""});
+         safety_text(t.at("least_factor_of_safety")),
+         t == search.at("best")                 ? "best"
+         : t == search.value("nearest", Json()) ? "nearest"
+                                                : ""});
   html.table("Patterns tried",
              {{"bolt", "", true},
               {"spacing", "m"},
@@ -236,6 +240,11 @@ void add_support_design(Html& html, const ReportSource& source) {
               {"least factor"},
               {"", "", true}},
              rows);
+  for (const auto& [key, text] : {std::pair{"not_held", "With the nearest pattern key blocks stay"},
+                                  std::pair{"disturbed", "Its active bolts bring blocks"}})
+    if (const Json left = search.value(key, Json::array()); !left.empty())
+      html.paragraph(fmt::format("{} below the target factor of safety: {}.", text,
+                                 fmt::join(left.get<std::vector<Index>>(), ", ")));
 }
 
 namespace {

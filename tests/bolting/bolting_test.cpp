@@ -466,11 +466,17 @@ TEST(PatternSearch, SaysSoWhenNoPatternHolds) {
   const PatternSearchReport report = search_pattern(rock.blocks, rock.keyblocks, rock.model);
   EXPECT_EQ(report.best, none);
   EXPECT_EQ(report.trials.size(), 2u);
+  EXPECT_EQ(report.nearest, 0);  // the lighter of two that hold nothing
+  EXPECT_EQ(report.not_held, std::vector<Index>{rock.keyblocks.keyblocks[0].block});
+  EXPECT_TRUE(report.disturbed.empty());
   const CutRock small =
       cut_rock(roof_wedge + catalogue +
                "[pattern_search]\non = 'room.zmax'\nspacing = [3.9]\nlength = [0.2]\n"
                "smallest_block = 1.0\n");
-  EXPECT_EQ(search_pattern(small.blocks, small.keyblocks, small.model).best, 0);
+  const PatternSearchReport held = search_pattern(small.blocks, small.keyblocks, small.model);
+  EXPECT_EQ(held.best, 0);
+  EXPECT_EQ(held.nearest, none);
+  EXPECT_TRUE(held.not_held.empty());
 }
 
 TEST(Support, AlongAGivenDirectionTakesTheForceOfThatDirection) {

@@ -384,7 +384,7 @@ TEST(AnchorsThatDrive, MoveABlockAtRest) {
 
 // The lighter pattern would slide the block on its floor; the other one does nothing to it.
 TEST(AnchorsThatDrive, AreNoPatternOfTheSearch) {
-  const CutRock rock = cut_rock(standing_block("20") + R"(
+  const std::string model = standing_block("20") + R"(
 [[bolt_type]]
 name = "tensioned"
 action = "active"
@@ -400,11 +400,21 @@ mass_per_metre = 2
 on = "block.xmax"
 spacing = [2]
 length = [6]
-)");
+)";
+  const CutRock rock = cut_rock(model);
   const PatternSearchReport report = search_pattern(rock.blocks, rock.keyblocks, rock.model);
   ASSERT_EQ(report.trials.size(), 2u);
   EXPECT_EQ(report.trials[0].disturbed, 1);
   EXPECT_EQ(report.best, 1);
+
+  const CutRock tensioned = cut_rock(model + "types = [\"tensioned\"]\n");
+  const PatternSearchReport none_left =
+      search_pattern(tensioned.blocks, tensioned.keyblocks, tensioned.model);
+  EXPECT_EQ(none_left.best, none);
+  EXPECT_EQ(none_left.nearest, 0);
+  EXPECT_TRUE(none_left.not_held.empty());
+  ASSERT_EQ(none_left.disturbed.size(), 1u);
+  EXPECT_NEAR(tensioned.blocks.centroid[none_left.disturbed[0]][2], 1.5, 1e-12);
 }
 
 std::string example(const std::string& name) {

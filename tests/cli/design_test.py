@@ -54,6 +54,27 @@ class BoltedTunnel(ProgramTest):
         self.assertEqual(best["held"], document["pattern_search"]["key_blocks"])
         self.assertEqual(document["pattern_search"]["tried"][-1], best)
 
+    def test_names_the_blocks_that_no_pattern_of_the_catalogue_holds(self):
+        few = ("--set", "pattern_search.spacing=[2.0,3.0]", "--set", "pattern_search.length=[1.0,1.5]")
+        search = self.json_of("support", "bolted_tunnel.toml", *few)["pattern_search"]
+        self.assertIsNone(search["best"])
+        nearest = search["nearest"]
+        self.assertEqual(nearest["held"], max(tried["held"] for tried in search["tried"]))
+        self.assertEqual(search["key_blocks"] - nearest["held"], len(search["not_held"]))
+        self.assertEqual(search["disturbed"], [])
+        # The same pattern as the model's own leaves the same blocks.
+        own = [f"--set=bolt_pattern.systematic.{key}={value}" for key, value in
+               (("spacing", [nearest["spacing"]] * 2), ("length", nearest["length"]), ("type", f'"{nearest["type"]}"'))]
+        keys = self.json_of("support", "bolted_tunnel.toml", *few, *own)["keyblocks"]
+        self.assertEqual(search["not_held"], [key["block"] for key in keys if key["batch"] == 1 and not key["adequate"]])
+        blocks = ", ".join(str(block) for block in search["not_held"])
+        done = self.run_program("support", "bolted_tunnel.toml", *few)
+        self.assertRegex(done.stdout, f"not held +{blocks}\n")
+        self.assertRegex(done.stderr, f"nearest one leaves blocks? {blocks} below the target factor of safety")
+        self.run_program("report", "bolted_tunnel.vtkhdf", "-o", "report.html")
+        report = (self.folder / "report.html").read_text(encoding="utf-8")
+        self.assertIn(f"With the nearest pattern key blocks stay below the target factor of safety: {blocks}.", report)
+
     def test_draws_and_tabulates_beside_the_result(self):
         self.run_program("support", "bolted_tunnel.toml")
         for name in FILES[:3]:

@@ -68,8 +68,15 @@ Json trial_json(const PatternTrial& trial, const Model& model, const char* weigh
 
 Json search_json(const PatternSearchReport& search, const Model& model) {
   const char* weight = search.by_mass ? "mass" : "length_times_capacity";
-  Json json{{"key_blocks", search.wanted}, {"patterns", search.patterns}, {"best", nullptr}};
+  Json json{{"key_blocks", search.wanted},
+            {"patterns", search.patterns},
+            {"best", nullptr},
+            {"nearest", nullptr},
+            {"not_held", ids_json(search.not_held)},
+            {"disturbed", ids_json(search.disturbed)}};
   if (search.best != none) json["best"] = trial_json(search.trials[search.best], model, weight);
+  if (search.nearest != none)
+    json["nearest"] = trial_json(search.trials[search.nearest], model, weight);
   auto& tried = json["tried"] = Json::array();
   for (const PatternTrial& trial : search.trials) tried.push_back(trial_json(trial, model, weight));
   return json;

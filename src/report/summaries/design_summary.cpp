@@ -107,13 +107,13 @@ std::string search_text(const PatternSearchReport& search, const Model& model) {
                        search.by_mass ? "kg" : "kN m");
   };
   if (search.best != none) return fact("lightest pattern", trial_text(search.trials[search.best]));
-  const auto most = std::max_element(
-      search.trials.begin(), search.trials.end(),
-      [](const PatternTrial& a, const PatternTrial& b) { return a.held < b.held; });
   std::string text = fact("lightest pattern", fmt::format("none of {} holds all {} key blocks",
                                                           search.patterns, search.wanted));
-  if (most != search.trials.end())
-    text += fact("  nearest", fmt::format("{} held: {}", most->held, trial_text(*most)));
+  if (search.nearest == none) return text;
+  const PatternTrial& nearest = search.trials[search.nearest];
+  text += fact("  nearest", fmt::format("{} held: {}", nearest.held, trial_text(nearest)));
+  if (!search.not_held.empty()) text += fact("  not held", block_list(search.not_held));
+  if (!search.disturbed.empty()) text += fact("  disturbed", block_list(search.disturbed));
   return text;
 }
 
