@@ -28,6 +28,8 @@ class BoltedTunnel(ProgramTest):
         document = self.json_of("support", "bolted_tunnel.toml")
         bolts = {bolt["name"]: bolt for bolt in document["bolts"]}
         self.assertEqual(len(bolts), document["bolting"]["bolts"])
+        self.assertTrue(all(bolt["rock"] for bolt in bolts.values()))
+        self.assertEqual(document["warnings"], [])
         self.assertEqual(document["bolting"]["adequate"], sum(key["adequate"] for key in document["keyblocks"]))
         crossed = 0
         for key in document["keyblocks"]:
@@ -64,7 +66,7 @@ class BoltedTunnel(ProgramTest):
         self.assertEqual(search["disturbed"], [])
         # The same pattern as the model's own leaves the same blocks.
         own = [f"--set=bolt_pattern.systematic.{key}={value}" for key, value in
-               (("spacing", [nearest["spacing"]] * 2), ("length", nearest["length"]), ("type", f'"{nearest["type"]}"'))]
+               (("spacing", [nearest["spacing"]] * 2), ("offset", [0, 0]), ("length", nearest["length"]), ("type", f'"{nearest["type"]}"'))]
         keys = self.json_of("support", "bolted_tunnel.toml", *few, *own)["keyblocks"]
         self.assertEqual(search["not_held"], [key["block"] for key in keys if key["batch"] == 1 and not key["adequate"]])
         blocks = ", ".join(str(block) for block in search["not_held"])
