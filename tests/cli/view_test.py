@@ -78,6 +78,22 @@ class View(ProgramTest):
             unit, p = arrays["displacement_unit"][1], sum(arrays["point_count"])
             self.assertAlmostEqual(min(arrays["point_displacement"][3 * p + 2 * p:]) * unit, -1e-3, 6)
 
+    def test_has_an_arrow_for_each_part_of_a_face_that_a_traction_acts_on(self):
+        boxes = {"half of the top": "[[0, 0, 2], [0.5, 1, 2]]", "a corner": "[[0.6, -1, 1.5], [2, 0.2, 3]]", "all": "[[-1, -1, -1], [2, 2, 3]]"}
+        text = PRESSED
+        for box in boxes.values():
+            text += f"[[traction]]\nwhere = {{box = {box}}}\npressure = 1e6\n"
+        text += f"[[traction]]\nwhere = {{box = {boxes['half of the top']}}}\nvalue = [1e5, 0, 0]\n"
+        (self.folder / "press.toml").write_text(text)
+        self.run_program("run", "press.toml")
+        loads = [mark for mark in parts(self.page("press.vtkhdf"))[0]["answer"]["marks"] if mark["kind"] == "load"]
+        _, half, corner, everything, pushed = ([(tuple(round(x, 6) for x in point), tuple(way)) for point, way in zip(mark["points"], mark["directions"])]
+                                               for mark in loads)
+        self.assertEqual(half, [((0.25, 0.5, 2), (0, 0, -1))])
+        self.assertEqual(sorted(corner), sorted([((0.8, 0.1, 2), (0, 0, -1)), ((1, 0.1, 1.75), (-1, 0, 0)), ((0.8, 0, 1.75), (0, 1, 0))]))
+        self.assertEqual(len(everything), 6)
+        self.assertEqual(pushed, [((0.25, 0.5, 2), (1, 0, 0))])
+
     def test_of_blocks_in_contact_holds_their_contact_points(self):
         self.copy_case("sliding_block")
         self.run_program("run", "sliding_block.toml", "-q")

@@ -1,6 +1,7 @@
 #include "src/report/documents/marks.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -40,6 +41,14 @@ Vec3 mean(const std::vector<Vec3>& points) {
   return (1.0 / static_cast<Real>(points.size())) * sum;
 }
 
+/// m²
+Real area(const std::vector<Vec3>& polygon) {
+  Vec3 sum{};
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+    sum += cross(polygon[k] - polygon[0], polygon[k + 1] - polygon[0]);
+  return 0.5 * norm(sum);
+}
+
 bool inside(const BoxRegion& box, const Vec3& p) {
   for (int d = 0; d < 3; ++d)
     if (p[d] < box.min[d] || p[d] > box.max[d]) return false;
@@ -50,33 +59,62 @@ bool inside(const PlaneRegion& plane, const Vec3& p) {
   return std::abs(dot(plane.normal, p - plane.point)) <= plane.tolerance;
 }
 
-/// Middles of the faces of the rock's boundary that `holds` takes.
-template <typename Holds>
-MarkedPoints on_faces(const BlockArrays& blocks, Holds holds) {
+/// What of a polygon lies in a box (Sutherland & Hodgman 1974); nothing where the box only touches it.
+std::vector<Vec3> part_in(const BoxRegion& box, std::vector<Vec3> polygon) {
+  const Real slack = 1e-9 * norm(box.max - box.min);
+  const Real whole = area(polygon);
+  for (int side = 0; side < 6; ++side) {
+    const int d = side / 2;
+    const auto depth = [&](const Vec3& p) {
+      return slack + (side % 2 ? box.max[d] - p[d] : p[d] - box.min[d]);
+    };
+    std::vector<Vec3> part;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+      const Real of_a = depth(a), of_b = depth(b);
+      if (of_a >= 0) part.push_back(a);
+      if ((of_a > 0 && of_b < 0) || (of_a < 0 && of_b > 0))
+        part.push_back(a + of_a / (of_a - of_b) * (b - a));
+    }
+    polygon = std::move(part);
+  }
+  return area(polygon) > 1e-6 * whole ? polygon : std::vector<Vec3>{};
+}
+
+/// Middles of what `part` takes of the faces of the rock's boundary.
+template <typename Part>
+MarkedPoints on_faces(const BlockArrays& blocks, Part part) {
   MarkedPoints marked;
   for (std::size_t f = 0; f < blocks.face_origin.size(); ++f) {
     const auto face = static_cast<Index>(f);
     const FaceOrigin& origin = blocks.origins[blocks.face_origin[f]];
     if (origin.kind == FaceOrigin::Kind::joint) continue;
-    const std::vector<Vec3> list = corners(blocks, face);
-    if (!list.empty() && holds(origin, list)) marked.add(mean(list), blocks.face_normal[f]);
+    const std::vector<Vec3> list = part(origin, corners(blocks, face));
+    if (!list.empty()) marked.add(mean(list), blocks.face_normal[f]);
   }
   return marked;
 }
 
 struct RegionPoints {
   const BlockArrays& blocks;
+  bool cuts = false;  ///< whether a box takes parts of faces, as it does for what acts on them
 
   MarkedPoints operator()(const FaceRegion& region) const {
     const auto kind =
         region.of_excavation ? FaceOrigin::Kind::excavation : FaceOrigin::Kind::solid_face;
-    return on_faces(blocks, [&](const FaceOrigin& origin, const auto&) {
-      return origin.kind == kind && origin.solid == region.solid &&
-             std::find(region.faces.begin(), region.faces.end(), origin.solid_face) !=
-                 region.faces.end();
+    return on_faces(blocks, [&](const FaceOrigin& origin, std::vector<Vec3> face) {
+      const bool holds = origin.kind == kind && origin.solid == region.solid &&
+                         std::find(region.faces.begin(), region.faces.end(), origin.solid_face) !=
+                             region.faces.end();
+      return holds ? std::move(face) : std::vector<Vec3>{};
     });
   }
-  MarkedPoints operator()(const BoxRegion& box) const { return in_space(box); }
+  MarkedPoints operator()(const BoxRegion& box) const {
+    if (!cuts) return in_space(box);
+    return on_faces(blocks, [&](const FaceOrigin&, std::vector<Vec3> face) {
+      return part_in(box, std::move(face));
+    });
+  }
   MarkedPoints operator()(const PlaneRegion& plane) const { return in_space(plane); }
   MarkedPoints operator()(const PointRegion& region) const { return {{region.point}, {Vec3{}}}; }
   MarkedPoints operator()(const BlockRegion& region) const { return {{region.point}, {Vec3{}}}; }
@@ -86,8 +124,8 @@ struct RegionPoints {
   template <typename Space>
   MarkedPoints in_space(const Space& space) const {
     const auto holds = [&](const Vec3& p) { return inside(space, p); };
-    MarkedPoints marked = on_faces(blocks, [&](const FaceOrigin&, const std::vector<Vec3>& list) {
-      return std::all_of(list.begin(), list.end(), holds);
+    MarkedPoints marked = on_faces(blocks, [&](const FaceOrigin&, std::vector<Vec3> face) {
+      return std::all_of(face.begin(), face.end(), holds) ? std::move(face) : std::vector<Vec3>{};
     });
     if (marked.point.empty())
       for (const Vec3& p : blocks.vertex)
@@ -165,12 +203,12 @@ void add_water(const Model& model, Json& list) {
 }  // namespace
 
 Json marks_json(const Model& model, const BlockArrays& blocks) {
-  const RegionPoints points{blocks};
+  const RegionPoints points{blocks}, loaded{blocks, true};
   Json list = Json::array();
   add_fixed(model, points, list);
-  add_loads(model, points, list);
+  add_loads(model, loaded, list);
   for (const QuietBoundary& quiet : model.quiet_boundaries)
-    list.push_back(mark("quiet", "quiet boundary", std::visit(points, quiet.where).point));
+    list.push_back(mark("quiet", "quiet boundary", std::visit(loaded, quiet.where).point));
   for (const Monitor& monitor : model.monitors)
     list.push_back(mark("monitor", monitor.name, {monitor.point}));
   add_water(model, list);
