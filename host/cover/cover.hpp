@@ -38,8 +38,7 @@ MaterialPoints locate_block_vertices(const Covering& covering, const BlockArrays
 MaterialPoints locate_vertices(const Covering& covering, const std::vector<Vec3>& x,
                                const std::vector<Index>& block);
 
-/// The points at which the model's [[fixed]] hold, with penalties of 10 E/h per area (augmented Lagrangian) or
-/// 1000 E/h (penalty). Throws Error(model) naming the `fixed` entry where a region holds nothing.
+/// The points at which the model's [[fixed]] hold, by springs of 1000 E/h per area (penalty) or exactly. Throws Error(model) naming the `fixed` entry where a region holds nothing.
 FixedPoints fixed_points(const Cutting& cutting, const Covering& covering, const Model& model);
 
 }  // namespace rockfold

@@ -1,10 +1,8 @@
-// Solution of a constrained system: by the policy's preconditioner, residuals measured against the forces at the solution, and with
-// multipliers (Uzawa's iteration, accelerated) at augmented points.
+// Solution of a constrained system: by the policy's preconditioner, residuals measured against the forces at the solution.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "kernels/constraints/constrained_system_kernel.hpp"
 #include "kernels/constraints/policy_kernel.hpp"
@@ -14,28 +12,6 @@
 namespace rockfold::solve {
 namespace {
 
-/// Reduction of the residual by an inner solve. A larger one leaves smooth errors, which mislead the acceleration; a smaller one computes
-/// digits that the next multipliers change.
-constexpr Real inner_reduction = 1e-3;
-
-/// λ from λ and springs.force, the change it would take by itself.
-void update_multipliers(ConstrainedSystem& system, Anderson& acceleration) {
-  const Springs& springs = system.springs;
-  const Real factor = system.spring_factor;
-  scale_by_stiffness(springs, factor, -0.5, springs.multiplier);
-  const auto flat = [](const Field& field) {
-    std::vector<Real> values;
-    for (const Vec3& v : device::copy_to_host(field))
-      values.insert(values.end(), v.begin(), v.end());
-    return values;
-  };
-  const std::vector<Real> next = acceleration.next(flat(springs.multiplier), flat(springs.force));
-  std::vector<Vec3> values(next.size() / 3);
-  for (std::size_t i = 0; i < next.size(); ++i) values[i / 3][i % 3] = next[i];
-  device::copy_to_device(values, springs.multiplier);
-  scale_by_stiffness(springs, factor, 0.5, springs.multiplier);
-}
-
 /// x += share · y. A function of its own, for nvcc allows no lambda in a private member.
 void add(const char* label, const Field& x, Real share, const Field& y) {
   device::for_each(
@@ -44,38 +20,14 @@ void add(const char* label, const Field& x, Real share, const Field& y) {
       });
 }
 
-/// Correction of x: A δ = b + Nᵀ(k prescribed − λ) − A x, where the springs' part is k (prescribed − N x), not the difference of two large
-/// forces. A correction that raises the residual is dropped: it is rounding.
-PcgReport solve_increment(ConstrainedSystem& system, const Field& b, const Field& prescribed,
-                          const Field& x, const PcgOptions& pcg, SolveReport& report) {
-  const Field increment = device::make_field("solve::increment", system.op.unknowns);
-  const Field left = device::make_field("solve::left_to_go", system.springs.points.count);
-  const Field load = system.load;
-  const Field of_rock = system.work.q;
-  const auto points = system.springs.points;
-  apply_rock(system, x, of_rock);
-  apply_terms(system.terms, x, of_rock, points.count);
-  apply_terms(system.contacts, x, of_rock);
-  device::for_each(
-      "rockfold::solve::left_to_carry", system.op.unknowns, KOKKOS_LAMBDA(const Index p) {
-        for (int d = 0; d < 3; ++d) load(p, d) = b(p, d) - of_rock(p, d);
-      });
+/// left = prescribed − N x.
+void find_left_to_go(const DevicePoints& points, const Field& prescribed, const Field& x,
+                     const Field& left) {
   device::for_each(
       "rockfold::solve::left_to_go", points.count, KOKKOS_LAMBDA(const Index n) {
         for (int d = 0; d < 3; ++d)
           left(n, d) = prescribed(n, d) - interpolate_one(points, n, d, x);
       });
-  add_spring_load(system.springs, system.spring_factor, left, load);
-  project(system.eliminated, load);
-  const Real before = std::sqrt(dot(system.work, load, load));
-  PcgReport done = solve_by_policy(system, load, increment, pcg, report);
-  const Real after = done.residual * done.reference;
-  if (!(after < before)) {
-    done.residual = before / done.reference;
-    return done;
-  }
-  add("rockfold::solve::add_increment", x, 1, increment);
-  return done;
 }
 
 /// What rounding leaves of the forces if all unknowns are as large as rock moves. Those of covers with several functions may be
@@ -91,55 +43,24 @@ Real rounding_of_motion(ConstrainedSystem& system, const Field& x, const Field& 
          std::sqrt(static_cast<Real>(system.op.unknowns));
 }
 
-/// What rounding leaves of the springs' forces at x: stiff ones hold points that hardly move by functions that cancel there.
-Real rounding_of_springs(const ConstrainedSystem& system, const Field& x) {
-  constexpr Real unit = 0.5 * std::numeric_limits<Real>::epsilon();
-  const Springs s = system.springs;
-  const Real factor = unit * system.spring_factor;
-  device::for_each(
-      "rockfold::solve::spring_rounding", s.points.count, KOKKOS_LAMBDA(const Index n) {
-        for (int d = 0; d < 3; ++d) {
-          Real sum = 0;
-          for (Index i = s.points.begin(n); i < s.points.begin(n + 1); ++i)
-            sum += device::math::fabs(s.points.weight(i) * x(s.points.unknown(i), d));
-          s.force(n, d) = factor * s.stiffness(n, d) * sum;
-        }
-      });
-  Kokkos::deep_copy(system.work.q, 0.0);
-  scatter(s, 1, s.force, system.work.q);
-  return std::sqrt(dot(system.work, system.work.q, system.work.q));
-}
-
-/// ‖Nᵀ f‖, f the forces of the springs at x.
-Real spring_forces(const ConstrainedSystem& system, const Field& prescribed, const Field& x) {
-  const Springs& springs = system.springs;
-  spring_reactions(springs, system.spring_factor, x, prescribed, springs.force);
-  Kokkos::deep_copy(system.work.q, 0.0);
-  scatter(springs, 1, springs.force, system.work.q);
-  return std::sqrt(dot(system.work, system.work.q, system.work.q));
-}
-
 /// Solves of one system, each measured against the forces that the one before has found.
-constexpr int most_measures = 8;
-/// Load of the springs over the forces found, above which corrections are solved for: rounding of that load would swamp the whole.
+constexpr int most_solves = 32;
+/// Of what is left, how much a solve leaves at least: by what ties points digits are lost.
+constexpr Real within_reach = 1e-5;
+/// Of the motion: gaps of points held that are less are closed.
+constexpr Real closed_gap = 1e-10;
+/// Forces of springs whose points have yet to go, over those once they have gone, above which rounding of that way counts.
 constexpr Real far_carried = 1e3;
 /// Multiples of the rounding error that may be left: a smaller residual only moves x along the null space of A.
 constexpr Real roundings = 16;
 /// Share of the forces from which what rounding may leave unbalanced is looked at more closely.
 constexpr Real most_rounding = 1e-4;
 
-/// A search for multipliers has diverged where its gap is this many times the least that it had.
-constexpr Real far_off = 10;
-
-bool any_multipliers(const Springs& springs) {
-  return springs.any() && largest_entry(springs.by_multiplier) > 0;
-}
-
-/// The springs' part of a solve, whose multipliers are as they are.
-class PenaltySolve {
+/// Brings points to their places and takes off the forces that they take; what is left is balanced by A + NᵀKN, again until it is little enough.
+class ConstrainedSolve {
  public:
-  PenaltySolve(ConstrainedSystem& system, const Field& b, const Field& prescribed, const Field& x,
-               const Field& base, const ConstraintOptions& options)
+  ConstrainedSolve(ConstrainedSystem& system, const Field& b, const Field& prescribed,
+                   const Field& x, const Field& base, const ConstraintOptions& options)
       : system_(system),
         b_(b),
         prescribed_(prescribed),
@@ -147,189 +68,144 @@ class PenaltySolve {
         base_(base),
         options_(options),
         pcg_(options.pcg) {
-    by_forces_ = options.rounding && system.springs.any() && pcg_.tolerance > 0;
-    if (by_forces_ && options.stop_at_rounding) pcg_.reference = reference_for(pcg_.reference);
+    pcg_.measure_load = false;
   }
 
-  /// To `reduction` of the residual; 0: to the tolerance.
-  void solve(Real reduction) {
-    solve_once(reduction);
-    if (!by_forces_) return;
-    for (int i = 0; report.converged && !measure() && reduction == 0 && i < most_measures; ++i)
-      solve_once(0);
+  SolveReport run() {
+    if (!options_.go_on) Kokkos::deep_copy(system_.springs.multiplier, 0.0);
+    Real gap = std::numeric_limits<Real>::infinity(), left_at_start = gap;
+    bool closed = !system_.constraints.any_tied;
+    for (int solves = 0; solves < most_solves; ++solves) {
+      if (!closed) close_gaps(system_.constraints, prescribed_, x_);
+      left_ = find_load();
+      const Real left_before = std::exchange(left_at_start, left_);
+      measure();
+      if (is_balanced()) break;
+      if (left_ > 0.5 * left_before) {
+        allow_rounding();
+        break;
+      }
+      PcgOptions how = pcg_;
+      if (system_.constraints.any_tied)
+        how.tolerance = std::max(pcg_.tolerance, within_reach * report_.residual);
+      how.max_iterations = pcg_.max_iterations - report_.iterations;
+      const PcgReport done = solve_increment(how);
+      const Real gap_before = std::exchange(gap, gap_over_motion());
+      measure();
+      const bool ended = small_enough(done, how);
+      closed = closed || gap <= closed_gap || gap > 0.5 * gap_before;
+      if (closed && (is_balanced() || (ended && done.residual > how.tolerance))) {
+        report_.converged = true;
+        break;
+      }
+    }
+    place_exactly(system_.constraints, prescribed_, x_);
+    report_.gap = gap_over_motion();
+    return report_;
   }
-
-  bool done() const { return report.residual <= pcg_.tolerance; }
-
-  SolveReport report;
 
  private:
-  void solve_once(Real reduction) {
-    pcg_.reduction = reduction;
-    PcgReport done = carried_ ? solve_increment(system_, b_, prescribed_, x_, pcg_, report)
-                     : system_.springs.any() ? solve_with_springs()
-                                             : solve_by_policy(system_, b_, x_, pcg_, report);
-    if (system_.eliminated.any()) find_reactions();
-    pcg_.reference = done.reference;  // one measure for all solves
-    report.iterations += done.iterations;
-    report.residual = done.residual;
-    report.converged = small_enough(done, pcg_);
-    if (reduction == 0 && done.converged && done.residual > pcg_.tolerance) {  // rounding is left
-      pcg_.reference *= done.residual / pcg_.tolerance;
-      report.residual = pcg_.tolerance;
-    }
+  /// What acts beside the rock's own forces at x and the points': returns its norm.
+  Real find_load() {
+    const Field load = system_.load, q = system_.work.q;
+    const Springs& springs = system_.springs;
+    const DevicePoints& points = springs.points;
+    const Field left = system_.left_to_go;
+    apply_rock(system_, x_, q);
+    apply_terms(system_.terms, x_, q, points.count);
+    apply_terms(system_.contacts, x_, q);
+    Kokkos::deep_copy(load, b_);
+    add("rockfold::solve::left_to_carry", load, -1, q);
+    find_left_to_go(points, prescribed_, x_, left);
+    add_spring_load(springs, left, load);
+    take_off_multipliers(system_.constraints, load);
+    return std::sqrt(dot(system_.work, load, load));
   }
 
-  /// What is prescribed goes to the right-hand side.
-  PcgReport solve_with_springs() {
-    const Elimination& e = system_.eliminated;
-    const Field load = system_.load, part = system_.prescribed_part, q = system_.work.q, x = x_;
-    Kokkos::deep_copy(load, b_);
-    add_spring_load(system_.springs, system_.spring_factor, prescribed_, load);
-    if (by_forces_) load_ = std::sqrt(dot(system_.work, load, load));
-    if (!e.any()) return solve_by_policy(system_, load, x, pcg_, report);
-    split(e, prescribed_, x, part);
-    apply_matrix(system_, part, q);
-    add("rockfold::solve::prescribed_load", load, -1, q);
-    project(e, load);
-    const PcgReport done = solve_by_policy(system_, load, x, pcg_, report);
-    add("rockfold::solve::add_prescribed", x, 1, part);
+  PcgReport solve_increment(const PcgOptions& how) {
+    const Field increment = system_.increment;
+    Kokkos::deep_copy(increment, 0.0);
+    const PcgReport done = solve_by_policy(system_, system_.load, increment, how, report_);
+    report_.iterations += done.iterations;
+    add("rockfold::solve::add_increment", x_, 1, increment);
+    add_multipliers_of(system_.constraints, increment);
+    left_ = done.residual * done.reference;
     return done;
   }
 
-  /// The multipliers of eliminated points, from what they leave unbalanced.
-  void find_reactions() {
-    const Field load = system_.load, q = system_.work.q;
-    Kokkos::deep_copy(load, b_);
-    add_spring_load(system_.springs, system_.spring_factor, prescribed_, load);
-    apply_matrix(system_, x_, q);
-    add("rockfold::solve::left_unbalanced", load, -1, q);
-    add_reactions(system_.eliminated, load, system_.springs.multiplier);
+  bool is_balanced() { return report_.converged = report_.residual <= pcg_.tolerance; }
+
+  /// Measures what is left against the forces there are.
+  void measure() {
+    forces_ =
+        std::max({options_.pcg.reference, std::sqrt(dot(system_.work, b_, b_)), support_forces()});
+    most_forces_ = std::max(most_forces_, forces_);
+    pcg_.reference = forces_;
+    if (options_.stop_at_rounding) raise_reference();
+    report_.residual = pcg_.reference > 0 ? left_ / pcg_.reference : left_;
   }
 
-  /// Measures what is left against the forces found; false: it would have to be less.
-  bool measure() {
-    const Real left = report.residual * pcg_.reference;
-    const Real forces = std::max({options_.pcg.reference, std::sqrt(dot(system_.work, b_, b_)),
-                                  spring_forces(system_, prescribed_, x_)});
-    carried_ = carried_ || load_ > far_carried * forces;
-    pcg_.rounding = options_.pcg.rounding;
-    if (carried_ || report.preconditioner == Preconditioner::direct)
-      pcg_.rounding += options_.rounding(x_) + rounding_of_springs(system_, x_);
-    pcg_.reference = reference_for(forces);
-    pcg_.measure_load = false;
-    if (pcg_.reference > 0) report.residual = left / pcg_.reference;
-    return done();
+  /// What is left beside what rounding may leave, where it gets no less.
+  void allow_rounding() {
+    if (options_.rounding && pcg_.tolerance > 0) {
+      if (most_forces_ > far_carried * forces_ || report_.preconditioner == Preconditioner::direct)
+        pcg_.rounding = options_.pcg.rounding + options_.rounding(x_);
+      raise_reference();
+      report_.residual = left_ / pcg_.reference;
+    }
+    is_balanced();
   }
 
-  /// What residuals are measured against, such that the tolerance's share of it is not below rounding.
-  Real reference_for(Real forces) {
+  /// ‖Nᵀ f‖, f the forces of the points.
+  Real support_forces() {
+    const Springs& springs = system_.springs;
+    const Field q = system_.work.q;
+    spring_reactions(springs, x_, prescribed_, springs.force);
+    Kokkos::deep_copy(q, 0.0);
+    scatter(springs, 1, springs.force, q);
+    return std::sqrt(dot(system_.work, q, q));
+  }
+
+  /// Such that the tolerance's share of it is not below rounding.
+  void raise_reference() {
     Real floor = roundings * pcg_.rounding;
-    if (floor > most_rounding * forces)
+    if (floor > most_rounding * forces_)
       floor =
-          std::min(floor, std::max(most_rounding * forces,
+          std::min(floor, std::max(most_rounding * forces_,
                                    roundings * rounding_of_motion(system_, x_, base_, options_)));
-    return std::max(forces, floor / pcg_.tolerance);
+    pcg_.reference = std::max(forces_, floor / pcg_.tolerance);
+  }
+
+  /// What points that depend on each other leave where they contradict each other, over the motion, or over what the forces would move the
+  /// stiffest cover by: where they cancel nothing moves, and any gap would be large beside that.
+  Real gap_over_motion() {
+    if (!system_.constraints.any_held) return 0;
+    const Real gap = largest_gap(system_.springs, x_, prescribed_);
+    const Real diagonal = system_.largest_diagonal,
+               least = diagonal > 0 ? options_.pcg.reference / diagonal : 0;
+    return gap > 0 ? gap / std::max({largest_motion(system_, x_, base_), largest_entry(prescribed_),
+                                     least})
+                   : 0;
   }
 
   ConstrainedSystem& system_;
   const Field &b_, &prescribed_, &x_, &base_;
   const ConstraintOptions& options_;
   PcgOptions pcg_;
-  bool by_forces_ = false;  ///< residuals count against the forces found
-  bool carried_ = false;    ///< supports carry rock far: increments are solved for
-  Real load_ = 0;           ///< norm, with the springs' part
+  SolveReport report_;
+  Real left_ = 0;                      ///< N, unbalanced
+  Real forces_ = 0, most_forces_ = 0;  ///< N, and the most that they have been
 };
 
-/// Finds the multipliers that bring augmented points to their places, from those there are.
-class MultiplierSearch {
- public:
-  MultiplierSearch(ConstrainedSystem& system, const Field& prescribed, const Field& x,
-                   const Field& base, const ConstraintOptions& options, PenaltySolve& inner)
-      : system_(system),
-        prescribed_(prescribed),
-        x_(x),
-        base_(base),
-        options_(options),
-        inner_(inner),
-        acceleration_(options.acceleration ? *options.acceleration : own_) {}
-
-  void run() {
-    SolveReport& report = inner_.report;
-    acceleration_.begin_again();
-    while (report.converged) {
-      const Real gap = measure_gap();
-      judge(gap);
-      const bool close = report.gap <= options_.gap_tolerance;
-      if (close && inner_.done()) return;
-      if (!close && (report.outer >= options_.max_outer || stalled_ >= options_.max_stalled))
-        return leave(gap);
-      ++report.outer;
-      if (exact_) acceleration_.forget();
-      if (!close) update_multipliers(system_, acceleration_);
-      inner_.solve(close || exact_ ? 0 : inner_reduction);
-    }
-  }
-
- private:
-  /// m; the report has its share of the motion.
-  Real measure_gap() {
-    // What the forces would move the stiffest cover by: where they cancel nothing moves, and any gap would be large beside that.
-    const Real diagonal = system_.largest_diagonal,
-               least = diagonal > 0 ? options_.pcg.reference / diagonal : 0;
-    const Real gap = multiplier_change(system_.springs, system_.spring_factor, x_, prescribed_,
-                                       system_.springs.force);
-    inner_.report.gap = gap > 0 ? gap / std::max({largest_motion(system_, x_, base_),
-                                                  largest_entry(prescribed_), least})
-                                : 0;
-    return gap;
-  }
-
-  /// Watches the convergence of the gap and chooses how to continue.
-  void judge(Real gap) {
-    if (gap < least_) {
-      least_ = gap;
-      Kokkos::deep_copy(system_.best_multiplier, system_.springs.multiplier);
-    }
-    stalled_ = gap < 0.5 * best_ ? 0 : stalled_ + 1;
-    if (stalled_ == 0) best_ = gap;
-    // Every inner solve is inexact, and old pairs of the acceleration carry its errors: begin a new history.
-    if (stalled_ == 2 && !restarted_) {
-      acceleration_.forget();
-      restarted_ = true;
-      stalled_ = 0;
-      best_ = gap;
-    }
-    // Near the end the errors of inner solves are as large as the changes: plain Uzawa steps with exact solves.
-    if (stalled_ >= options_.max_stalled && options_.finish_unaccelerated && !exact_) {
-      exact_ = true;
-      stalled_ = 0;
-      best_ = gap;
-    }
-  }
-
-  /// Supports that contradict each other have no multipliers, and the search diverges: go back to the best ones.
-  void leave(Real gap) {
-    const bool astray = gap > far_off * least_;
-    if (astray) {
-      Kokkos::deep_copy(system_.springs.multiplier, system_.best_multiplier);
-      Kokkos::deep_copy(x_, 0.0);
-    }
-    if (astray || !inner_.done()) inner_.solve(0);
-    if (astray) measure_gap();
-  }
-
-  ConstrainedSystem& system_;
-  const Field &prescribed_, &x_, &base_;
-  const ConstraintOptions& options_;
-  PenaltySolve& inner_;
-  Anderson own_{most_pairs};
-  Anderson& acceleration_;
-  int stalled_ = 0;  ///< updates since the gap was last halved
-  bool restarted_ = false;
-  bool exact_ = false;  ///< each solve goes to the tolerance, each update by itself
-  Real best_ = std::numeric_limits<Real>::infinity(), least_ = best_;  ///< m
-};
+SolveReport solve_free(ConstrainedSystem& system, const Field& b, const Field& x,
+                       const PcgOptions& pcg) {
+  SolveReport report;
+  const PcgReport done = solve_by_policy(system, b, x, pcg, report);
+  report.iterations = done.iterations;
+  report.residual = done.residual;
+  report.converged = small_enough(done, pcg);
+  return report;
+}
 
 }  // namespace
 
@@ -348,12 +224,8 @@ SolveReport find_same_motion(ConstrainedSystem& system, const Field& x, const Fi
 
 SolveReport solve_constrained(ConstrainedSystem& system, const Field& b, const Field& prescribed,
                               const Field& x, const Field& base, const ConstraintOptions& options) {
-  PenaltySolve solve(system, b, prescribed, x, base, options);
-  const bool by_multipliers = any_multipliers(system.springs);
-  solve.solve(by_multipliers ? inner_reduction : 0);
-  if (by_multipliers && solve.report.converged)
-    MultiplierSearch(system, prescribed, x, base, options, solve).run();
-  return solve.report;
+  if (!system.springs.any()) return solve_free(system, b, x, options.pcg);
+  return ConstrainedSolve(system, b, prescribed, x, base, options).run();
 }
 
 }  // namespace rockfold::solve

@@ -46,16 +46,16 @@ ConstrainedSystem make_constrained_system(const CoverArrays& covers, Operator op
   } else if (wanted) {
     system.grid = make_multigrid(covers, op, points, system.work.q);
   }
-  EliminationOfPoints found = eliminate(merged.fixed, op.covers, op.functions);
-  system.eliminated = std::move(found.elimination);
-  system.springs = build_springs(merged.fixed, found.eliminated, op.unknowns);
+  system.springs = build_springs(merged.fixed, op.unknowns);
+  system.constraints = make_constraints(system.springs, op.unknowns);
   system.terms = make_point_terms(points, op.unknowns);
   system.shares = std::move(merged.shares);
-  system.best_multiplier =
-      device::make_field("solve::best_multiplier", system.springs.points.count);
-  if (system.springs.any()) system.load = device::make_field("solve::load", op.unknowns);
-  if (system.eliminated.any())
-    system.prescribed_part = device::make_field("solve::prescribed_part", op.unknowns);
+  if (system.springs.any()) {
+    system.load = device::make_field("solve::load", op.unknowns);
+    system.increment = device::make_field("solve::increment", op.unknowns);
+    system.before = device::make_field("solve::before", op.unknowns);
+    system.left_to_go = device::make_field("solve::left_to_go", system.springs.points.count);
+  }
   if (preconditioner != Preconditioner::block_jacobi &&
       preconditioner != Preconditioner::node_block_jacobi)
     system.factors.make = direct;
@@ -78,23 +78,27 @@ void apply_rock(const ConstrainedSystem& system, const Field& x, const Field& y)
 
 void apply_matrix(const ConstrainedSystem& system, const Field& x, const Field& y) {
   apply_rock(system, x, y);
+  apply_springs(system.springs, system.springs.tie, 1, x, y);
+  apply_terms(system.terms, x, y, system.springs.points.count);
+  apply_terms(system.contacts, x, y);
+}
+
+void apply_known(const ConstrainedSystem& system, const Field& x, const Field& y) {
+  apply_rock(system, x, y);
   apply_terms(system.terms, x, y);
   apply_terms(system.contacts, x, y);
 }
 
-void set_combination(ConstrainedSystem& system, const Combination& c, Real spring_factor,
-                     bool choose_stiffness) {
+void set_combination(ConstrainedSystem& system, const Combination& c, Real spring_factor) {
   system.combination = c;
   system.spring_factor = spring_factor;
   find_diagonal(system);
-  if (choose_stiffness)
-    choose_spring_stiffness(system.springs, spring_factor, system.op.covers, system.inverse,
-                            c.mass == 0 && has_levels(system));
   add_terms_diagonal(system.contacts, system.inverse);
   const Real inertia = c.mass * system.mass_trace;
   system.stiffness_over_inertia = inertia > 0 ? trace(system, system.inverse) / inertia - 1 : 0;
-  set_tangents(system.springs, spring_factor, system.terms, 0);
-  add_terms_diagonal(system.terms, system.inverse);
+  add_terms_diagonal(system.terms, system.inverse, system.springs.points.count);
+  set_ties(system.constraints, system.inverse, spring_factor);
+  set_tangents(system.springs, system.constraints.known, system.terms);
   const Blocks diagonal = system.inverse;
   system.largest_diagonal = device::largest(
       "rockfold::solve::largest_diagonal", system.op.unknowns, KOKKOS_LAMBDA(const Index p) {
@@ -105,6 +109,7 @@ void set_combination(ConstrainedSystem& system, const Combination& c, Real sprin
     system.inverse = {};  // the blocks of covers hold it
   else
     invert_blocks(system.inverse);
+  system.inverse_knows_springs = false;
   system.blocks_current = system.grid_current = system.factors.current = false;
 }
 
@@ -115,13 +120,16 @@ const CoverBlocks& cover_blocks_of(ConstrainedSystem& system) {
   return system.cover_blocks;
 }
 
-const Blocks& inverse_of(ConstrainedSystem& system) {
-  if (system.inverse.extent(0) == 0) {
+const Blocks& inverse_of(ConstrainedSystem& system, bool with_springs) {
+  with_springs = with_springs && system.springs.any();
+  if (system.inverse.extent(0) == 0 || system.inverse_knows_springs != with_springs) {
     find_diagonal(system);
-    add_terms_diagonal(system.terms, system.inverse);
+    add_terms_diagonal(system.terms, system.inverse,
+                       with_springs ? 0 : system.springs.points.count);
     add_terms_diagonal(system.contacts, system.inverse);
     invert_blocks(system.inverse);
   }
+  system.inverse_knows_springs = with_springs;
   return system.inverse;
 }
 

@@ -1,10 +1,8 @@
-// A system with essential boundary conditions: (αK + βM + γ NᵀkN + other terms) x = b + Nᵀ (γ k prescribed − λ), and for augmented points
-// multipliers λ such that N x = prescribed: Uzawa's iteration λ ← λ + γ k (N x − prescribed) on the augmented Lagrangian (Glowinski & Le
-// Tallec 1989, ch. 3), accelerated, with inexact inner solves. Plain, it creeps where points lie close together.
+// A system with essential boundary conditions: (αK + βM + γ NᵀkN + other terms) x = b + γ Nᵀ k prescribed for springs, among the x that keep
+// N x = prescribed of points that are held (constraints_kernel.hpp).
 #pragma once
 
-#include "kernels/constraints/anderson.hpp"
-#include "kernels/constraints/elimination_kernel.hpp"
+#include "kernels/constraints/constraints_kernel.hpp"
 #include "kernels/constraints/merge_points.hpp"
 #include "kernels/constraints/solve_report.hpp"
 #include "kernels/krylov/bicgstab_kernel.hpp"
@@ -23,15 +21,16 @@ struct ConstrainedSystem {
   bool symmetric = true;  ///< whether their tangents are: conjugate gradients or BiCGStab
   bool has_contacts =
       false;  ///< there may be contacts; who changes their points resets factors.analysed
-  BicgstabWork bicgstab;  ///< then
-  Springs springs;        ///< of the merged points
-  PointShares shares;     ///< of the points given in them
-  Elimination eliminated;
+  BicgstabWork bicgstab;    ///< then
+  Springs springs;          ///< of the merged points
+  Constraints constraints;  ///< of the same
+  PointShares shares;       ///< of the points given in them
   KrylovWork work;
   Array<Real> masses;  ///< of covers, once largest_motion has been asked for
   Combination combination;
   Real spring_factor = 1;
-  Blocks inverse;             ///< see inverse_of; empty while nothing needs them
+  Blocks inverse;  ///< see inverse_of; empty while nothing needs them
+  bool inverse_knows_springs = false;
   CoverBlocks cover_blocks;   ///< of covers with more functions than one: see cover_blocks_of
   Real largest_diagonal = 0;  ///< before their inversion
   Preconditioner preconditioner = Preconditioner::automatic;
@@ -46,9 +45,11 @@ struct ConstrainedSystem {
   Real stiffness_over_inertia = 0;  ///< Σ diag αK / Σ diag βM over functions 0
   Real mass_trace = 0;              ///< Σ diag M over functions 0
   Field start, best;  ///< work space: where a solve started, and the best that factors made of it
-  Field load;         ///< work space: right-hand side with the springs' part
-  Field prescribed_part;  ///< work space: of x, what is prescribed
-  Field best_multiplier;  ///< work space: of the least gap in a search
+  // Work space where points are held:
+  Field load;        ///< what is left to balance
+  Field increment;   ///< of x, for that
+  Field before;      ///< x before it
+  Field left_to_go;  ///< of the points
 };
 /// `others`: points of further terms, whose owners write their tangents before set_combination.
 ConstrainedSystem make_constrained_system(const CoverArrays& covers, Operator op,
@@ -57,47 +58,37 @@ ConstrainedSystem make_constrained_system(const CoverArrays& covers, Operator op
                                           const MakeDirectSolver& direct = {},
                                           const MaterialPoints& others = {});
 
-/// y = (αK + βM) x, without the terms, and with all of them.
+/// y = (αK + βM) x, and with springs and all terms.
 void apply_rock(const ConstrainedSystem& system, const Field& x, const Field& y);
 void apply_matrix(const ConstrainedSystem& system, const Field& x, const Field& y);
+/// With points held and stiff springs as soft as levels and factors know them: regular without conditions.
+void apply_known(const ConstrainedSystem& system, const Field& x, const Field& y);
 
-/// Chooses α, β, γ; with `choose_stiffness`, also how springs are solved with (choose_spring_stiffness; they yield where β is 0).
-void set_combination(ConstrainedSystem& system, const Combination& c, Real spring_factor,
-                     bool choose_stiffness);
+/// Chooses α, β, γ.
+void set_combination(ConstrainedSystem& system, const Combination& c, Real spring_factor);
 
-/// The inverted diagonal blocks of the matrix as it is, [U]: found where they are not there.
-const Blocks& inverse_of(ConstrainedSystem& system);
+/// The inverted diagonal blocks of the matrix as it is, [U], with springs as they are known or without: found where they are not there.
+const Blocks& inverse_of(ConstrainedSystem& system, bool with_springs);
 
-/// Likewise those of covers with several functions.
+/// Those of covers with several functions, with springs as they are known: without, blocks that are one cover would be free to move.
 const CoverBlocks& cover_blocks_of(ConstrainedSystem& system);
 
 /// How far rock moves at most under x + base (may be empty), m: see rock_motion_kernel.hpp. Uses the work space of conjugate gradients.
 Real largest_motion(ConstrainedSystem& system, const Field& x, const Field& base);
 
-/// As deep as pays: each outer iteration costs some ten applications, a pair costs two vectors of the fixed points.
-inline constexpr std::size_t most_pairs = 40;
-
 struct ConstraintOptions {
   PcgOptions pcg;
-  Anderson* acceleration =
-      nullptr;  ///< what earlier solves with the same matrix have learned of its multipliers; null: nothing
-  Real gap_tolerance =
-      1e-10;  ///< largest gap / max(largest displacement, largest prescribed value)
-  Index max_outer = 50;
-  int max_stalled =
-      5;  ///< outer iterations in which the gap must have halved, or it is left as it is
-  bool finish_unaccelerated =
-      false;  ///< then go on without acceleration, each solve to the tolerance, before it is left
   /// N: what rounding leaves of the forces of A x, springs aside. Where it is given, residuals count against the forces at the solution
   /// found; else also against what the springs would pull with if nothing gave way, which may be many times that.
   std::function<Real(const Field& x)> rounding;
   /// With `rounding`: whether already the first solve stops there. Where only the stiffness resists, to go on moves x along what that does
   /// not resist.
   bool stop_at_rounding = false;
+  bool go_on = false;  ///< from the multipliers there are
 };
 
-/// x: start and result. `base`: what x is an increment to, for the size of displacements (empty: none). The multipliers
-/// start from what they are and stay for the next solve.
+/// x: start and result. `base`: what x is an increment to, for the size of displacements (empty: none). springs.multiplier becomes what points
+/// that are held take.
 SolveReport solve_constrained(ConstrainedSystem& system, const Field& b, const Field& prescribed,
                               const Field& x, const Field& base, const ConstraintOptions& options);
 

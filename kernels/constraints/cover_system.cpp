@@ -53,8 +53,8 @@ OperatorSize CoverSystem::size() const {
 void CoverSystem::apply(const SystemCoefficients& c, const CoverVector& x, CoverVector& y) const {
   const auto& system = data_->system;
   solve::apply(system.op, {c.stiffness, c.mass}, x.data().field, y.data().field);
-  solve::set_tangents(system.springs, c.springs, system.terms, 0);
-  solve::apply_terms(system.terms, x.data().field, y.data().field);
+  solve::apply_springs(system.springs, system.springs.stiffness, c.springs, x.data().field,
+                       y.data().field);
   Kokkos::fence();
 }
 
@@ -69,12 +69,10 @@ SolveReport CoverSystem::solve(const SystemCoefficients& c, const std::vector<Ve
                                std::vector<Vec3>& x, const SolveOptions& options) {
   CoverVector load(b), result(x);
   auto& system = data_->system;
-  solve::set_combination(system, {c.stiffness, c.mass}, c.springs, true);
+  solve::set_combination(system, {c.stiffness, c.mass}, c.springs);
   solve::ConstraintOptions how;
   how.pcg.tolerance = options.tolerance;
   how.pcg.max_iterations = options.max_iterations;
-  how.gap_tolerance = options.gap_tolerance;
-  how.max_outer = options.max_outer;
   const SolveReport report = solve::solve_constrained(
       system, load.data().field, system.springs.target, result.data().field, Field(), how);
   x = result.get();
@@ -85,8 +83,7 @@ std::vector<Vec3> CoverSystem::reactions(const std::vector<Vec3>& x) const {
   const auto& springs = data_->system.springs;
   CoverVector motion(x), force(springs.points.count);
   if (springs.any())
-    solve::spring_reactions(springs, data_->system.spring_factor, motion.data().field,
-                            springs.target, force.data().field);
+    solve::spring_reactions(springs, motion.data().field, springs.target, force.data().field);
   return data_->system.shares.share_out(force.get());
 }
 

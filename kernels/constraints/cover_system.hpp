@@ -43,10 +43,6 @@ struct SystemCoefficients {
 struct SolveOptions {
   Real tolerance = 1e-8;  ///< ‖r‖ / ‖b‖
   Index max_iterations = 5000;
-  Real gap_tolerance = 1e-10;  ///< of augmented fixed points, over the largest displacement
-  /// Updates of their multipliers at most. Where points are more than the covers near them can follow (a fixed face that cuts
-  /// lattice cells), the last digits of the gap cost many, and are of no use: the report says what is left.
-  Index max_outer = 50;
 };
 
 class CoverSystem {
@@ -66,7 +62,7 @@ class CoverSystem {
   void apply(const SystemCoefficients& c, const CoverVector& x, CoverVector& y) const;
   std::vector<Vec3> apply(const SystemCoefficients& c, const std::vector<Vec3>& x) const;
 
-  /// Solves (αK + βM + γ NᵀkN) x = b + γ Nᵀ k ū, with multipliers at augmented points, from the x given.
+  /// Solves (αK + βM + γ NᵀkN) x = b + γ Nᵀ k ū from the x given, with N x = ū at points that are held.
   SolveReport solve(const SystemCoefficients& c, const std::vector<Vec3>& b, std::vector<Vec3>& x,
                     const SolveOptions& options = {});
 

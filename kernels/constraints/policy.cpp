@@ -109,27 +109,20 @@ bool may_begin_with_factors(ConstrainedSystem& system) {
   return !(of_one_piece && system.op.covers > most_to_look_at) && factors_fit(system);
 }
 
-/// P A, and P B: what is eliminated stays as it is.
-Apply free_matrix(const ConstrainedSystem& system, const Elimination& e) {
-  return [&system, e](const Field& x, const Field& y) {
-    apply_matrix(system, x, y);
-    project(e, y);
-  };
+Apply matrix_of(const ConstrainedSystem& system) {
+  return [&system](const Field& x, const Field& y) { apply_matrix(system, x, y); };
 }
-ApplyInverse free_inverse(ApplyInverse b, const Elimination& e) {
-  return [b = std::move(b), e](const Field& r, const Field& z, const Array<Real>& energy) {
-    b(r, z, energy);  // r·z = r·P z
-    project(e, z);
-  };
+ApplyInverse with_points(ConstrainedSystem& system, ApplyInverse b) {
+  return with_constraints(system.constraints, std::move(b), system.work);
 }
 
 /// What rounding leaves of the product of A with functions that all but depend on each other cannot be made less: where it alone is left,
 /// the solve has converged.
-PcgReport solve_with_present_factors(ConstrainedSystem& system, const Elimination& e,
-                                     const Field& load, const Field& x, PcgOptions pcg) {
+PcgReport solve_with_present_factors(ConstrainedSystem& system, const Field& load, const Field& x,
+                                     PcgOptions pcg) {
   pcg.max_iterations = std::min(pcg.max_iterations, limit_of_factors);
-  const Apply a = free_matrix(system, e);
-  const ApplyInverse b = free_inverse(of_factors(system.factors, system.work), e);
+  const Apply a = matrix_of(system);
+  const ApplyInverse b = with_points(system, of_factors(system.factors, system.work));
   PcgReport done = system.symmetric
                        ? solve_pcg(system.work, a, b, load, x, pcg)
                        : solve_bicgstab(system.work, system.bicgstab, a, b, load, x, pcg);
@@ -139,14 +132,12 @@ PcgReport solve_with_present_factors(ConstrainedSystem& system, const Eliminatio
   return done;
 }
 
-/// Whether there are the factors of the matrix as it is, between what `e` allows, made with these pivots where they were not there.
-bool has_factors(ConstrainedSystem& system, const Elimination& e, Real pivot) {
+/// Whether there are the factors of the matrix as it is, with points as they are known, made with these pivots where they were not there.
+bool has_factors(ConstrainedSystem& system, Real pivot) {
   Factors& factors = system.factors;
-  if (factors.current && factors.pivot == pivot && factors.constrained == e.any()) return true;
-  FactorConstraints constraints;
-  if (e.any()) constraints = {system.springs.eliminated, [&e](BlockMatrix& a) { constrain(e, a); }};
+  if (factors.current && factors.pivot == pivot) return true;
   return factors_fit(system) &&
-         factorise(factors, system.op, system.combination, terms_of(system), pivot, constraints);
+         factorise(factors, system.op, system.combination, terms_of(system), pivot);
 }
 
 const std::array<Real, 4>& pivots_of(const ConstrainedSystem& system) {
@@ -158,23 +149,21 @@ PcgReport solve_with_factors(ConstrainedSystem& system, const Field& load, const
                              const PcgOptions& pcg, PcgReport done) {
   PcgOptions how = pcg;
   Kokkos::deep_copy(system.start, x);
-  if (const Factors& f = system.factors; system.has_contacts && f.of_this_step && f.analysed &&
-                                         !f.current && f.constrained == system.eliminated.any()) {
+  if (const Factors& f = system.factors;
+      system.has_contacts && f.of_this_step && f.analysed && !f.current) {
     how.max_iterations = std::min(limit_of_earlier_factors, pcg.max_iterations - done.iterations);
     const Index before = done.iterations;
-    done = solve_with_present_factors(system, system.eliminated, load, x, how);
+    done = solve_with_present_factors(system, load, x, how);
     done.iterations += before;
     if (small_enough(done, pcg)) return done;
   }
   PcgReport best;
   for (const Real pivot : pivots_of(system)) {
     how.max_iterations = pcg.max_iterations - done.iterations;
-    if (how.max_iterations <= 0 || interrupt_signal ||
-        !has_factors(system, system.eliminated, pivot))
-      break;
+    if (how.max_iterations <= 0 || interrupt_signal || !has_factors(system, pivot)) break;
     Kokkos::deep_copy(x, system.start);
     const Index before = done.iterations;
-    done = solve_with_present_factors(system, system.eliminated, load, x, how);
+    done = solve_with_present_factors(system, load, x, how);
     done.iterations += before;
     if (small_enough(done, pcg)) return done;
     if (!(done.residual < best.residual)) continue;
@@ -229,20 +218,21 @@ ApplyInverse make_inverse(ConstrainedSystem& system, Preconditioner kind) {
   const KrylovWork& work = system.work;
   const bool several = system.op.functions > 1;
   if (kind != Preconditioner::multigrid)
-    return several ? of_cover_blocks(cover_blocks_of(system), work)
-                   : of_blocks(inverse_of(system), work);
-  const Apply a = free_matrix(system, {});
+    return with_points(system, several ? of_cover_blocks(cover_blocks_of(system), work)
+                                       : of_blocks(inverse_of(system, true), work));
+  const Apply a = [&system](const Field& x, const Field& y) { apply_known(system, x, y); };
   if (several) {
     if (!system.grid_current)
       set_values(system.cover_grid, a, work, system.op, cover_blocks_of(system), system.terms,
                  system.combination);
   } else if (!system.grid_current) {
-    set_inverse(system.grid, inverse_of(system), system.largest_diagonal);
+    set_inverse(system.grid, inverse_of(system, true), system.largest_diagonal);
     system.inverse = {};  // the grid has it in single precision
     set_values(system.grid, system.op, system.terms, system.combination);
   }
   system.grid_current = true;
-  return several ? of_cover_grid(system.cover_grid, a, work) : of_multigrid(system.grid, work);
+  return with_points(system, several ? of_cover_grid(system.cover_grid, a, work)
+                                     : of_multigrid(system.grid, work));
 }
 
 bool small_enough(const PcgReport& done, const PcgOptions& pcg) {
@@ -260,9 +250,8 @@ PcgReport solve_by_policy(ConstrainedSystem& system, const Field& load, const Fi
     PcgOptions how = pcg;
     how.max_iterations = most;
     const Index before = done.iterations;
-    const Elimination& e = system.eliminated;
-    const Apply a = free_matrix(system, e);
-    const ApplyInverse b = free_inverse(make_inverse(system, policy.first), e);
+    const Apply a = matrix_of(system);
+    const ApplyInverse b = make_inverse(system, policy.first);
     done = system.symmetric ? solve_pcg(system.work, a, b, load, x, how)
                             : solve_bicgstab(system.work, system.bicgstab, a, b, load, x, how);
     done.iterations += before;
@@ -292,14 +281,13 @@ PcgReport solve_if_easy(ConstrainedSystem& system, const Field& load, const Fiel
   used = policy_of(system).first;
   Kokkos::deep_copy(x, 0.0);
   if (used != Preconditioner::direct) {
-    done =
-        solve_pcg(system.work, free_matrix(system, {}), make_inverse(system, used), load, x, pcg);
+    done = solve_pcg(system.work, matrix_of(system), make_inverse(system, used), load, x, pcg);
     if (small_enough(done, pcg) || !factors_fit(system)) return done;
     Kokkos::deep_copy(x, 0.0);
   }
-  if (!has_factors(system, {}, pivots_of(system).front())) return done;
+  if (!has_factors(system, pivots_of(system).front())) return done;
   used = Preconditioner::direct;
-  return solve_with_present_factors(system, {}, load, x, pcg);
+  return solve_with_present_factors(system, load, x, pcg);
 }
 
 }  // namespace rockfold::solve

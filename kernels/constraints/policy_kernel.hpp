@@ -26,12 +26,12 @@ ApplyInverse make_inverse(ConstrainedSystem& system, Preconditioner kind);
 /// Where forces cancel there may be less left than a share of it could be told from rounding.
 bool small_enough(const PcgReport& done, const PcgOptions& pcg);
 
-/// P A P x = load from the x given, P of what is eliminated: load and x have nothing of that. `report` learns what it ends with and whether it fell back; where an earlier solve of the
+/// (A + NᵀKN) x = load from the x given. `report` learns what it ends with and whether it fell back; where an earlier solve of the
 /// same step did, it begins with the factors.
 PcgReport solve_by_policy(ConstrainedSystem& system, const Field& load, const Field& x,
                           const PcgOptions& pcg, SolveReport& report);
 
-/// A x = load from x = 0, with the first choice of pivots alone: for what need not be found.
+/// The same from x = 0, with the first choice of pivots alone: for what need not be found.
 PcgReport solve_if_easy(ConstrainedSystem& system, const Field& load, const Field& x,
                         const PcgOptions& pcg, Preconditioner& used);
 

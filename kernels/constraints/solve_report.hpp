@@ -6,13 +6,11 @@ namespace rockfold {
 
 /// How a solve went. Whoever solves looks at `converged`: nothing is accepted silently.
 struct SolveReport {
-  Index iterations = 0;  ///< of conjugate gradients, over all outer iterations
-  Index outer = 0;       ///< updates of the multipliers
+  Index iterations = 0;  ///< of conjugate gradients
   Index newton = 0;      ///< iterations of Newton's method
   Real residual =
       0;  ///< true ‖b − A x‖ / ‖b‖ of the last solve; NaN where numbers left their range
-  Real gap =
-      0;  ///< largest distance of an augmented fixed point from its place / largest displacement
+  Real gap = 0;  ///< largest distance of a held point from its place / largest displacement
   Index inverted =
       none;  ///< an element that the solution turns inside out: then it is not accepted
   Preconditioner preconditioner = Preconditioner::block_jacobi;  ///< the one used last
@@ -23,7 +21,6 @@ struct SolveReport {
   /// What the next solve of the same step came to, with all that was counted before.
   void add(SolveReport next) {
     next.iterations += iterations;
-    next.outer += outer;
     next.newton += newton;
     next.fallbacks += fallbacks;
     *this = next;

@@ -37,8 +37,8 @@ void apply_terms(const PointTerms& terms, const Field& x, const Field& y, Index 
   scatter(terms, 1, terms.force, y);
 }
 
-void add_terms_diagonal(const PointTerms& terms, const Blocks& block) {
-  if (!terms.any()) return;
+void add_terms_diagonal(const PointTerms& terms, const Blocks& block, Index first) {
+  if (terms.points.count <= first) return;
   const PointTerms t = terms;
   device::for_each(
       "rockfold::solve::term_diagonal", static_cast<Index>(t.row.extent(0)),
@@ -46,6 +46,7 @@ void add_terms_diagonal(const PointTerms& terms, const Blocks& block) {
         for (Index i = t.row_begin(r); i < t.row_begin(r + 1); ++i) {
           const Real w = t.row_weight(i);
           const Index n = t.row_point(i);
+          if (n < first) continue;
           for (int m = 0; m < 6; ++m) block(t.row(r), m) += w * w * t.tangent(n, m);
         }
       });

@@ -31,7 +31,7 @@ void append_points(MaterialPoints& to, const MaterialPoints& from);
 /// y += Nᵀ D N x, of the points from `first` on.
 void apply_terms(const PointTerms& terms, const Field& x, const Field& y, Index first = 0);
 
-/// The diagonal blocks of Nᵀ D N, added to d.
-void add_terms_diagonal(const PointTerms& terms, const Blocks& d);
+/// The diagonal blocks of Nᵀ D N, of the points from `first` on, added to d.
+void add_terms_diagonal(const PointTerms& terms, const Blocks& d, Index first = 0);
 
 }  // namespace rockfold::solve

@@ -54,14 +54,6 @@ struct HostPoints {
       for (int m = 0; m < 6; ++m) tangent[n][m] = host(n, m);
   }
 
-  /// Leaves out components of the first points.
-  void leave_out(const Field& components) {
-    const std::vector<Vec3> left_out = device::copy_to_host(components);
-    for (std::size_t n = 0; n < left_out.size() && n < tangent.size(); ++n)
-      for (int d = 0; d < 3; ++d)
-        if (left_out[n][d] > 0) tangent[n][d] = 0;
-  }
-
   /// f(point, weight of the unknown, entry): all that is coupled with an unknown, point by point.
   template <class F>
   void for_each_coupling(Index of, const F& f) const {
@@ -130,8 +122,7 @@ void add_terms(BlockMatrix& a, Index covers, int functions, const HostPoints& po
   }
 }
 
-void fill_values(BlockMatrix& a, const Operator& op, const Combination& c, const TermLists& terms,
-                 const FactorConstraints& constraints) {
+void fill_values(BlockMatrix& a, const Operator& op, const Combination& c, const TermLists& terms) {
   const std::size_t width = a.width, size = width * width;
   const OperatorRows rows = rows_of(op, c);
   const LoadedRows loaded = load_columns(rows, op.covers);
@@ -151,12 +142,8 @@ void fill_values(BlockMatrix& a, const Operator& op, const Combination& c, const
     for (Index m = begin[i]; m < begin[i + 1]; ++m)
       if (loaded.column[m] != none)
         std::copy_n(&of_rows[m * size], size, &a.value[find_block(a, i, loaded.column[m]) * size]);
-  for (std::size_t n = 0; n < terms.size(); ++n) {
-    HostPoints points(*terms[n], op.unknowns);
-    if (n == 0 && constraints.constrain) points.leave_out(constraints.eliminated);
-    add_terms(a, op.covers, op.functions, points);
-  }
-  if (constraints.constrain) constraints.constrain(a);
+  for (const PointTerms* list : terms)
+    add_terms(a, op.covers, op.functions, HostPoints(*list, op.unknowns));
 }
 
 Field diagonal_of(const BlockMatrix& a) {
@@ -197,15 +184,14 @@ bool analyse(Factors& factors, const Operator& op, const TermLists& terms) {
 }
 
 bool factorise(Factors& factors, const Operator& op, const Combination& c, const TermLists& terms,
-               Real no_pivot, const FactorConstraints& constraints) {
+               Real no_pivot) {
   factors.current = factors.of_this_step = false;
   if (interrupt_signal) return false;
   BlockMatrix a = factors.pattern;
-  fill_values(a, op, c, terms, constraints);
+  fill_values(a, op, c, terms);
   if (!factors.solver->factorise(a, no_pivot)) return false;
   factors.current = factors.of_this_step = true;
   factors.pivot = no_pivot;
-  factors.constrained = static_cast<bool>(constraints.constrain);
   factors.diagonal = diagonal_of(a);
   return !interrupt_signal;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <memory>
 
 #include "kernels/krylov/krylov_work_kernel.hpp"
@@ -20,7 +19,6 @@ struct Factors {
   bool of_this_step = false;             ///< it is one of this time step …
   bool current = false;                  ///< … or the present one …
   Real pivot = 0;                        ///< … of which pivots up to this count as none …
-  bool constrained = false;              ///< … between motions that essential conditions allow
   bool analysed = false;                 ///< the pattern is that of the present terms …
   bool too_large = false;                ///< … and too large
 };
@@ -28,19 +26,13 @@ struct Factors {
 /// Lists of terms that the matrix has.
 using TermLists = std::array<const PointTerms*, 2>;
 
-/// Essential conditions that factors keep: A becomes P A P + (I − P) D, P of what they allow, D of the size of A's diagonal.
-struct FactorConstraints {
-  Field eliminated;  ///< (n, d) 1: that component of point n of the first terms is no spring
-  std::function<void(BlockMatrix&)> constrain;  ///< empty: none
-};
-
 /// Looks at the pattern of the matrix, if that is not done (`analysed`). False where it is too large.
 bool analyse(Factors& factors, const Operator& op, const TermLists& terms);
 
 /// Factorises the matrix of the operator and the terms, as analysed. Pivots up to `no_pivot` count as none, see DirectSolver. False where it is too large,
 /// or a signal came.
 bool factorise(Factors& factors, const Operator& op, const Combination& c, const TermLists& terms,
-               Real no_pivot, const FactorConstraints& constraints);
+               Real no_pivot);
 
 /// What rounding may leave of A x, N.
 Real rounding_of_product(const Factors& factors, const KrylovWork& work, const Field& x);

@@ -25,7 +25,7 @@ void update_reactions(Motion::Data& m, bool middle) {
   if (!s.any()) return;
   const auto way = m.increment, before = m.now.reaction;
   const auto out = m.sums;
-  solve::spring_reactions(s, m.system.spring_factor, m.correction, m.prescribed, s.force);
+  solve::spring_reactions(s, m.correction, m.prescribed, s.force);
   device::sum_then<1>(
       "rockfold::motion::support_work", s.points.count, m.partial,
       KOKKOS_LAMBDA(const Index n, Sums<1>& sum) {

@@ -9,7 +9,7 @@ namespace motion {
 namespace {
 
 /// Points that it was held at hold nothing.
-void let_go(const Motion::Data& m) {
+void let_go(Motion::Data& m) {
   const solve::Springs s = m.system.springs;
   if (!s.any()) return;
   const auto gone = m.gone;
@@ -19,8 +19,7 @@ void let_go(const Motion::Data& m) {
         const Index first = s.points.begin(n);
         if (first == s.points.begin(n + 1) || gone(s.points.unknown(first)) == 0) return;
         for (int d = 0; d < 3; ++d) {
-          s.given_stiffness(n, d) = s.stiffness(n, d) = s.augmented(n, d) = 0;
-          s.by_multiplier(n, d) = s.compliance(n, d) = s.multiplier(n, d) = 0;
+          s.stiffness(n, d) = s.held(n, d) = s.multiplier(n, d) = 0;
           s.target(n, d) = reaction(n, d) = 0;
         }
       });
@@ -62,7 +61,6 @@ void Motion::excavate(const GoneRock& gone) {
   leave_out(gone);
   for (const device::Field& field : {m.now.displacement, m.now.velocity, m.now.acceleration})
     motion::leave_out_gone(m, field);
-  m.now.multiplier_history.forget();
   contact::set_motion(*m.contact, m.now.displacement, m.now.velocity, 0, 0);
   contact::forget_gone(m.contact->contacts, m.contact->motion.x);
   m.now.contact_energy = contact::stored_energy(m.contact->contacts);

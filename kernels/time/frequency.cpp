@@ -34,30 +34,29 @@ void scale(const Field& x, Real factor) {
 
 }  // namespace
 
-/// Springs are stiffness. Where multipliers hold points, theirs stand beside the mass instead, as in every step: what they hold hardly moves.
-Real largest_frequency(Motion::Data& m, Real dt) {
-  const solve::Springs& springs = m.system.springs;
-  const bool held = springs.any() && solve::largest_entry(springs.augmented) > 0;
-  const Real hold = held ? m.beta * dt * dt : 0;
-  set_matrix(m, {0, 1}, 0, hold, false);
+Real largest_frequency(Motion::Data& m) {
+  set_matrix(m, {0, 1}, 0, 0);
   if (!m.rock->linear()) m.rock->linearise(m.now.displacement);
-  solve::PointTerms stiff = m.system.terms;
-  stiff.tangent = solve::Blocks("rockfold::motion::spring_tangents", stiff.points.count);
-  solve::set_tangents(springs, 1, stiff, 0);
+  solve::Constraints& supports = m.system.constraints;
+  const auto take_off_supports = [&](const Field& y) {
+    Kokkos::deep_copy(supports.springs.multiplier, 0.0);
+    solve::take_off_multipliers(supports, y);
+  };
   const auto mass = [&](const Field& x, const Field& y) {
     m.rock->apply({0, 1}, x, y);
-    if (held) solve::apply_terms(m.system.terms, x, y);
+    take_off_supports(y);
   };
   const auto stiffness = [&](const Field& x, const Field& y) {
     m.rock->apply({1, 0}, x, y);
-    if (held) return;
-    solve::apply_terms(stiff, x, y);
+    solve::apply_springs(m.system.springs, m.system.springs.stiffness, 1, x, y);
+    take_off_supports(y);
   };
   const solve::ApplyInverse blocks = solve::make_inverse(m.system, Preconditioner::block_jacobi);
   solve::PcgOptions how;
   how.tolerance = 1e-4;  // the quotient is exact for any x
   const Field x = device::make_field("motion::mode", m.unknowns);
   mixed_field(x);
+  solve::hold_points(supports, x);
   Real square = 0;
   for (int k = 0; k < most_iterations; ++k) {
     stiffness(x, m.right);
@@ -76,8 +75,8 @@ Real largest_frequency(Motion::Data& m, Real dt) {
 
 }  // namespace motion
 
-Real Motion::largest_frequency(Real dt) {
-  return motion::largest_frequency(*data_, dt);
+Real Motion::largest_frequency() {
+  return motion::largest_frequency(*data_);
 }
 
 }  // namespace rockfold

@@ -19,14 +19,12 @@ MovingState make_moving_state(Index unknowns, Index fixed) {
   state.displacement = device::make_field("motion::displacement", unknowns);
   state.velocity = device::make_field("motion::velocity", unknowns);
   state.acceleration = device::make_field("motion::acceleration", unknowns);
-  state.multiplier = device::make_field("motion::multiplier", fixed);
   state.reaction = device::make_field("motion::reaction", fixed);
   return state;
 }
 
 void copy_state(const MovingState& from, MovingState& to) {
   static_cast<StateNumbers&>(to) = from;
-  to.multiplier_history = from.multiplier_history;
   const auto of_from = from.fields(), of_to = to.fields();
   for (std::size_t i = 0; i < of_to.size(); ++i) Kokkos::deep_copy(of_to[i], of_from[i]);
 }
@@ -86,12 +84,12 @@ void make_data(Motion::Data& m, const MotionSetup& setup) {
   const Index fixed = m.system.springs.points.count;
   m.now = make_moving_state(m.unknowns, fixed);
   m.now.dynamic_ratio = setup.dynamic_ratio;
-  m.system.springs.multiplier = m.now.multiplier;  // one and the same array: saved with the state
   m.increment = device::make_field("motion::increment", m.unknowns);
   m.gone = device::Array<std::uint8_t>("rockfold::motion::gone", m.unknowns);
   m.correction = device::make_field("motion::correction", m.unknowns);
   m.right = device::make_field("motion::right", m.unknowns);
   m.work = device::make_field("motion::work", m.unknowns);
+  if (m.system.springs.any()) m.left = device::make_field("motion::left", m.unknowns);
   m.prescribed = device::make_field("motion::prescribed", fixed);
   m.support_way = device::make_field("motion::support_way", fixed);
   m.partial = device::allocate<Real>("motion::partial",

@@ -95,9 +95,9 @@ class Motion {
   /// and turn change the planes and areas on which they touch. In proportion to its length.
   Real energy_made() const;
 
-  /// rad/s: the largest natural frequency of the rock on its supports as it is now, within about a percent, from below. `dt`: s, as
-  /// given to start(). Schemes with β < γ/2 are stable up to dt = 1 / (frequency √(γ/2 − β)) (Hughes 1987, §9.1.2), for γ ≥ 1/2.
-  Real largest_frequency(Real dt);
+  /// rad/s: the largest natural frequency of the rock on its supports as it is now, within about a percent, from below.
+  /// Schemes with β < γ/2 are stable up to dt = 1 / (frequency √(γ/2 − β)) (Hughes 1987, §9.1.2), for γ ≥ 1/2.
+  Real largest_frequency();
 
   /// Remembers the present state, and goes back to it.
   void save();

@@ -27,7 +27,6 @@ struct StateNumbers {
   Real initial_energy =
       0;  ///< J, kinetic + strain + potential of the motion given, and what the initial stress stores in joints
   Real contact_energy = 0;  ///< J, stored in joints
-  Real history_step = 0;    ///< s, of the steps that multiplier_history comes from; 0: of no length
   Real dynamic_ratio = 1;   ///< share of the velocity that steps hand on
   Work work;
   std::int64_t steps = 0;  ///< done since the stage began
@@ -39,12 +38,9 @@ struct StateNumbers {
 /// RandomMotion of tests/time/state_test.cpp.
 struct MovingState : StateNumbers {
   Field displacement, velocity, acceleration;  ///< of the covers
-  Field multiplier, reaction;                  ///< of the fixed points
-  solve::Anderson multiplier_history{solve::most_pairs};
+  Field reaction;                              ///< of the fixed points
 
-  std::array<Field, 5> fields() const {
-    return {displacement, velocity, acceleration, multiplier, reaction};
-  }
+  std::array<Field, 4> fields() const { return {displacement, velocity, acceleration, reaction}; }
 };
 MovingState make_moving_state(Index unknowns, Index fixed);
 void copy_state(const MovingState& from, MovingState& to);
@@ -73,6 +69,7 @@ struct Motion::Data {
   device::Field right;       ///< right-hand side
   device::Field held;        ///< the same, for a correction that holds some contacts
   device::Field work;
+  device::Field left;         ///< of forces, once supports have taken theirs
   device::Field prescribed;   ///< of the fixed points, for the unknown being solved for
   device::Field support_way;  ///< of the fixed points in the step
   device::Array<Real> partial, sums;
@@ -103,21 +100,18 @@ namespace motion {
 std::vector<Vec3> uniform_field(Index unknowns, Index covers, const Vec3& v);
 
 /// Chooses α, β of αK + βM, the factor of the dashpots, and that of the springs.
-void set_matrix(Motion::Data& m, const solve::Combination& c, Real dashpots, Real springs,
-                bool choose_stiffness);
+void set_matrix(Motion::Data& m, const solve::Combination& c, Real dashpots, Real springs);
 /// The loads that change and the targets of the supports, at t.
 void set_time(Motion::Data& m, Real t);
 /// k of supports.cpp.
 std::array<Real, 3> stabilisation_gains(Real beta, Real gamma);
-/// Finds how far augmented points go in the step that begins: support_way.
+/// Finds how far points held go in the step that begins: support_way.
 void stabilise_supports(const Motion::Data& m, Real dt);
-/// What is prescribed for the first acceleration: nothing at augmented points; others pull with what their springs are stretched by.
+/// What is prescribed for the first acceleration: nothing at points held; others pull with what their springs are stretched by.
 void prescribe_acceleration(const Motion::Data& m);
-/// What is prescribed for the first velocity: at augmented points that of their tables, nothing without one; at others what they have.
+/// What is prescribed for the first velocity: at points held that of their tables, nothing without one; at others what they have.
 void prescribe_velocity(const Motion::Data& m);
 solve::ConstraintOptions solve_options(Motion::Data& m, Real reference);
-/// Where there is no next step in which the multipliers could go on.
-void close_gaps(solve::ConstraintOptions& how);
 
 /// Zeroes what belongs to rock that has been excavated.
 void leave_out_gone(const Motion::Data& m, const Field& x);
@@ -125,7 +119,7 @@ void leave_out_gone(const Motion::Data& m, const Field& x);
 void begin_stage(Motion::Data& m, Real dynamic_ratio);
 SolveReport solve_initial_acceleration(Motion::Data& m, Real dt);
 SolveReport solve_equilibrium(Motion::Data& m);
-Real largest_frequency(Motion::Data& m, Real dt);
+Real largest_frequency(Motion::Data& m);
 /// One step of Newmark's method.
 SolveReport take_step(Motion::Data& m, Real dt);
 /// Takes out of velocity and acceleration what moves no rock, in the measure of the matrix, which is that of the step that begins.

@@ -73,7 +73,7 @@ void keep_stretch(Motion::Data& m) {
   device::for_each(
       "rockfold::motion::keep_stretch", s.points.count, KOKKOS_LAMBDA(const Index n) {
         for (int i = 0; i < 3; ++i) {
-          const Real k = s.given_stiffness(n, i);
+          const Real k = s.stiffness(n, i);
           before(n, i) = first && k > 0 ? reaction(n, i) / k : prescribed(n, i);
         }
       });
@@ -137,11 +137,11 @@ void find_prescribed(const Motion::Data& m, const Step& step) {
   device::for_each(
       "rockfold::motion::find_prescribed", s.points.count, KOKKOS_LAMBDA(const Index n) {
         for (int i = 0; i < 3; ++i) {
-          if (stabilised && s.augmented(n, i) > 0)
+          if (stabilised && s.held(n, i) > 0)
             prescribed(n, i) = way(n, i) - solve::interpolate_one(s.points, n, i, increment);
           else
             prescribed(n, i) = share * s.target(n, i) - solve::interpolate_one(s.points, n, i, d);
-          if (middle && !(s.augmented(n, i) > 0)) prescribed(n, i) += before(n, i);
+          if (middle && !(s.held(n, i) > 0)) prescribed(n, i) += before(n, i);
         }
       });
 }
@@ -158,7 +158,19 @@ void keep_start(Motion::Data& m) {
 Real find_imbalance(Motion::Data& m, Real& reference) {
   const Field work = m.work, right = m.right;
   Kokkos::deep_copy(work, 0.0);
-  solve::add_spring_load(m.system.springs, m.system.spring_factor, m.prescribed, work);
+  solve::add_spring_load(m.system.springs, m.prescribed, work);
+  if (m.system.springs.any()) {
+    const Field left = m.left;
+    device::for_each(
+        "rockfold::motion::left_to_supports", m.unknowns, KOKKOS_LAMBDA(const Index p) {
+          for (int d = 0; d < 3; ++d) left(p, d) = right(p, d) + work(p, d);
+        });
+    solve::take_off_multipliers(m.system.constraints, left);
+    device::for_each(
+        "rockfold::motion::forces_of_supports", m.unknowns, KOKKOS_LAMBDA(const Index p) {
+          for (int d = 0; d < 3; ++d) work(p, d) = left(p, d) - right(p, d);
+        });
+  }
   const auto out = m.sums;
   device::sum_then<2>(
       "rockfold::motion::unbalanced", m.unknowns, m.partial,
@@ -185,7 +197,7 @@ Real gap_of_supports(Motion::Data& m, Real reference) {
       "rockfold::motion::large_gap", s.points.count, KOKKOS_LAMBDA(const Index n) {
         Real worst = 0;
         for (int d = 0; d < 3; ++d)
-          if (s.augmented(n, d) > 0)
+          if (s.held(n, d) > 0)
             worst =
                 device::math::fmax(worst, s.motion_ratio(n) * device::math::fabs(prescribed(n, d)));
         return worst;

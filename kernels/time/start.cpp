@@ -7,10 +7,6 @@
 namespace rockfold::motion {
 namespace {
 
-/// Penalty stiffness of augmented points, over that which suits the mass they hold, at most. A larger one swamps the digits of the mass.
-constexpr Real most_stiffer = 100;
-/// Penalty springs stiffer than this, over the same measure, get a multiplier.
-constexpr Real far_stiffer = 4;
 /// Iteration limit of a solve with the mass matrix alone, for covers of several functions.
 constexpr Index limit_with_mass = 1000;
 /// A mode of frequency ω with βΔt² ω² above the inverse of this share decays within one step.
@@ -20,65 +16,6 @@ constexpr Real smoothing_share = 0.1;
 
 /// Second tolerance of the solve with the mass matrix alone.
 constexpr Real attainable = 1e-8;
-
-/// What springs were before stiff ones became multipliers.
-struct SpringsBefore {
-  Field by_multiplier, stiffness, compliance;
-};
-
-/// Replaces penalty springs that are far stiffer than the mass they hold by a compliance with a multiplier (perturbed Lagrangian): the
-/// forces are the same. A penalty suits the stiffness of the rock and makes the mass matrix alone ill conditioned.
-SpringsBefore hold_by_multipliers(Motion::Data& m, Real spring_factor) {
-  solve::Springs& s = m.system.springs;
-  SpringsBefore before{s.by_multiplier, s.stiffness, s.compliance};
-  if (!s.any()) return before;
-  const Index count = s.points.count;
-  s.by_multiplier = device::make_field("motion::by_multiplier", count);
-  s.compliance = device::make_field("motion::compliance", count);
-  s.stiffness = device::make_field("motion::held_stiffness", count);
-  const solve::Blocks mass("rockfold::motion::mass_diagonal", m.unknowns);
-  m.rock->diagonal({0, 1}, mass);
-  solve::Springs chosen = s;  // with none given, all stand where multipliers work well
-  chosen.given_stiffness = device::make_field("motion::no_stiffness", count);
-  chosen.augmented = device::make_field("motion::all_augmented", count);
-  const auto all = chosen.augmented, given = s.given_stiffness;
-  device::for_each(
-      "rockfold::motion::all_by_multiplier", count, KOKKOS_LAMBDA(const Index n) {
-        for (int d = 0; d < 3; ++d) all(n, d) = given(n, d) > 0 ? 1 : 0;
-      });
-  solve::choose_spring_stiffness(chosen, spring_factor, m.covers, mass, false);
-  const auto by_multiplier = s.by_multiplier, stiffness = s.stiffness, compliance = s.compliance,
-             augmented = s.augmented;
-  device::for_each(
-      "rockfold::motion::stiff_springs", count, KOKKOS_LAMBDA(const Index n) {
-        for (int d = 0; d < 3; ++d) {
-          const Real k = before.stiffness(n, d);
-          if (augmented(n, d) > 0) {
-            const Real by_mass = most_stiffer * stiffness(n, d);
-            stiffness(n, d) = by_mass > 0 && by_mass < k ? by_mass : k;
-            continue;
-          }
-          const bool stiff = stiffness(n, d) > 0 && k > far_stiffer * stiffness(n, d);
-          by_multiplier(n, d) = stiff ? 1 : 0;
-          compliance(n, d) = stiff ? 1 / (spring_factor * (k - stiffness(n, d))) : 0;
-          if (!stiff) stiffness(n, d) = k;
-        }
-      });
-  return before;
-}
-
-void make_springs_again(Motion::Data& m, const SpringsBefore& before) {
-  solve::Springs& s = m.system.springs;
-  s.by_multiplier = before.by_multiplier;
-  s.stiffness = before.stiffness;
-  s.compliance = before.compliance;
-  const auto augmented = s.augmented, multiplier = s.multiplier;
-  device::for_each(
-      "rockfold::motion::springs_again", s.points.count, KOKKOS_LAMBDA(const Index n) {
-        for (int d = 0; d < 3; ++d)
-          if (!(augmented(n, d) > 0)) multiplier(n, d) = 0;
-      });
-}
 
 /// How steps of length dt will hold the rock that begins to move.
 struct Beginning {
@@ -95,26 +32,23 @@ bool is_fast(Motion::Data& m, const Beginning& begin, const Field& x) {
   return energy({fast_mode_share * begin.stiffness, 0}) > energy({0, 1});
 }
 
-/// The velocity nearest to the present one, measured by M + αK, that goes with the augmented points. `stiffness`: α.
+/// The velocity nearest to the present one, measured by M + αK, that goes with the points held. `stiffness`: α.
 SolveReport project_velocity(Motion::Data& m, const Beginning& begin, Real stiffness) {
   const solve::Combination c{stiffness, 1};
-  set_matrix(m, c, 0, begin.hold, false);
-  m.now.multiplier_history.forget();
+  set_matrix(m, c, 0, begin.hold);
   m.rock->apply(c, m.now.velocity, m.right);
   prescribe_velocity(m);
   const SolveReport report = solve::solve_constrained(m.system, m.right, m.prescribed,
                                                       m.now.velocity, Field(), solve_options(m, 0));
-  Kokkos::deep_copy(m.now.multiplier, 0.0);  // of a blow, not of a force
   return report;
 }
 
-/// Projects the initial velocity on what augmented points prescribe, in the norm of the mass matrix. A velocity that contradicts its
+/// Projects the initial velocity on what points held prescribe, in the norm of the mass matrix. A velocity that contradicts its
 /// supports would oscillate about their tables' slope in every later step.
 SolveReport catch_up_with_supports(Motion::Data& m, const Beginning& begin) {
   const Real before = kinetic_energy(m);
   const bool moving = m.supports.tables.any() && m.supports.tables.moving_after(m.now.time);
-  if (!moving && !(before > 0 && m.system.springs.any() &&
-                   solve::largest_entry(m.system.springs.augmented) > 0))
+  if (!moving && !(before > 0 && m.system.springs.any() && m.system.constraints.any_held))
     return {};
   const Field v = m.now.velocity, given = m.increment, change = m.correction;
   Kokkos::deep_copy(given, v);
@@ -134,9 +68,7 @@ SolveReport catch_up_with_supports(Motion::Data& m, const Beginning& begin) {
 /// The acceleration at the start, from (M + αK) a = F − C v − f(d), `stiffness` = α; the iterations of `total` are counted on.
 SolveReport find_acceleration(Motion::Data& m, const Beginning& begin, Real stiffness,
                               Real tolerance, Index most_iterations, const SolveReport& total) {
-  set_matrix(m, {stiffness, 1}, 0, begin.hold, false);
-  m.now.multiplier_history.forget();
-  Kokkos::deep_copy(m.now.multiplier, 0.0);
+  set_matrix(m, {stiffness, 1}, 0, begin.hold);
   Kokkos::deep_copy(m.now.acceleration, 0.0);
   Step step;
   step.inertia = step.rate = m.damped();
@@ -174,8 +106,7 @@ SolveReport set_in_motion(Motion::Data& m, const Beginning& begin) {
     report =
         find_acceleration(m, begin, smoothing_share * begin.stiffness, tolerance, most, report);
   if (m.system.springs.any())
-    solve::spring_reactions(m.system.springs, m.system.spring_factor, m.now.acceleration,
-                            m.prescribed, m.now.reaction);
+    solve::spring_reactions(m.system.springs, m.now.acceleration, m.prescribed, m.now.reaction);
   return report;
 }
 
@@ -190,13 +121,8 @@ SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
   set_time(m, m.now.time);
   const Real hold = m.beta * dt * dt;
   m.rock->begin_step(m.now.displacement, {});
-  m.rock->drop_geometric_stiffness();        // the stiffness, without the part of the stress
-  set_matrix(m, {1, 1 / hold}, 0, 1, true);  // chooses the springs' stiffness
-  const SpringsBefore springs = hold_by_multipliers(m, hold);
+  m.rock->drop_geometric_stiffness();  // the stiffness, without the part of the stress
   const SolveReport report = set_in_motion(m, {hold, hold + m.gamma * dt * m.damping.stiffness});
-  make_springs_again(m, springs);
-  m.now.multiplier_history.forget();
-  m.now.history_step = 0;
   return report;
 }
 

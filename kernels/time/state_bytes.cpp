@@ -9,17 +9,16 @@ namespace rockfold {
 namespace {
 
 /// Of the layout below: changed with it.
-constexpr std::uint64_t format = 0x0006'5441'5453'4652;  // "RFSTAT", 6
+constexpr std::uint64_t format = 0x0007'5441'5453'4652;  // "RFSTAT", 7
 
 /// Everything but the fields.
 struct Plain {
   std::uint64_t format;
   std::int64_t unknowns, fixed;
   motion::StateNumbers numbers;
-  std::int64_t history;  ///< numbers behind the fields …
-  std::int64_t contact;  ///< … and bytes of contacts behind those
+  std::int64_t contact;  ///< bytes of contacts behind the fields
 };
-static_assert(std::is_trivially_copyable_v<Plain> && sizeof(Plain) == 20 * 8);
+static_assert(std::is_trivially_copyable_v<Plain> && sizeof(Plain) == 18 * 8);
 
 std::size_t length_of(const device::Field& field) {
   return field.extent(0) * sizeof(Vec3);
@@ -29,13 +28,11 @@ std::size_t length_of(const device::Field& field) {
 
 std::vector<std::byte> Motion::bytes() const {
   const Data& m = *data_;
-  const std::vector<Real> history = m.now.multiplier_history.knowledge();
   Plain plain{};
   plain.format = format;
   plain.unknowns = m.unknowns;
   plain.fixed = m.system.springs.points.count;
   plain.numbers = m.now;
-  plain.history = static_cast<std::int64_t>(history.size());
   std::vector<std::byte> contacts;
   if (m.contact) contacts = contact::bytes(m.contact->contacts);
   plain.contact = static_cast<std::int64_t>(contacts.size());
@@ -46,8 +43,6 @@ std::vector<std::byte> Motion::bytes() const {
     const auto* first = reinterpret_cast<const std::byte*>(values.data());
     bytes.insert(bytes.end(), first, first + values.size() * sizeof(Vec3));
   }
-  const auto* first = reinterpret_cast<const std::byte*>(history.data());
-  bytes.insert(bytes.end(), first, first + history.size() * sizeof(Real));
   bytes.insert(bytes.end(), contacts.begin(), contacts.end());
   return bytes;
 }
@@ -56,8 +51,7 @@ void Motion::restore(std::span<const std::byte> bytes) {
   Data& m = *data_;
   Plain plain{};
   if (bytes.size() >= sizeof plain) std::memcpy(&plain, bytes.data(), sizeof plain);
-  std::size_t length = sizeof plain + static_cast<std::size_t>(plain.history) * sizeof(Real) +
-                       static_cast<std::size_t>(plain.contact);
+  std::size_t length = sizeof plain + static_cast<std::size_t>(plain.contact);
   for (const device::Field& field : m.now.fields()) length += length_of(field);
   if (plain.format != format || plain.unknowns != m.unknowns ||
       plain.fixed != m.system.springs.points.count || bytes.size() != length ||
@@ -71,11 +65,6 @@ void Motion::restore(std::span<const std::byte> bytes) {
     device::copy_to_device(values, field);
     at += length_of(field);
   }
-  std::vector<Real> history(plain.history);
-  if (!history.empty()) std::memcpy(history.data(), &bytes[at], history.size() * sizeof(Real));
-  m.now.multiplier_history.learn(history,
-                                 3 * static_cast<std::size_t>(m.system.springs.points.count));
-  at += history.size() * sizeof(Real);
   if (m.contact) contact::restore(m.contact->contacts, bytes.subspan(at));
   motion::set_time(m, m.now.time);
 }

@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "kernels/constraints/policy_kernel.hpp"
 #include "kernels/time/step_kernel.hpp"
 #include "src/base/interrupt.hpp"
 
@@ -11,6 +12,8 @@ namespace {
 
 /// Share of the unbalanced forces that the solve of an iteration leaves (inexact Newton: Dembo, Eisenstat & Steihaug 1982) …
 constexpr Real forcing = 1e-3;
+/// … with factors, an iteration of which costs little beside their making, …
+constexpr Real forcing_with_factors = 1e-6;
 /// … or, where conjugate gradients get no further, may leave.
 constexpr Real good_progress = 0.1;
 
@@ -27,6 +30,9 @@ constexpr Real rough_balance = 1e-3;
 
 /// Of the load on a block, what may be unbalanced: the tolerance's share of all forces may be more than a small block weighs beside large ones.
 constexpr Real balance_of_a_block = 1e-4;
+
+/// Of the motion: gaps of supports that are less are closed.
+constexpr Real closed_gap = 1e-10;
 
 /// What Newton's iterations have come to.
 struct Newton {
@@ -52,7 +58,7 @@ Step make_step(const Motion::Data& m, Real dt) {
   return step;
 }
 
-void set_tangent(Motion::Data& m, const Step& step, bool first, bool with_contact = true) {
+void set_tangent(Motion::Data& m, const Step& step, bool with_contact = true) {
   const bool linear = m.rock->linear();
   if (linear && step.dt > 0 && m.step_length == step.dt) return;
   m.rock->linearise(m.now.displacement);
@@ -64,15 +70,8 @@ void set_tangent(Motion::Data& m, const Step& step, bool first, bool with_contac
   set_matrix(m,
              {1 + (step.rate ? of_damping * m.damping.stiffness : 0),
               of_mass + of_damping * m.damping.mass},
-             of_damping, 1, first);
+             of_damping, 1);
   m.step_length = step.dt;
-}
-
-/// The history of the multipliers' acceleration holds as long as the matrix is the same.
-void forget_other_matrices(Motion::Data& m, const Step& step) {
-  if (m.rock->linear() && step.dt > 0 && m.now.history_step == step.dt) return;
-  m.now.multiplier_history.forget();
-  m.now.history_step = step.dt;
 }
 
 finite::ForceRule force_rule(const Motion::Data& m, const Step& step) {
@@ -97,6 +96,7 @@ void begin(Motion::Data& m, const Step& step) {
   m.system.begins_with_factors = m.now.begins_with_factors != 0;
   m.system.steady = linear;
   m.rock->begin_step(m.now.displacement, force_rule(m, step));
+  Kokkos::deep_copy(m.system.springs.multiplier, 0.0);
   if (m.contact) {
     begin_contact(m);
     m.system.symmetric = contact::clear_tangents(m.system.contacts);
@@ -107,7 +107,7 @@ void begin(Motion::Data& m, const Step& step) {
       find_contacts(m, step);
       m.system.symmetric = contact::clear_tangents(m.system.contacts);
     }
-    set_tangent(m, step, true, false);
+    set_tangent(m, step, false);
     remove_null_space_motion(m);
   }
   if (!linear) {
@@ -148,8 +148,8 @@ bool is_settled(Motion::Data& m, const Step& step, const Forces& forces, Newton&
   // Rounding alone: what is left is small, and another iteration would not take it away.
   const Real cancelled = std::max<Real>(1, m.rock->largest_terms(m.now.displacement));
   const bool stalled = newton.left <= 256 * cancelled * rounding && newton.left > 0.5 * before;
-  // A gap that whole solves do not halve stays: the report says how large it is, as under small strain.
-  const bool closed = newton.gap <= m.solver.gap_tolerance || newton.gap > 0.5 * gap_before;
+  // A gap that a solve does not halve stays: points contradict each other, and the report says by how much.
+  const bool closed = newton.gap <= closed_gap || newton.gap > 0.5 * gap_before;
   if ((newton.corrected || newton.iterations > 0) && (newton.left <= newton.wanted || stalled) &&
       closed) {
     total.inverted = m.rock->inverted(m.now.displacement, newton.wanted);
@@ -163,22 +163,17 @@ bool is_settled(Motion::Data& m, const Step& step, const Forces& forces, Newton&
 solve::ConstraintOptions correction_options(Motion::Data& m, const Step& step,
                                             const Newton& newton) {
   solve::ConstraintOptions how = solve_options(m, newton.reference);
-  const bool closely = step.dt == 0 || !step.stabilised;
-  if (m.contact)
-    how.max_outer = 1;  // the search for multipliers is Newton's own
-  else if (closely)
-    close_gaps(how);
+  how.go_on = true;
   if (m.rock->linear()) {
     how.rounding = [&m](const Field& x) { return m.rock->rounding(x); };
-    how.stop_at_rounding = closely;
+    how.stop_at_rounding = step.dt == 0 || !step.stabilised;
     return how;
   }
-  const Real inexact = step.dt > 0 ? forcing * newton.left : 0;
+  const bool factors = !m.contact && solve::policy_of(m.system).first == Preconditioner::direct;
+  const Real inexact = step.dt > 0 ? (factors ? forcing_with_factors : forcing) * newton.left : 0;
   how.pcg.tolerance =
       std::max({0.1 * newton.wanted, inexact, 4 * m.rock->rounding(m.now.displacement)}) /
       newton.reference;
-  how.finish_unaccelerated = false;  // the next iteration goes on
-  how.gap_tolerance *= 0.5;          // measured against another reference there
   return how;
 }
 
@@ -189,8 +184,7 @@ bool solve_correction(Motion::Data& m, const Step& step, const Newton& newton, S
   for (const bool material_only : {false, true}) {
     if (material_only) {
       m.rock->drop_geometric_stiffness();
-      m.now.multiplier_history.forget();
-      set_matrix(m, m.system.combination, m.dashpot_factor, 1, false);
+      set_matrix(m, m.system.combination, m.dashpot_factor, 1);
     }
     Kokkos::deep_copy(m.correction, 0.0);
     total.add(solve::solve_constrained(m.system, m.right, m.prescribed, m.correction,
@@ -231,7 +225,7 @@ SolveReport balance_forces(Motion::Data& m, const Step& step, Newton newton = {}
   if (linear_states) contact::forget_headings(*m.contact);
   Forces forces = find_residual(m, step);
   if (linear_states) hold_reversed(m, step);
-  set_tangent(m, step, true);
+  set_tangent(m, step);
   find_prescribed(m, step);
   for (;; ++newton.iterations) {
     total.converged = false;
@@ -239,9 +233,8 @@ SolveReport balance_forces(Motion::Data& m, const Step& step, Newton newton = {}
     if (newton.iterations == m.most_iterations) return total;
     if (newton.iterations > 0) {
       if (linear_states) hold_reversed(m, step);
-      set_tangent(m, step, false);
+      set_tangent(m, step);
     }
-    forget_other_matrices(m, step);
     if (linear_states) std::swap(m.right, m.held);
     const bool solved = solve_correction(m, step, newton, total);
     if (linear_states) std::swap(m.right, m.held);
@@ -307,6 +300,7 @@ SolveReport solve_equilibrium(Motion::Data& m) {
   set_time(m, m.now.time);
   m.system.begins_with_factors = m.system.steady = false;
   m.rock->begin_step(m.now.displacement, {});
+  Kokkos::deep_copy(m.system.springs.multiplier, 0.0);
   Kokkos::deep_copy(m.increment, 0.0);
   const Field start = device::make_field("motion::start", m.unknowns);
   Kokkos::deep_copy(start, m.now.displacement);
@@ -373,11 +367,10 @@ void begin_stage(Motion::Data& m, Real dynamic_ratio) {
   m.step_length = 0;
 }
 
-void set_matrix(Motion::Data& m, const solve::Combination& c, Real dashpots, Real springs,
-                bool choose_stiffness) {
+void set_matrix(Motion::Data& m, const solve::Combination& c, Real dashpots, Real springs) {
   m.dashpot_factor = dashpots;
   set_tangents(m.dashpots, dashpots, m.system.terms, m.system.springs.points.count);
-  solve::set_combination(m.system, c, springs, choose_stiffness);
+  solve::set_combination(m.system, c, springs);
   m.step_length = 0;
 }
 
@@ -392,16 +385,7 @@ solve::ConstraintOptions solve_options(Motion::Data& m, Real reference) {
   how.pcg.max_iterations = m.solver.max_iterations;
   how.pcg.reference = reference;
   how.pcg.rounding = m.rock->rounding(m.now.displacement);
-  how.gap_tolerance = m.solver.gap_tolerance;
-  how.max_outer = m.solver.max_outer;
-  how.acceleration = &m.now.multiplier_history;
   return how;
-}
-
-void close_gaps(solve::ConstraintOptions& how) {
-  how.max_stalled = 40;
-  how.finish_unaccelerated = true;
-  how.max_outer = std::max<Index>(how.max_outer, 400);
 }
 
 }  // namespace rockfold::motion

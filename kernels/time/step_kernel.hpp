@@ -17,11 +17,10 @@ struct Step {
   bool inertia = false;  ///< and damping: whether they count
   bool rate =
       false;  ///< damping by stiffness stands beside the internal force, of the velocity at the end
-  bool middle = false;  ///< twice the mean of both ends
-  bool stabilised =
-      false;  ///< augmented points go as supports.cpp says, not straight to their places
-  Real speed_by_gap = 0;  ///< 1/s, dv'/dd': of contacts that feel speeds; 0: they do not
-  Real load = 1;          ///< share of the loads and of the supports' way, in equilibrium
+  bool middle = false;      ///< twice the mean of both ends
+  bool stabilised = false;  ///< points held go as supports.cpp says, not straight to their places
+  Real speed_by_gap = 0;    ///< 1/s, dv'/dd': of contacts that feel speeds; 0: they do not
+  Real load = 1;            ///< share of the loads and of the supports' way, in equilibrium
 };
 
 /// Norms of what acts, each by itself, N.

@@ -1,6 +1,6 @@
 // Where fixed points have to go in a step.
 //
-// A step whose augmented points go exactly to their places leaves their velocity and acceleration to Newmark's formulas. For
+// A step whose points held go exactly to their places leaves their velocity and acceleration to Newmark's formulas. For
 // average acceleration those have the double root −1: an error of velocity, from a multiplier that is not quite right yet, swings
 // on for ever and makes the acceleration, and with it the next multiplier's error, grow without bound (the weak instability of
 // differential-algebraic systems of index 3: Cardona & Géradin 1989; Hairer & Wanner, Solving ODEs II, ch. VII). So the points
@@ -105,7 +105,7 @@ void prescribe_acceleration(const Motion::Data& m) {
       "rockfold::motion::prescribe_acceleration", s.points.count, KOKKOS_LAMBDA(const Index n) {
         for (int i = 0; i < 3; ++i)
           prescribed(n, i) =
-              s.augmented(n, i) > 0
+              s.held(n, i) > 0
                   ? 0
                   : (s.target(n, i) - solve::interpolate_one(s.points, n, i, d)) / factor;
       });
@@ -120,7 +120,7 @@ void prescribe_velocity(const Motion::Data& m) {
   device::for_each(
       "rockfold::motion::prescribe_velocity", s.points.count, KOKKOS_LAMBDA(const Index n) {
         for (int i = 0; i < 3; ++i)
-          prescribed(n, i) = !(s.augmented(n, i) > 0) ? solve::interpolate_one(s.points, n, i, v)
+          prescribed(n, i) = !(s.held(n, i) > 0) ? solve::interpolate_one(s.points, n, i, v)
                              : any_table && table(n) != none ? slope(3 * table(n) + i)
                                                              : 0;
       });

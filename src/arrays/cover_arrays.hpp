@@ -89,9 +89,8 @@ struct MaterialPoints {
 
 /// How the displacement of a fixed point is enforced.
 enum class Enforce : std::uint8_t {
-  penalty,    ///< a spring
-  augmented,  ///< a spring and a multiplier; a time step may leave a gap to the next one
-  exact       ///< likewise, but no gap is left beyond the solver's tolerance
+  penalty,  ///< a spring
+  held      ///< in its place
 };
 
 /// Displacements that are prescribed, in some components (essential boundary conditions). Each is that of a row of `points`: the

@@ -54,7 +54,7 @@ void warn_of_keys_without_use(const Model& model, Terminal& terminal);
 void warn_of_conditional_stability(const Model& model, Terminal& terminal);
 /// Steps that found no solution until they were taken in parts; not those that max_displacement_ratio divides.
 void warn_of_divided_steps(const Model& model, const RunResult& run, Terminal& terminal);
-/// An augmented Lagrangian that could not bring the fixed points to their places, or two [[fixed]] that contradict each other.
+/// Points held that could not be brought to their places, or two [[fixed]] that contradict each other.
 void warn_of_support_gap(const Model& model, const RunResult& run, const FixedPoints& fixed,
                          Terminal& terminal);
 /// Factors were asked for, and the last solve went without them.

@@ -326,7 +326,7 @@ bool Run::take_step(Index step, Real dt) {
 void Run::require_stable_step(const AnalysisStage& stage) {
   const Real beta = analysis_.newmark_beta, gamma = analysis_.newmark_gamma;
   if (stage.type != AnalysisType::dynamic || gamma < 0.5 || beta >= gamma / 2) return;
-  const Real frequency = motion_.largest_frequency(stage.time_step);
+  const Real frequency = motion_.largest_frequency();
   const Real critical = 1 / (frequency * std::sqrt(gamma / 2 - beta));
   if (stage.time_step <= critical) return;
   throw Error(ErrorKind::model,

@@ -157,7 +157,7 @@ struct RunResult {
   std::vector<JointHistory>
       joint_monitors;  ///< in the order of those of Model::monitors that have a joint
   Real support_gap =
-      0;  ///< distance of augmented fixed points from their places / largest displacement, last step
+      0;  ///< distance of points held from their places / largest displacement, last step
 
   OffPlace off_place;  ///< the fixed point farthest off its place, at the end
 

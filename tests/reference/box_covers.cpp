@@ -344,7 +344,7 @@ FixedPoints fix(const CoveredRegions& covered, const std::vector<Vec3>& points,
     fixed.component.push_back({1, 1, 1});
     fixed.value.push_back(value(x));
     fixed.stiffness.push_back(stiffness);
-    fixed.enforce.push_back(augmented ? Enforce::augmented : Enforce::penalty);
+    fixed.enforce.push_back(augmented ? Enforce::held : Enforce::penalty);
   }
   return fixed;
 }

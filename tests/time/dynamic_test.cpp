@@ -139,7 +139,6 @@ TEST(Dynamic, AugmentedPointsStayInTheirPlaces) {
   const Rock rock = bar(true);
   MotionSetup setup = rock.setup();
   setup.gravity = {0, 0, -9.81};
-  setup.solver.max_outer = 100;
   Motion motion(setup);
   ASSERT_TRUE(motion.start(2e-3).converged);
   for (int step = 1; step <= 20; ++step) {

@@ -27,7 +27,7 @@ namespace rockfold {
 
 namespace {
 
-constexpr Real augmented_factor = 10;  // of E/h: the multipliers do the rest
+constexpr Real share_factor = 10;  // of E/h: by which points held share what they take together
 constexpr Real penalty_factor =
     1000;  // of E/h: displacement off by about 1e-3 of the element's own
 
@@ -36,7 +36,7 @@ constexpr Real penalty_factor =
 constexpr Real least_weight = 0.1;
 constexpr Real least_cosine = 0.9;  // between a plane and the faces that lie along it
 /// Spacings: nearer to a held face or vertex than that vertices go with it. Held one by one they would hold slopes too, by rows that
-/// differ so little that it depends on how long one looks for their multipliers.
+/// differ so little that rounding decides.
 constexpr Real close_by = 0.01;
 constexpr Real few_whole = 0.1;    // of the area of the rest of a rock face
 constexpr Real few_held = 0.25;    // of what moves that rest
@@ -244,7 +244,7 @@ class Fixer {
       case FixMethod::lagrange:
         break;
     }
-    return augmented_factor * e / reach_;
+    return share_factor * e / reach_;
   }
 
   void add_row(const HeldRow& row, Real stiffness) {
@@ -272,10 +272,9 @@ class Fixer {
       return unknown % covers_.cover_count() == row.unknown[0] % covers_.cover_count();
     };
     const bool of_one_cover = std::all_of(row.unknown.begin(), row.unknown.end(), of_first);
-    if (fixed_->method == FixMethod::lagrange) return Enforce::exact;
     const bool spring =
         fixed_->method == FixMethod::penalty && (fixed_->stiffness || !of_one_cover);
-    return spring ? Enforce::penalty : Enforce::augmented;
+    return spring ? Enforce::penalty : Enforce::held;
   }
 
   void add_point(const Vec3& x, Index element, Index other, Real stiffness) {

@@ -1,0 +1,37 @@
+// Cholesky's method for small sparse symmetric matrices, those of the points of surfaces, in the order of nested dissection (George 1973): what
+// stands on both sides of a row of neighbours comes before it.
+#pragma once
+
+#include <vector>
+
+#include "src/base/types.hpp"
+
+namespace rockfold::solve {
+
+class SparseCholesky {
+ public:
+  SparseCholesky() = default;
+  /// Where entries stand: the columns of row i are column[begin[i]] … column[begin[i + 1] − 1], both halves and the diagonal.
+  SparseCholesky(const std::vector<Index>& begin, const std::vector<Index>& column);
+
+  /// `value`: those of `column`, of a matrix that is positive.
+  void factorise(const std::vector<Index>& begin, const std::vector<Index>& column,
+                 const std::vector<Real>& value);
+  /// r becomes the answer; [rows].
+  void solve(Real* r) const;
+
+ private:
+  /// The columns of L in row k, as they have to be taken, into `reached`; how many.
+  Index reach(Index k, const std::vector<Index>& begin, const std::vector<Index>& column);
+
+  std::vector<Index> order_, place_;   ///< [rows] the row at a place, and the place of a row
+  std::vector<Index> parent_;          ///< [rows] in the elimination tree (Liu 1990), by place
+  std::vector<std::size_t> start_;     ///< [rows + 1] of each column of L below its diagonal
+  std::vector<Index> row_;             ///< of the entries of L, ascending in a column
+  std::vector<Real> entry_;            ///< likewise
+  std::vector<Real> inverse_;          ///< [rows] 1 / diagonal of L
+  std::vector<Index> mark_, reached_;  ///< [rows] work space
+  mutable std::vector<Real> work_;     ///< [rows]
+};
+
+}  // namespace rockfold::solve
