@@ -230,14 +230,16 @@ void Run::count(const SolveReport& report) {
 }
 
 /// Counts a solve; where it failed, goes back to the last good state (step 0: the start, before anything was solved), stores it and
-/// throws. False where a signal ended it: the same, without the throw.
+/// throws. False where a signal came in the meantime: the same, without the throw. Solves that a signal ends early may still come to balance,
+/// in other last digits than without it.
 bool Run::accept(const SolveReport& report, Index step, Real time) {
   count(report);
   result_.preconditioner = report.preconditioner;
   result_.support_gap = report.gap;
-  if (report.converged) return true;
-  const Trouble trouble = input_.contact ? find_trouble(input_, motion_) : Trouble{};
   const bool interrupted = interrupt_signal != 0;
+  if (report.converged && !interrupted) return true;
+  const Trouble trouble =
+      input_.contact && !interrupted ? find_trouble(input_, motion_) : Trouble{};
   motion_.restore();
   if (interrupted) {
     result_.iterations = counts_.iterations;

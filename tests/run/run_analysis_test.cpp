@@ -5,9 +5,11 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "src/base/error.hpp"
 #include "src/base/interrupt.hpp"
+#include "src/base/timer.hpp"
 #include "tests/reference/box_covers.hpp"
 
 namespace rockfold {
@@ -180,6 +182,29 @@ TEST(RunAnalysis, StopsAtTheLastStepDoneWhenItIsInterrupted) {
   EXPECT_NEAR(result.time, 0.15, 1e-12);
   EXPECT_EQ(c.stored, (std::vector<Index>{0, 3}));
   ASSERT_EQ(result.energies.size(), 4u);
+}
+
+TEST(LongRunAnalysis, InterruptedAtAnyMomentHasDoneTheStepsOfTheWholeRun) {
+  const auto run = [](int microseconds) {
+    Case c(AnalysisType::dynamic, true);
+    c.model.analysis->kinematics = Kinematics::large;
+    std::signal(SIGALRM, [](int signal) { interrupt_signal = signal; });
+    ualarm(microseconds, 0);
+    RunResult result = c.run();
+    ualarm(0, 0);
+    interrupt_signal = 0;
+    return result;
+  };
+  const Timer timer;
+  const RunResult whole = run(0);
+  const Real microseconds = 1e6 * timer.seconds();
+  constexpr int moments = 100;
+  for (int i = 1; i < moments; ++i) {
+    const RunResult part = run(1 + static_cast<int>(microseconds * i / moments));
+    for (Index step = 0; step <= part.steps; ++step)
+      EXPECT_EQ(part.monitors[0].displacement[step], whole.monitors[0].displacement[step])
+          << step << " of " << part.steps;
+  }
 }
 
 TEST(RunAnalysis, InterruptedInItsOnlySolveKeepsTheStart) {
