@@ -7,7 +7,6 @@
 #include "kernels/constraints/constrained_system_kernel.hpp"
 #include "kernels/constraints/policy_kernel.hpp"
 #include "kernels/operator/rock_motion_kernel.hpp"
-#include "src/base/interrupt.hpp"
 
 namespace rockfold::solve {
 namespace {
@@ -47,8 +46,6 @@ Real rounding_of_motion(ConstrainedSystem& system, const Field& x, const Field& 
 constexpr int most_solves = 32;
 /// Of what is left, how much a solve leaves at least: by what ties points digits are lost.
 constexpr Real within_reach = 1e-5;
-/// Of the motion: gaps of points held that are less are closed.
-constexpr Real closed_gap = 1e-10;
 /// Forces of springs whose points have yet to go, over those once they have gone, above which rounding of that way counts.
 constexpr Real far_carried = 1e3;
 /// Multiples of the rounding error that may be left: a smaller residual only moves x along the null space of A.

@@ -76,6 +76,9 @@ const CoverBlocks& cover_blocks_of(ConstrainedSystem& system);
 /// How far rock moves at most under x + base (may be empty), m: see rock_motion_kernel.hpp. Uses the work space of conjugate gradients.
 Real largest_motion(ConstrainedSystem& system, const Field& x, const Field& base);
 
+/// Of the motion: gaps of points held that are less are closed.
+constexpr Real closed_gap = 1e-10;
+
 struct ConstraintOptions {
   PcgOptions pcg;
   /// N: what rounding leaves of the forces of A x, springs aside. Where it is given, residuals count against the forces at the solution

@@ -31,9 +31,6 @@ constexpr Real rough_balance = 1e-3;
 /// Of the load on a block, what may be unbalanced: the tolerance's share of all forces may be more than a small block weighs beside large ones.
 constexpr Real balance_of_a_block = 1e-4;
 
-/// Of the motion: gaps of supports that are less are closed.
-constexpr Real closed_gap = 1e-10;
-
 /// What Newton's iterations have come to.
 struct Newton {
   Real enough = 0;         ///< of the reference that may be left; 0: the solver's tolerance
@@ -149,7 +146,7 @@ bool is_settled(Motion::Data& m, const Step& step, const Forces& forces, Newton&
   const Real cancelled = std::max<Real>(1, m.rock->largest_terms(m.now.displacement));
   const bool stalled = newton.left <= 256 * cancelled * rounding && newton.left > 0.5 * before;
   // A gap that a solve does not halve stays: points contradict each other, and the report says by how much.
-  const bool closed = newton.gap <= closed_gap || newton.gap > 0.5 * gap_before;
+  const bool closed = newton.gap <= solve::closed_gap || newton.gap > 0.5 * gap_before;
   if ((newton.corrected || newton.iterations > 0) && (newton.left <= newton.wanted || stalled) &&
       closed) {
     total.inverted = m.rock->inverted(m.now.displacement, newton.wanted);

@@ -353,8 +353,8 @@ using Region = std::variant<FaceRegion, BoxRegion, PointRegion, PlaneRegion, Blo
 
 enum class FixMethod {
   penalty,               ///< springs
-  augmented_lagrangian,  ///< springs and multipliers, improved from step to step
-  lagrange,  ///< multipliers, in every step until no gap is left but the solver's tolerance
+  augmented_lagrangian,  ///< held exactly
+  lagrange,              ///< the same
 };
 
 /// Essential boundary condition: displacement `value` in the chosen components.
