@@ -289,8 +289,7 @@ Real largest_terms(const Deformation& body, const Field& d) {
         for (int a = 0; a < body.nodes; ++a)
           for (int k = 0; k < body.functions; ++k, ++g)
             for (int i = 0; i < 3; ++i) {
-              const Real u = device::math::fabs(d(k * body.covers + cover[a], i) -
-                                                (k == 0 && body.nodes > 1 ? d(cover[0], i) : 0));
+              const Real u = device::math::fabs(d(k * body.covers + cover[a], i));
               for (int j = 0; j < 3; ++j)
                 sum[3 * i + j] += u * device::math::fabs(g[j * body.stride]);
             }

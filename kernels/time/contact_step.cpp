@@ -134,14 +134,6 @@ void end_contact(Motion::Data& m, const Step& step) {
   m.now.contact_energy = stored;
   const Real moving = kinetic_energy(m) + stored;
   m.energy_made = step.stabilised && lost < 0 ? -lost / moving : 0;
-  if (!step.middle) return;
-  // The middle rule takes no notice of how velocity is gained within a step: the mean says more than what alternates about it.
-  const auto v = m.now.velocity, before = m.velocity_before, a = m.now.acceleration;
-  const Real rate = 1 / step.dt;
-  device::for_each(
-      "rockfold::motion::mean_acceleration", m.unknowns, KOKKOS_LAMBDA(const Index p) {
-        for (int i = 0; i < 3; ++i) a(p, i) = rate * (v(p, i) - before(p, i));
-      });
 }
 
 }  // namespace rockfold::motion

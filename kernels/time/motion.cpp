@@ -95,13 +95,13 @@ void make_data(Motion::Data& m, const MotionSetup& setup) {
   m.partial = device::allocate<Real>("motion::partial",
                                      3 * device::chunk_count(std::max(m.unknowns, fixed)));
   m.sums = device::Array<Real>("rockfold::motion::sums", 3);
+  m.velocity_before = device::make_field("motion::velocity_before", m.unknowns);
+  m.acceleration_before = device::make_field("motion::acceleration_before", m.unknowns);
+  m.stretch_before = device::make_field("motion::stretch_before", fixed);
   if (!m.rock->linear()) {
-    m.velocity_before = device::make_field("motion::velocity_before", m.unknowns);
-    m.acceleration_before = device::make_field("motion::acceleration_before", m.unknowns);
     m.following = make_following_pressures(setup);
     if (m.following.any())
       m.following_before = device::make_field("motion::following_before", m.unknowns);
-    m.stretch_before = device::make_field("motion::stretch_before", fixed);
   }
   make_loads(m, setup);
   m.rock->force(m.now.displacement, m.work);
@@ -228,6 +228,9 @@ Index Motion::most_unbalanced_cover() const {
 
 Real Motion::time() const {
   return data_->now.time;
+}
+Real Motion::mean_over() const {
+  return data_->mean_over;
 }
 
 StateArrays Motion::state() const {

@@ -4,14 +4,16 @@
 // motion stands on the right in every step,
 //   (M/(βΔt²) + γ/(βΔt) C + K) x = F − M a' − C v' − f(d'),  d' = d + Δt v + Δt²/2 a,  v' = v + Δt a,  a' = a,
 // so that no error of one step's solution drifts into the next; x corrects d' (step.cpp). With β = 1/4, γ = 1/2 this is the
-// thesis' scheme (average acceleration). The first acceleration follows from M a = F − C v − f(d): with a = 0 instead, free
-// fall would lose gΔt/2 of speed. C = αM + βK (Rayleigh) and the dashpots of quiet boundaries.
+// thesis' scheme (average acceleration). Of other schemes the first acceleration follows from M a = F − C v − f(d). C = αM + βK (Rayleigh) and the dashpots of quiet boundaries.
 //
 // Where the base is accelerated (a record of an earthquake) the motion is relative to it: every point is loaded by −ρ a_base.
 // Displacements, velocities, damping and kinetic energy are then those that an observer on the base sees.
 //
-// Under large kinematics the internal force is that of finite strain, and every step is solved by Newton's method
-// (step_kernel.hpp); average acceleration then keeps momentum, angular momentum and energy (Simo & Tarnow 1992).
+// Average acceleration takes the forces of both ends, M (v' − v)/Δt = ½ (F + F' − …), which is the same motion and needs no first
+// acceleration (step_kernel.hpp).
+//
+// Under large kinematics the internal force is that of finite strain, and every step is solved by Newton's method; average acceleration then
+// keeps momentum, angular momentum and energy (Simo & Tarnow 1992).
 //
 // Velocity handed to the next step: `dynamic_ratio` times what the step ended with. At 0 the acceleration is dropped too
 // (quasi-static): (K + 4M/Δt²) Δd = F − K d makes the error of a mode of frequency ω shrink by 4/(4 + ω²Δt²) a step, always
@@ -85,7 +87,8 @@ class Motion {
   /// The same for a state restored from bytes, in which it has been done.
   void leave_out(const GoneRock& gone);
 
-  /// The acceleration at t = 0. Fixed points are held against accelerating as steps of length dt will hold them.
+  /// The velocity that goes with the points held, and, for schemes that need one, the acceleration at t = 0: fixed points are held against
+  /// accelerating as steps of length dt will hold them.
   SolveReport start(Real dt);
   /// A step of length dt, or a part of one; the first hands the velocity on (without a velocity to hand on all parts are steps of their own).
   SolveReport step(Real dt, bool first = true, const TrackedPoints* watched = nullptr);
@@ -108,6 +111,8 @@ class Motion {
   void restore(std::span<const std::byte> bytes);
 
   Real time() const;
+  /// s before time(), over which the acceleration is the mean: that of average acceleration. 0: it is that of the moment.
+  Real mean_over() const;
   StateArrays state() const;
   PointMotion at(const TrackedPoints& points) const;
   /// [6R + E] in the element numbering of CoverArrays.

@@ -86,11 +86,14 @@ struct Motion::Data {
   Real step_length = 0;     ///< that the system is prepared for; 0 = for none
   Real largest_increment = 0;
   Real energy_made = 0;    ///< see Motion::energy_made
+  Real mean_over = 0;      ///< see Motion::mean_over
   Real initial_force = 0;  ///< N, norm of the forces of the initial stress in place
   Real least_load =
       0;  ///< N, of gravity and constant loads on one block, where blocks touch each other; 0: on none
   double contact_seconds = 0;
 
+  /// Average acceleration, which needs none to start with.
+  bool average() const { return beta == 0.25 && gamma == 0.5; }
   bool damped() const { return damping.mass > 0 || damping.stiffness > 0 || dashpots.any(); }
 };
 
@@ -105,8 +108,8 @@ void set_matrix(Motion::Data& m, const solve::Combination& c, Real dashpots, Rea
 void set_time(Motion::Data& m, Real t);
 /// k of supports.cpp.
 std::array<Real, 3> stabilisation_gains(Real beta, Real gamma);
-/// Finds how far points held go in the step that begins: support_way.
-void stabilise_supports(const Motion::Data& m, Real dt);
+/// Finds how far points held go in the step that begins, of the middle rule or not: support_way.
+void stabilise_supports(const Motion::Data& m, Real dt, bool middle);
 /// What is prescribed for the first acceleration: nothing at points held; others pull with what their springs are stretched by.
 void prescribe_acceleration(const Motion::Data& m);
 /// What is prescribed for the first velocity: at points held that of their tables, nothing without one; at others what they have.

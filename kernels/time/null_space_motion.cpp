@@ -1,6 +1,6 @@
 // Covers with several functions can move without moving rock: with linear weights Σ N_a (c + ω × x_a)·(x − x_a) = 0. Nothing resists
 // such null-space motion. Conjugate gradients that start from nothing with a preconditioner B find none of it: B⁻¹ x is orthogonal to it. But the first
-// acceleration is found with another B than the corrections of the steps, and what is idle in it goes on as in free flight: it grows with t², until
+// acceleration of schemes that need one is found with another B than the corrections of the steps, and what is idle in it goes on as in free flight: it grows with t², until
 // forces and energies, differences of ever larger numbers, drown in rounding.
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ void leave_out(Motion::Data& m, const Field& x) {
 }  // namespace
 
 bool null_space_motion_is_due(const Motion::Data& m) {
-  return m.system.op.functions > 1 && m.now.dynamic_ratio > 0 &&
+  return !m.average() && m.system.op.functions > 1 && m.now.dynamic_ratio > 0 &&
          m.now.steps % (m.rock->linear() ? null_space_steps : null_space_large_steps) == 0;
 }
 

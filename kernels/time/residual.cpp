@@ -36,7 +36,9 @@ void find_moving_forces(Motion::Data& m, const Step& step) {
   find_inertia_motion(m, step.middle, m.work);
   m.rock->apply({0, 1}, m.work, m.right);
   if (step.rate && m.damping.stiffness > 0) {
-    m.rock->apply({1, 0}, m.now.velocity, m.work);
+    find_damped_velocity(m, step.middle, m.correction);
+    m.rock->apply({1, 0}, m.correction, m.work);
+    Kokkos::deep_copy(m.correction, 0.0);
     const auto from = m.work, to = m.right;
     const Real factor = m.damping.stiffness;
     device::for_each(
@@ -63,8 +65,8 @@ void follow(Motion::Data& m, const Step& step) {
       });
 }
 
-/// stretch_before = what springs are stretched by at the step's start; at that of the first they pull as the first acceleration has it, not
-/// as rock does that has not given way to them yet.
+/// stretch_before = what springs are stretched by at the step's start; at that of the first they pull as they did before it, mostly not at all:
+/// supports that are moved at once would else swing about their places for ever.
 void keep_stretch(Motion::Data& m) {
   find_prescribed(m, {});
   const solve::Springs s = m.system.springs;

@@ -3,6 +3,7 @@
 
 #include "kernels/time/step_kernel.hpp"
 #include "src/base/interrupt.hpp"
+#include "src/base/vector.hpp"
 
 namespace rockfold::motion {
 namespace {
@@ -87,22 +88,30 @@ SolveReport find_acceleration(Motion::Data& m, const Beginning& begin, Real stif
   return report;
 }
 
+/// a = g, less what the base has.
+void fall_freely(const Motion::Data& m) {
+  const TimeTable& base = m.varying_loads.base;
+  const Vec3 fall = base.empty() ? m.gravity : m.gravity - base.at(m.now.time);
+  device::copy_to_device(uniform_field(m.unknowns, m.covers, fall), m.now.acceleration);
+}
+
 /// The velocity and the acceleration at the start, from M a = f. Where that does not converge, or gives fast modes to a scheme that turns
 /// them into displacement, from (M + αK) a = f: functions of slivers have stiffness and next to no mass.
 SolveReport set_in_motion(Motion::Data& m, const Beginning& begin) {
   const SolveReport caught = catch_up_with_supports(m, begin);
   if (!caught.converged) return caught;
+  if (m.average()) {
+    if (!m.system.springs.any()) fall_freely(m);
+    return caught;
+  }
   const bool several = m.system.op.functions > 1;
   const Index most = m.solver.max_iterations, few = several ? limit_with_mass : most;
   const Real tolerance = m.solver.tolerance;
   SolveReport report = find_acceleration(m, begin, 0, tolerance, few, caught);
   if (!report.converged && tolerance < attainable && !interrupt_signal)
     report = find_acceleration(m, begin, 0, attainable, few, report);
-  // Average acceleration turns fast modes into no displacement, and keeps the energy where forces are balanced at the start.
-  const bool average = m.beta == 0.25 && m.gamma == 0.5;
   const bool stuck = several || report.iterations < most;
-  if (report.converged ? !average && is_fast(m, begin, m.now.acceleration)
-                       : stuck && !interrupt_signal)
+  if (report.converged ? is_fast(m, begin, m.now.acceleration) : stuck && !interrupt_signal)
     report =
         find_acceleration(m, begin, smoothing_share * begin.stiffness, tolerance, most, report);
   if (m.system.springs.any())

@@ -1,8 +1,8 @@
 // A step: predict → residual → tangent → solve → correct → accept or cut. Statics, quasi-statics and dynamics, small and large kinematics
 // go through it; where the rock's force is linear in the displacement, Newton's first iteration is the last.
 //
-// With β = 1/4, γ = 1/2 and a velocity that is handed on, large kinematics take forces as Simo & Tarnow (1992) do: the mean of
-// both ends of the momentum balance, with the internal force F(middle) · mean S. Momentum, angular momentum and energy are then kept
+// With β = 1/4, γ = 1/2 and a velocity that is handed on, forces are the mean of both ends of the momentum balance; under large kinematics
+// the internal force is F(middle) · mean S (Simo & Tarnow 1992). Momentum, angular momentum and energy are then kept
 // to the accuracy of the solution, whatever the step. M (a + a')/2 + f = (F + F')/2 is solved twice over: M (a + a') + 2 f = F + F',
 // whose matrix is Newmark's. Otherwise forces are balanced at the step's end.
 #pragma once

@@ -37,7 +37,7 @@ struct Tables {
   bool any;
 };
 
-/// Where `a` is the mean over the step before (contact_step.cpp), w follows from p alone: k₀, k₁ such that both roots are zero.
+/// In the middle rule w follows from p alone: k₀, k₁ such that both roots are zero.
 constexpr std::array<Real, 3> gains_by_mean{0.5, -0.25, 0};
 
 }  // namespace
@@ -64,12 +64,12 @@ std::array<Real, 3> stabilisation_gains(Real beta, Real gamma) {
   return k;
 }
 
-void stabilise_supports(const Motion::Data& m, Real dt) {
+void stabilise_supports(const Motion::Data& m, Real dt, bool middle) {
   if (!m.system.springs.any()) return;
   const solve::Springs s = m.system.springs;
   const auto d = m.now.displacement, v = m.now.velocity, a = m.now.acceleration;
   const auto way = m.support_way;
-  const auto k = m.contact ? gains_by_mean : stabilisation_gains(m.beta, m.gamma);
+  const auto k = middle ? gains_by_mean : stabilisation_gains(m.beta, m.gamma);
   const Real k0 = k[0], k1 = k[1], k2 = k[2], share = m.now.dynamic_ratio;
   const Real t = m.now.time;
   const bool any = m.supports.tables.any();

@@ -1,6 +1,10 @@
 #include "src/run/base_motion.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include "src/base/vector.hpp"
+#include "tests/run/run_model.hpp"
 
 namespace rockfold {
 namespace {
@@ -20,6 +24,50 @@ TEST(BaseRecord, IsIntegratedExactlyHoweverFewItsRows) {
   EXPECT_NEAR(base.at(5).displacement[0], 7 - 1 - 2, 1e-13);
   EXPECT_EQ(base.at(5).acceleration[0], -4);
   EXPECT_EQ(base.at(5).acceleration[1], 0);
+}
+
+/// Average acceleration has means over steps: those of the base beside them leave nothing where the rock stays where it is, and what
+/// points held have is what takes them from one velocity to the next.
+TEST(BaseRecord, AddsMeansOverStepsToMeansOverSteps) {
+  for (const char* held : {"", "[[fixed]]\nwhere = {face = \"b.zmin\"}"}) {
+    const RunResult run = run_model(fmt::format(R"(
+gravity = [0, 0, 0]
+[[material]]
+density = 2000
+young_modulus = 1e9
+poisson_ratio = 0.25
+[[solid]]
+name = "b"
+shape = "box"
+min = [0, 0, 0]
+max = [1, 1, 1]
+[cover]
+lattice = "tet6"
+spacing = 0.7
+{}
+[[monitor]]
+point = [0.5, 0.5, 0]
+[base_acceleration]
+table = [[0, 1, 0, 0], [0.013, 7, 0, 0], [0.05, -4, 2, 0]]
+[analysis]
+type = "dynamic"
+time_step = 0.01
+steps = 5
+)",
+                                                held))
+                              .result;
+    const MonitorHistory& foot = run.monitors[0];
+    for (std::size_t i = 1; i < run.base.size(); ++i) {
+      const Vec3 absolute = foot.acceleration[i] + run.base[i].acceleration,
+                 gained = foot.velocity[i] + run.base[i].velocity - foot.velocity[i - 1] -
+                          run.base[i - 1].velocity;
+      for (int d = 0; d < 3; ++d) {
+        EXPECT_NEAR(absolute[d], gained[d] / 0.01, 1e-9) << i << held;
+        if (held[0] == 0 && i != 2) EXPECT_NEAR(absolute[d], 0, 1e-9) << i;  // 2: over a kink
+      }
+    }
+    if (held[0] == 0) EXPECT_NEAR(foot.acceleration[0][0], -1, 1e-12);
+  }
 }
 
 }  // namespace

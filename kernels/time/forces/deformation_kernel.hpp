@@ -59,8 +59,6 @@ class Deformation {
   virtual void turn(const Field& /*x*/) const {}
   /// An element that d turns inside out, or none; those whose forces at a strain of 1 are below `least`, N, do not count.
   virtual Index inverted(const Field& /*d*/, Real /*least*/) const { return none; }
-  /// Sizes of the terms of ∂u/∂X, which cancel where null-space motion (null_space_motion.cpp) has grown: rounding grows with them.
-  virtual Real largest_terms(const Field& /*d*/) const { return 1; }
 
   /// [elements][6] Pa, the mean of each element.
   virtual void element_stress(const Field& d, const Array<Real>& stress) const = 0;

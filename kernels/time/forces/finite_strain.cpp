@@ -60,8 +60,9 @@ class FiniteStrain : public Deformation {
     finite::deform(body_, d);
     return finite::first_inverted(body_, least);
   }
-  Real rounding(const Field& /*d*/) const override { return rounding_; }
-  Real largest_terms(const Field& d) const override { return finite::largest_terms(body_, d); }
+  Real rounding(const Field& d) const override {
+    return rounding_ * finite::largest_terms(body_, d);
+  }
 
   void apply(const solve::Combination& c, const Field& x, const Field& y) const override {
     solve::apply(op_, c, x, y);
@@ -104,7 +105,7 @@ class FiniteStrain : public Deformation {
   solve::ElementTable elements_;
   StressBefore before_;
   Array<Real> partial_, sums_;
-  Real rounding_;
+  Real rounding_;  ///< N, at terms of H of size 1
   std::unique_ptr<const CoverArrays> sampled_;  // where elements differ in their functions
 };
 

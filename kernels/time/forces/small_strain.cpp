@@ -22,6 +22,14 @@ Real largest_stiffness(const solve::Operator& op) {
       });
 }
 
+void find_middle(const Field& start, const Field& end, const Field& middle) {
+  device::for_each(
+      "rockfold::motion::middle", static_cast<Index>(middle.extent(0)),
+      KOKKOS_LAMBDA(const Index p) {
+        for (int i = 0; i < 3; ++i) middle(p, i) = 0.5 * (start(p, i) + end(p, i));
+      });
+}
+
 class SmallStrain : public Deformation {
  public:
   SmallStrain(const MotionSetup& setup, const solve::ConstrainedSystem& system)
@@ -44,8 +52,16 @@ class SmallStrain : public Deformation {
   bool linear() const override { return true; }
   void linearise(const Field& /*d*/) override {}
 
+  void begin_step(const Field& d, const finite::ForceRule& rule) override {
+    middle_ = rule.middle;
+    if (!middle_) return;
+    if (start_.extent(0) == 0) start_ = device::make_field("motion::start_of_step", op_.unknowns);
+    Kokkos::deep_copy(start_, d);
+  }
+
   void force(const Field& d, const Field& f) const override {
-    solve::apply(op_, stiffness_only, d, f);
+    if (middle_) find_middle(start_, d, work_);
+    solve::apply(op_, stiffness_only, middle_ ? work_ : d, f);
     if (!before_.any()) return;
     const auto initial = initial_;
     device::for_each(
@@ -110,6 +126,8 @@ class SmallStrain : public Deformation {
   solve::ElementTable elements_;
   StressBefore before_;
   Field initial_;  // f0
+  Field start_;    // of the step, where forces are taken in its middle
+  bool middle_ = false;
   Field work_;
   std::unique_ptr<const CoverArrays> sampled_;  // where elements differ in their functions
   Real stiffest_;                               ///< N/m

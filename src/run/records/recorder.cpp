@@ -101,9 +101,17 @@ void Recorder::pass(Archive& archive) {
   if (courses_) courses_->pass(archive);
 }
 
+BaseMotion Recorder::base_motion(const Motion& motion) {
+  const Real dt = motion.mean_over();
+  const Vec3 before = base_.at(motion.time() - dt).velocity;
+  BaseMotion base = base_.at(motion.time());
+  if (dt > 0) base.acceleration = (1 / dt) * (base.velocity - before);
+  return base;
+}
+
 void Recorder::record_monitors(const Motion& motion) {
   if (result_.monitors.empty()) return;
-  if (input_.model.base_acceleration) result_.base.push_back(base_.at(motion.time()));
+  if (input_.model.base_acceleration) result_.base.push_back(base_motion(motion));
   const PointMotion at = motion.at(monitors_);
   for (std::size_t n = 0; n < result_.monitors.size(); ++n) {
     MonitorHistory& history = result_.monitors[n];

@@ -44,6 +44,8 @@ class Recorder {
 
  private:
   void record_monitors(const Motion& motion);
+  /// Its acceleration is the mean over the time over which that of the motion is.
+  BaseMotion base_motion(const Motion& motion);
 
   const RunInput& input_;
   const PieceMoments& moments_;
