@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tests/cover/covers.hpp"
-#include "tests/cut/cutting_rules.hpp"
+#include "tests/cut/oracles/cutting_rules.hpp"
 
 namespace rockfold::test {
 

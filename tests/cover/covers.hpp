@@ -5,7 +5,7 @@
 
 #include "host/cover/cover.hpp"
 #include "src/base/vector.hpp"
-#include "tests/cut/sample_models.hpp"
+#include "tests/cut/models/sample_models.hpp"
 
 namespace rockfold::test {
 

@@ -7,11 +7,11 @@
 #include "host/exact/orientation.hpp"
 #include "src/base/error.hpp"
 #include "tests/cover/cover_rules.hpp"
-#include "tests/cut/draw.hpp"
-#include "tests/cut/model_text.hpp"
-#include "tests/cut/nasty_models.hpp"
-#include "tests/cut/seeded_runs.hpp"
-#include "tests/cut/terrain_models.hpp"
+#include "tests/cut/models/draw.hpp"
+#include "tests/cut/models/model_text.hpp"
+#include "tests/cut/models/nasty_models.hpp"
+#include "tests/cut/models/terrain_models.hpp"
+#include "tests/cut/random/seeded_runs.hpp"
 
 namespace rockfold::test {
 namespace {

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
-#include "tests/cut/conservation.hpp"
-#include "tests/cut/cutting_rules.hpp"
-#include "tests/cut/nef_models.hpp"
+#include "tests/cut/models/nef_models.hpp"
+#include "tests/cut/oracles/conservation.hpp"
+#include "tests/cut/oracles/cutting_rules.hpp"
 
 namespace rockfold::test {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
-#include "tests/cut/complex_check.hpp"
-#include "tests/cut/lattice_arrangement.hpp"
-#include "tests/cut/sample_models.hpp"
+#include "tests/cut/models/sample_models.hpp"
+#include "tests/cut/oracles/complex_check.hpp"
+#include "tests/cut/oracles/lattice_arrangement.hpp"
 
 namespace rockfold::test {
 namespace {

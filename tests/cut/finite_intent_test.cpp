@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
-#include "tests/cut/conservation.hpp"
-#include "tests/cut/nef_models.hpp"
+#include "tests/cut/models/nef_models.hpp"
+#include "tests/cut/oracles/conservation.hpp"
 
 namespace rockfold::test {
 namespace {

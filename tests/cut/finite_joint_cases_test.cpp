@@ -1,5 +1,5 @@
 // Finite joints on a grid: reference cases, straight, under affine maps, with noise, far away, in any order.
-#include "tests/cut/finite_joint_cases.hpp"
+#include "tests/cut/models/finite_joint_cases.hpp"
 
 #include <algorithm>
 #include <map>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
-#include "tests/cut/conservation.hpp"
+#include "tests/cut/oracles/conservation.hpp"
 
 namespace rockfold::test {
 namespace {

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
-#include "tests/cut/conservation.hpp"
-#include "tests/cut/draw.hpp"
-#include "tests/cut/finite_joint_cases.hpp"
+#include "tests/cut/models/draw.hpp"
+#include "tests/cut/models/finite_joint_cases.hpp"
+#include "tests/cut/oracles/conservation.hpp"
 
 namespace rockfold::test {
 namespace {

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
-#include "tests/cut/conservation.hpp"
-#include "tests/cut/nef_models.hpp"
-#include "tests/cut/nef_oracle.hpp"
+#include "tests/cut/models/nef_models.hpp"
+#include "tests/cut/oracles/conservation.hpp"
+#include "tests/cut/oracles/nef_oracle.hpp"
 #include "tests/reference/sanitized.hpp"
 
 namespace rockfold::test {

@@ -1,11 +1,11 @@
 // The Nef oracle on what is known by hand and by voxels: the tests that use it rest on these.
-#include "tests/cut/nef_oracle.hpp"
+#include "tests/cut/oracles/nef_oracle.hpp"
 
 #include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
-#include "tests/cut/finite_joint_cases.hpp"
-#include "tests/cut/nef_models.hpp"
+#include "tests/cut/models/finite_joint_cases.hpp"
+#include "tests/cut/models/nef_models.hpp"
 
 namespace rockfold::test {
 namespace {

@@ -1,12 +1,12 @@
 // Boxes cut by through-going planes, against exact answers.
-#include "tests/cut/plane_cases.hpp"
+#include "tests/cut/models/plane_cases.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "tests/cut/complex_check.hpp"
+#include "tests/cut/oracles/complex_check.hpp"
 
 namespace rockfold::test {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/cut/conservation.hpp"
-#include "tests/cut/draw.hpp"
-#include "tests/cut/plane_cases.hpp"
-#include "tests/cut/voxel_oracle.hpp"
+#include "tests/cut/models/draw.hpp"
+#include "tests/cut/models/plane_cases.hpp"
+#include "tests/cut/oracles/conservation.hpp"
+#include "tests/cut/oracles/voxel_oracle.hpp"
 
 namespace rockfold::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "src/base/error.hpp"
-#include "tests/cut/sample_models.hpp"
+#include "tests/cut/models/sample_models.hpp"
 
 namespace rockfold::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "host/cut/cells/complex.hpp"
-#include "tests/cut/conservation.hpp"
-#include "tests/cut/draw.hpp"
+#include "tests/cut/models/draw.hpp"
+#include "tests/cut/oracles/conservation.hpp"
 
 namespace rockfold::test {
 namespace {

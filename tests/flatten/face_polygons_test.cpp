@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-#include "tests/cut/sample_models.hpp"
+#include "tests/cut/models/sample_models.hpp"
 
 namespace rockfold::test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
-#include "tests/cut/sample_models.hpp"
+#include "tests/cut/models/sample_models.hpp"
 #include "tests/flatten/array_difference.hpp"
 
 namespace rockfold::test {

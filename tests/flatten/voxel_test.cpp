@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "src/base/error.hpp"
-#include "tests/cut/complex_check.hpp"
-#include "tests/cut/sample_models.hpp"
+#include "tests/cut/models/sample_models.hpp"
+#include "tests/cut/oracles/complex_check.hpp"
 #include "tests/flatten/block_check.hpp"
 
 namespace rockfold::test {

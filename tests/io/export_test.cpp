@@ -19,7 +19,7 @@
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 #include "src/io/viewers/block_mesh.hpp"
-#include "tests/cut/sample_models.hpp"
+#include "tests/cut/models/sample_models.hpp"
 #include "tests/io/sample.hpp"
 
 namespace rockfold::test {

@@ -10,7 +10,7 @@
 #include "host/keyblock/first_look.hpp"
 #include "host/keyblock/keyblock.hpp"
 #include "src/base/vector.hpp"
-#include "tests/cut/sample_models.hpp"
+#include "tests/cut/models/sample_models.hpp"
 #include "tests/keyblock/half_space_block.hpp"
 #include "tests/keyblock/rough_square.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "host/keyblock/keyblock.hpp"
 #include "src/base/vector.hpp"
-#include "tests/cut/sample_models.hpp"
+#include "tests/cut/models/sample_models.hpp"
 #include "tests/keyblock/half_space_block.hpp"
 
 namespace rockfold {

@@ -7,7 +7,7 @@
 #include "host/measure/measure.hpp"
 #include "host/measure/parts.hpp"
 #include "src/base/vector.hpp"
-#include "tests/cut/sample_models.hpp"
+#include "tests/cut/models/sample_models.hpp"
 
 namespace rockfold::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "src/report/documents/documents.hpp"
 #include "src/report/summaries/summary.hpp"
-#include "tests/cut/sample_models.hpp"
+#include "tests/cut/models/sample_models.hpp"
 
 namespace rockfold::test {
 namespace {

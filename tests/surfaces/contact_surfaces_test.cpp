@@ -9,7 +9,7 @@
 #include "host/flatten/flatten.hpp"
 #include "kernels/contact/contact.hpp"
 #include "src/base/vector.hpp"
-#include "tests/cut/sample_models.hpp"
+#include "tests/cut/models/sample_models.hpp"
 
 namespace rockfold::test {
 namespace {
