@@ -19,7 +19,7 @@
 #include "host/keyblock/bodies.hpp"
 #include "host/keyblock/keyblock.hpp"
 #include "host/keyblock/theory/theory.hpp"
-#include "perf/three_sets.hpp"
+#include "perf/shared/three_sets.hpp"
 #include "src/model/tunnel_section.hpp"
 
 namespace rockfold {

@@ -14,7 +14,7 @@
 #include "host/cover/points/loads.hpp"
 #include "host/cut/cut.hpp"
 #include "host/flatten/flatten.hpp"
-#include "perf/run_benchmarks.hpp"
+#include "perf/shared/run_benchmarks.hpp"
 #include "src/arrays/contact_arrays.hpp"
 #include "src/base/timer.hpp"
 #include "src/model/read/read_model.hpp"

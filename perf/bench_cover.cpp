@@ -16,8 +16,8 @@
 #include "host/cover/points/loads.hpp"
 #include "host/flatten/flatten.hpp"
 #include "kernels/integrate/moments.hpp"
-#include "perf/run_benchmarks.hpp"
-#include "perf/three_sets.hpp"
+#include "perf/shared/run_benchmarks.hpp"
+#include "perf/shared/three_sets.hpp"
 #include "src/io/viewers/element_mesh.hpp"
 
 namespace rockfold {

@@ -23,8 +23,8 @@
 #include "host/cut/cells/complex.hpp"
 #include "host/cut/cut.hpp"
 #include "host/flatten/flatten.hpp"
-#include "perf/memory.hpp"
-#include "perf/three_sets.hpp"
+#include "perf/shared/memory.hpp"
+#include "perf/shared/three_sets.hpp"
 
 namespace rockfold {
 namespace {

@@ -15,8 +15,8 @@
 #include "host/cut/cells/complex.hpp"
 #include "host/cut/cut.hpp"
 #include "host/flatten/flatten.hpp"
-#include "perf/fracture_models.hpp"
-#include "perf/memory.hpp"
+#include "perf/shared/fracture_models.hpp"
+#include "perf/shared/memory.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {

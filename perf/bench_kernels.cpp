@@ -14,8 +14,8 @@
 #include "kernels/constraints/cover_system.hpp"
 #include "kernels/device/device.hpp"
 #include "kernels/integrate/moments.hpp"
-#include "perf/box_rock.hpp"
-#include "perf/run_benchmarks.hpp"
+#include "perf/shared/box_rock.hpp"
+#include "perf/shared/run_benchmarks.hpp"
 #include "src/base/timer.hpp"
 
 namespace rockfold {

@@ -9,7 +9,7 @@
 #include <benchmark/benchmark.h>
 
 #include "kernels/contact/contact.hpp"
-#include "perf/run_benchmarks.hpp"
+#include "perf/shared/run_benchmarks.hpp"
 
 namespace rockfold {
 namespace {

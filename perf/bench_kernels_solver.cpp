@@ -28,10 +28,10 @@
 #include "kernels/constraints/cover_system.hpp"
 #include "kernels/device/device.hpp"
 #include "kernels/integrate/moments.hpp"
-#include "perf/box_rock.hpp"
-#include "perf/run_benchmarks.hpp"
+#include "perf/shared/box_rock.hpp"
+#include "perf/shared/run_benchmarks.hpp"
 #ifdef ROCKFOLD_PETSC
-#include "perf/petsc_solver.hpp"
+#include "perf/shared/petsc_solver.hpp"
 #endif
 
 namespace rockfold {

@@ -23,7 +23,7 @@
 #include "generated/version.hpp"
 #include "host/cut/cells/complex.hpp"
 #include "host/cut/cut.hpp"
-#include "perf/three_sets.hpp"
+#include "perf/shared/three_sets.hpp"
 
 namespace rockfold {
 namespace {

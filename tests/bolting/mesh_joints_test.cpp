@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/bolting/bolted_models.hpp"
-#include "tests/keyblock/half_space_block.hpp"
-#include "tests/keyblock/rough_square.hpp"
+#include "tests/keyblock/models/half_space_block.hpp"
+#include "tests/keyblock/models/rough_square.hpp"
 
 namespace rockfold {
 namespace {

@@ -12,7 +12,7 @@
 #include "host/bolting/pattern_search.hpp"
 #include "src/base/vector.hpp"
 #include "tests/bolting/bolted_models.hpp"
-#include "tests/keyblock/turned_model.hpp"
+#include "tests/keyblock/models/turned_model.hpp"
 
 namespace rockfold {
 namespace {

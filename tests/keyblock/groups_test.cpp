@@ -8,7 +8,7 @@
 
 #include "host/keyblock/keyblock.hpp"
 #include "src/base/vector.hpp"
-#include "tests/keyblock/half_space_block.hpp"
+#include "tests/keyblock/models/half_space_block.hpp"
 
 namespace rockfold {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "host/keyblock/keyblock.hpp"
 #include "src/base/vector.hpp"
-#include "tests/keyblock/turned_model.hpp"
+#include "tests/keyblock/models/turned_model.hpp"
 
 namespace rockfold {
 namespace {

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
-#include "tests/keyblock/half_space_block.hpp"
-#include "tests/keyblock/turned_model.hpp"
+#include "tests/keyblock/models/half_space_block.hpp"
+#include "tests/keyblock/models/turned_model.hpp"
 
 namespace rockfold {
 namespace {

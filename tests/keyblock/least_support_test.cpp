@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
-#include "tests/keyblock/half_space_block.hpp"
+#include "tests/keyblock/models/half_space_block.hpp"
 
 namespace rockfold {
 namespace {

@@ -11,8 +11,8 @@
 #include "host/keyblock/keyblock.hpp"
 #include "src/base/vector.hpp"
 #include "tests/cut/models/sample_models.hpp"
-#include "tests/keyblock/half_space_block.hpp"
-#include "tests/keyblock/rough_square.hpp"
+#include "tests/keyblock/models/half_space_block.hpp"
+#include "tests/keyblock/models/rough_square.hpp"
 
 namespace rockfold {
 namespace {

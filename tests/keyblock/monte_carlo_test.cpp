@@ -11,7 +11,7 @@
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 #include "src/model/tunnel_section.hpp"
-#include "tests/keyblock/half_space_block.hpp"
+#include "tests/keyblock/models/half_space_block.hpp"
 
 namespace rockfold {
 namespace {

@@ -11,8 +11,8 @@
 #include "host/keyblock/motions/pyramid.hpp"
 #include "host/keyblock/motions/single_block.hpp"
 #include "src/base/vector.hpp"
-#include "tests/keyblock/half_space_block.hpp"
-#include "tests/keyblock/linear_program.hpp"
+#include "tests/keyblock/models/half_space_block.hpp"
+#include "tests/keyblock/models/linear_program.hpp"
 
 namespace rockfold {
 namespace {

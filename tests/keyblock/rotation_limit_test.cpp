@@ -8,8 +8,8 @@
 #include "host/keyblock/face_shape.hpp"
 #include "host/keyblock/motions/rotation.hpp"
 #include "src/base/vector.hpp"
-#include "tests/keyblock/half_space_block.hpp"
-#include "tests/keyblock/linear_program.hpp"
+#include "tests/keyblock/models/half_space_block.hpp"
+#include "tests/keyblock/models/linear_program.hpp"
 
 namespace rockfold {
 namespace {

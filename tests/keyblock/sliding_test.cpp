@@ -10,7 +10,7 @@
 
 #include "host/keyblock/motions/pyramid.hpp"
 #include "src/base/vector.hpp"
-#include "tests/keyblock/half_space_block.hpp"
+#include "tests/keyblock/models/half_space_block.hpp"
 
 namespace rockfold {
 namespace {

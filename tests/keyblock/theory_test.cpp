@@ -13,7 +13,7 @@
 #include "host/keyblock/theory/tunnel_block.hpp"
 #include "src/base/vector.hpp"
 #include "src/model/tunnel_section.hpp"
-#include "tests/keyblock/half_space_block.hpp"
+#include "tests/keyblock/models/half_space_block.hpp"
 
 namespace rockfold {
 namespace {

@@ -5,7 +5,7 @@
 #include "kernels/integrate/moments.hpp"
 #include "src/base/vector.hpp"
 #include "tests/reference/box_covers.hpp"
-#include "tests/solve/spaces.hpp"
+#include "tests/solve/systems/spaces.hpp"
 
 namespace rockfold {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "src/base/error.hpp"
-#include "tests/solve/systems.hpp"
+#include "tests/solve/systems/systems.hpp"
 
 namespace rockfold {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/solve/represent.hpp"
-#include "tests/solve/spaces.hpp"
+#include "tests/solve/systems/represent.hpp"
+#include "tests/solve/systems/spaces.hpp"
 #include "tests/time/rock.hpp"
 
 namespace rockfold {

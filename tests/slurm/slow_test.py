@@ -4,7 +4,8 @@ import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
+for folder in ("cli", "batches"):
+    sys.path.insert(0, str(Path(__file__).resolve().parent.parent / folder))
 import cluster  # noqa: E402
 from program import ProgramTest  # noqa: E402
 from sweep_test import CUBE, DRAWN  # noqa: E402

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
-#include "tests/solve/systems.hpp"
+#include "tests/solve/systems/systems.hpp"
 
 namespace rockfold {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/solve/joints.hpp"
+#include "tests/solve/systems/joints.hpp"
 
 namespace rockfold {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "kernels/constraints/sparse_cholesky.hpp"
 #include "src/base/vector.hpp"
-#include "tests/solve/systems.hpp"
+#include "tests/solve/systems/systems.hpp"
 
 namespace rockfold {
 namespace {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
-#include "tests/solve/spaces.hpp"
-#include "tests/solve/systems.hpp"
+#include "tests/solve/systems/spaces.hpp"
+#include "tests/solve/systems/systems.hpp"
 
 namespace rockfold {
 namespace {

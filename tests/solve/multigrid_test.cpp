@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "src/base/vector.hpp"
-#include "tests/solve/joints.hpp"
+#include "tests/solve/systems/joints.hpp"
 
 namespace rockfold {
 namespace {

@@ -2,7 +2,7 @@
 // (C_a − C_b) is normal to each edge ab: where C is a rigid motion of the framework of edges, six for each component.
 #include <gtest/gtest.h>
 
-#include "tests/solve/systems.hpp"
+#include "tests/solve/systems/systems.hpp"
 
 namespace rockfold {
 namespace {

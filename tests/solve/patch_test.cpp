@@ -2,9 +2,9 @@
 // Covers of order p on cells reproduce polynomials of degree p + 1, on a block those of degree p.
 #include <gtest/gtest.h>
 
-#include "tests/solve/polynomial_field.hpp"
-#include "tests/solve/spaces.hpp"
-#include "tests/solve/systems.hpp"
+#include "tests/solve/systems/polynomial_field.hpp"
+#include "tests/solve/systems/spaces.hpp"
+#include "tests/solve/systems/systems.hpp"
 
 namespace rockfold {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "tests/solve/systems.hpp"
+#include "tests/solve/systems/systems.hpp"
 
 namespace rockfold {
 namespace {

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "kernels/time/motion.hpp"
-#include "tests/solve/polynomial_field.hpp"
-#include "tests/solve/represent.hpp"
-#include "tests/solve/spaces.hpp"
+#include "tests/solve/systems/polynomial_field.hpp"
+#include "tests/solve/systems/represent.hpp"
+#include "tests/solve/systems/spaces.hpp"
 #include "tests/time/rock.hpp"
 
 namespace rockfold {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "host/exact/orientation.hpp"
-#include "perf/plain_splitter.hpp"
+#include "perf/shared/plain_splitter.hpp"
 #include "src/model/model.hpp"
 
 namespace rockfold {

@@ -1,5 +1,5 @@
 #ifdef ROCKFOLD_PETSC
-#include "perf/petsc_solver.hpp"
+#include "perf/shared/petsc_solver.hpp"
 
 #include <array>
 #include <chrono>

@@ -6,10 +6,13 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import time
 import unittest
+from pathlib import Path
 
-from program import BINARY, ProgramTest
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
+from program import BINARY, ProgramTest  # noqa: E402
 
 # Blocks with contact, in two stages of which the second counts displacements anew; each step is stored.
 STACK = """

@@ -4,12 +4,14 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 import time
 import unittest
 from pathlib import Path
 
-from program import BINARY, ProgramTest
-from sweep_test import CUBE, DRAWN, SWEEP
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
+from program import BINARY, ProgramTest  # noqa: E402
+from sweep_test import CUBE, DRAWN, SWEEP  # noqa: E402
 
 MPIRUN = shutil.which("mpirun") or shutil.which("mpiexec")
 MODULE = Path(BINARY).parent / "rockfold_mpi.so"

@@ -1,9 +1,12 @@
 """Block theory meets motion: beside each key block how it began to move, and which blocks moved without being one."""
 import json
 import math
+import sys
 import unittest
+from pathlib import Path
 
-from program import ProgramTest
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
+from program import ProgramTest  # noqa: E402
 
 # Two blocks: rock that is held, and what is in or on it, parted by the joint around the solid.
 HEAD = """

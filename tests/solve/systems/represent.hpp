@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tests/solve/polynomial_field.hpp"
+#include "tests/solve/systems/polynomial_field.hpp"
 
 namespace rockfold {
 

@@ -3,7 +3,7 @@
 
 #include <variant>
 
-#include "tests/keyblock/half_space_block.hpp"
+#include "tests/keyblock/models/half_space_block.hpp"
 
 namespace rockfold::test {
 

@@ -3,12 +3,16 @@ import csv
 import io
 import signal
 import subprocess
+import sys
 import time
 import unittest
+from pathlib import Path
 
 import h5py
-from program import BINARY, ProgramTest
-from report_test import HOSTILE, Report
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
+from program import BINARY, ProgramTest  # noqa: E402
+from report_test import HOSTILE, Report  # noqa: E402
 
 CUBE = """
 [[material]]

@@ -5,11 +5,13 @@ import pty
 import re
 import signal
 import subprocess
+import sys
 import time
 import unittest
 from pathlib import Path
 
-from program import BINARY, ProgramTest
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
+from program import BINARY, ProgramTest  # noqa: E402
 
 
 class Signals(ProgramTest):

@@ -15,7 +15,7 @@
 #include "src/model/read/read_model.hpp"
 #include "src/run/run_analysis.hpp"
 #include "src/space/shape_functions.hpp"
-#include "tests/solve/spaces.hpp"
+#include "tests/solve/systems/spaces.hpp"
 
 namespace rockfold {
 namespace {

@@ -1,7 +1,10 @@
 """Time steps that are long for contact: what the program says before it runs, by the blocks that move and not by the mean of all."""
+import sys
 import unittest
+from pathlib import Path
 
-from program import ProgramTest
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
+from program import ProgramTest  # noqa: E402
 
 # By height: a slab of 2 m x 2 m x 2 cm, a rock of (4 m)³ beside it and a stone of (10 cm)³ 5 m above the slab; the last two may rest
 # on nothing, since steps are few.

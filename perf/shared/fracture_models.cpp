@@ -1,4 +1,4 @@
-#include "perf/fracture_models.hpp"
+#include "perf/shared/fracture_models.hpp"
 
 #include <cmath>
 #include <memory>

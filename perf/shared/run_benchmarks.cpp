@@ -1,4 +1,4 @@
-#include "perf/run_benchmarks.hpp"
+#include "perf/shared/run_benchmarks.hpp"
 
 #include <cstdio>
 #include <string>

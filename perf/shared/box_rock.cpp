@@ -1,4 +1,4 @@
-#include "perf/box_rock.hpp"
+#include "perf/shared/box_rock.hpp"
 
 namespace rockfold {
 namespace {

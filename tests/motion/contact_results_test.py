@@ -1,11 +1,14 @@
 """Contact points in result files, read back by h5py, against values worked out by hand; and since when blocks are at rest."""
 import math
+import sys
 import unittest
+from pathlib import Path
 
 import h5py
 import numpy
 
-from program import ProgramTest
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
+from program import ProgramTest  # noqa: E402
 
 G = 9.81
 OPEN, STICK, SLIDE = 0, 1, 2

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "src/space/shape_functions.hpp"
-#include "tests/solve/systems.hpp"
+#include "tests/solve/systems/systems.hpp"
 
 namespace rockfold {
 
