@@ -6,15 +6,15 @@ import { type Context, supportOf } from './context';
 import type { Keyblock, PageData } from './data';
 import { makeFields, paintMaterials, poles, rangeOf, type Field } from './fields';
 import { firstState } from './first_view';
-import { Keyboard } from './keyboard';
+import { Keyboard } from './ui/keyboard';
 import { historyAt, Motion } from './motion';
 import { CameraControl } from './scene/camera';
 import { ContactPoints } from './scene/contact_points';
 import { DeadEnds } from './scene/dead_ends';
 import { Scene } from './scene/scene';
 import { boltRods, Marks, waterLevels } from './scene/symbols';
-import { type ClipPlane, sectionLines } from './section';
-import { readSurface, type Surface } from './surface';
+import { type ClipPlane, sectionLines } from './scene/section';
+import { readSurface, type Surface } from './scene/surface';
 import { Controls, views } from './ui/controls';
 import { h } from './ui/dom';
 import { header, helpDialog } from './ui/header';
@@ -23,7 +23,7 @@ import { overlayStyle, themes, variables } from './ui/overlay_style';
 import { sidePanel } from './ui/side_panel';
 import { Timeline } from './ui/timeline';
 import { blockFlags } from './visibility';
-import { WhatIf } from './what_if';
+import { WhatIf } from './block_theory/what_if';
 import { decodeState, encodeState, Store, type ViewState } from './view_state';
 
 export class App implements Context {

@@ -3,7 +3,7 @@ import { fromHex } from './colour';
 import type { Arrays } from './data';
 import type { Field } from './fields';
 import type { Motion } from './motion';
-import type { Surface } from './surface';
+import type { Surface } from './scene/surface';
 
 export const contactNames = ['open', 'stick', 'slide'];
 const contactColours = ['#8d99ae', '#0072b2', '#d55e00'];

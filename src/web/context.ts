@@ -4,8 +4,8 @@ import type { Scene } from './scene/scene';
 import type { Keyblock, PageData, Support } from './data';
 import type { Field, Pole } from './fields';
 import type { Motion } from './motion';
-import type { Surface } from './surface';
-import type { WhatIf } from './what_if';
+import type { Surface } from './scene/surface';
+import type { WhatIf } from './block_theory/what_if';
 import type { Store } from './view_state';
 
 export interface Context {

@@ -3,8 +3,8 @@ import { categoryColour, fromHex, idColour, type MapName, materialColour, type R
 import { Contacts } from './contacts';
 import type { PageData } from './data';
 import { type Motion, placeAt } from './motion';
-import { areaVector, type Surface } from './surface';
-import type { BlockValues, WhatIf } from './what_if';
+import { areaVector, type Surface } from './scene/surface';
+import type { BlockValues, WhatIf } from './block_theory/what_if';
 
 export interface Field {
   key: string;

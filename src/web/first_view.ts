@@ -2,7 +2,7 @@
 import type { PageData } from './data';
 import { niceStep } from './ui/format';
 import type { Motion } from './motion';
-import { radius, type Surface } from './surface';
+import { radius, type Surface } from './scene/surface';
 import { initialState, type ViewState } from './view_state';
 
 /// States that are looked at for how far rock moves.

@@ -1,6 +1,6 @@
 // Where the points of the blocks are in a state, and between two states.
 import type { Arrays } from './data';
-import type { Surface } from './surface';
+import type { Surface } from './scene/surface';
 
 /// Of a block's size: as the program counts blocks that moved.
 const shareThatIsMotion = 0.01;

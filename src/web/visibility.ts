@@ -1,7 +1,7 @@
 // Which blocks are solid, ghosts or hidden.
 import type { Arrays } from './data';
 import { Flag } from './scene/shaders';
-import type { Surface } from './surface';
+import type { Surface } from './scene/surface';
 import type { ViewState } from './view_state';
 
 export const keyClass = 3;

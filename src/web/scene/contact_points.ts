@@ -1,7 +1,7 @@
 // Contact points as dots of one size on the screen, each with its colour.
 import * as THREE from 'three';
 import type { Rgb } from '../colour';
-import type { ClipPlane } from '../section';
+import type { ClipPlane } from './section';
 
 const vertex = /* glsl */ `
 in vec3 position, aColour;

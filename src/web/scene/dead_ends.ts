@@ -2,8 +2,8 @@
 import * as THREE from 'three';
 import { originColours } from '../fields';
 import type { PageData } from '../data';
-import type { ClipPlane } from '../section';
-import type { Surface } from '../surface';
+import type { ClipPlane } from './section';
+import type { Surface } from './surface';
 import { Flag } from './shaders';
 
 const vertex = /* glsl */ `

@@ -1,6 +1,6 @@
 // The outlines on the caps of sections, drawn in the plane of their section: each block has its side of them, as of other edges.
 import * as THREE from 'three';
-import type { ClipPlane } from '../section';
+import type { ClipPlane } from './section';
 
 const vertex = /* glsl */ `
 in vec3 aFrom, aTo;

@@ -1,7 +1,7 @@
 // Bolts as rods, and marks (monitors, loads, fixings, water) as points and arrows that keep their size on the screen.
 import * as THREE from 'three';
 import type { Bolt, Mark } from '../data';
-import type { ClipPlane } from '../section';
+import type { ClipPlane } from './section';
 
 const kinds: Record<Mark['kind'], { shape: number; colour: string }> = {
   monitor: { shape: 0, colour: '#0072b2' },

@@ -1,7 +1,7 @@
 // Textures that hold numbers of points, blocks and motions, fetched by their index.
 import * as THREE from 'three';
 import type { Motion } from '../motion';
-import type { Surface } from '../surface';
+import type { Surface } from './surface';
 import { rowLength } from './shaders';
 
 type Numbers = Float32Array | Int16Array;

@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { Contacts } from '../contacts';
 import { makeFields } from '../fields';
 import { Motion } from '../motion';
-import { readSurface } from '../surface';
+import { readSurface } from '../scene/surface';
 import { blockFlags } from '../visibility';
 import { initialState } from '../view_state';
 import { sampleData, sampleMotion } from './sample';

@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { makeFields, rangeOf, vonMises } from '../fields';
 import { firstMagnification } from '../first_view';
 import { historyAt, Motion, placeAt } from '../motion';
-import { readSurface } from '../surface';
+import { readSurface } from '../scene/surface';
 import { sampleData, sampleMotion } from './sample';
 
 const near = (a: ArrayLike<number>, b: number[], tolerance = 1e-6): void =>

@@ -1,7 +1,7 @@
 // A page read without a browser, and random settings of its sliders.
 import { Arrays, fromBase64, inflated, type NumberArray, type PageDocument, unshuffled } from '../data';
-import { readSurface } from '../surface';
-import { type Knob, WhatIf } from '../what_if';
+import { readSurface } from '../scene/surface';
+import { type Knob, WhatIf } from '../block_theory/what_if';
 
 export async function whatIfOf(html: string): Promise<WhatIf> {
   const element = (id: string): string => new RegExp(`id="${id}">(.*?)</script>`, 's').exec(html)![1]!;

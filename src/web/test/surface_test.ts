@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { poles } from '../fields';
-import { sectionLines } from '../section';
-import { edgeLengths, radius, readSurface } from '../surface';
+import { sectionLines } from '../scene/section';
+import { edgeLengths, radius, readSurface } from '../scene/surface';
 import { sampleData } from './sample';
 
 test('polygons become triangles whose diagonals are no edges', () => {

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { makeFields, paintMaterials, repainted } from '../fields';
 import { Motion } from '../motion';
-import { readSurface } from '../surface';
+import { readSurface } from '../scene/surface';
 import { digits, dipText, niceStep, quantity, reductionText, ticks, unitFor } from '../ui/format';
 import { greatCircle, meanNormal, project } from '../ui/stereonet';
 import { thinned } from '../ui/plots';

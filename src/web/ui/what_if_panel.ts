@@ -1,6 +1,6 @@
 // Sliders for what the model could have been, and what follows from it at once.
 import type { Context } from '../context';
-import type { Knob, WhatIf } from '../what_if';
+import type { Knob, WhatIf } from '../block_theory/what_if';
 import { button, h, slider } from './dom';
 import { digits, quantity } from './format';
 

@@ -1,7 +1,7 @@
 // Keys of the page; letters go to the view unless something is being typed.
-import type { App } from './app';
-import type { ViewState } from './view_state';
-import { views } from './ui/controls';
+import type { App } from '../app';
+import type { ViewState } from '../view_state';
+import { views } from './controls';
 
 interface Actions {
   lookFrom: (azimuth: number, elevation: number) => void;

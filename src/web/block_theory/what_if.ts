@@ -1,8 +1,8 @@
 // What if friction, cohesion, water, earthquake or target were others: what is tried, and what follows for each block.
-import { FirstLooks, type Outcome, type Settings, type Verdict } from './block_theory/first_looks';
-import type { Keyblock, PageData } from './data';
-import type { Surface } from './surface';
-import { niceStep } from './ui/format';
+import { FirstLooks, type Outcome, type Settings, type Verdict } from './first_looks';
+import type { Keyblock, PageData } from '../data';
+import type { Surface } from '../scene/surface';
+import { niceStep } from '../ui/format';
 
 /// One thing that can be tried. Its place in the list is its number in the address.
 export interface Knob {

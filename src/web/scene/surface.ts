@@ -1,5 +1,5 @@
 // The surfaces of the blocks as one list of triangles.
-import type { Arrays } from './data';
+import type { Arrays } from '../data';
 
 /// N blocks with P points and T triangles, in the order of the blocks. Coordinates are relative to the model's middle.
 export interface Surface {
