@@ -3,13 +3,13 @@
 #pragma once
 
 #include "kernels/constraints/constraints_kernel.hpp"
-#include "kernels/constraints/merge_points.hpp"
 #include "kernels/constraints/solve_report.hpp"
 #include "kernels/krylov/bicgstab_kernel.hpp"
 #include "kernels/operator/springs_kernel.hpp"
 #include "kernels/precondition/cover_grid_kernel.hpp"
 #include "kernels/precondition/direct_kernel.hpp"
 #include "kernels/precondition/multigrid_kernel.hpp"
+#include "src/system/merge_points.hpp"
 
 namespace rockfold::solve {
 

@@ -16,9 +16,9 @@
 #include <array>
 #include <vector>
 
-#include "kernels/constraints/sparse_cholesky.hpp"
 #include "kernels/krylov/krylov_work_kernel.hpp"
 #include "kernels/operator/springs_kernel.hpp"
+#include "src/system/sparse_cholesky.hpp"
 
 namespace rockfold::solve {
 

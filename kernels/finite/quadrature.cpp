@@ -70,7 +70,7 @@ class Builder {
 
   int kind_of(Index e) const {
     const ElementNodes nodes = element_nodes(covers_, e);
-    return functions_.parts * LatticeFunctions::form(covers_.lattice, nodes.cell) + nodes.part;
+    return functions_.parts * form_of_cell(covers_.lattice, nodes.cell) + nodes.part;
   }
 
   void add_element(Index e, const std::vector<std::vector<RockPoint>>& parts) {

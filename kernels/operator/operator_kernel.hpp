@@ -7,8 +7,8 @@
 
 #include "kernels/device/device_kernel.hpp"
 #include "kernels/operator/elements/element_table_kernel.hpp"
-#include "kernels/operator/rows.hpp"
 #include "kernels/operator/simd.hpp"
+#include "src/system/rows.hpp"
 
 namespace rockfold::solve {
 

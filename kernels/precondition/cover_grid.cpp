@@ -3,7 +3,7 @@
 
 #include "kernels/precondition/chebyshev.hpp"
 #include "kernels/precondition/cover_grid_kernel.hpp"
-#include "kernels/precondition/levels/coarse_points.hpp"
+#include "src/system/coarse_points.hpp"
 
 namespace rockfold::solve {
 namespace {

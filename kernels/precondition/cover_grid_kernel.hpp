@@ -14,7 +14,7 @@
 
 #include "kernels/krylov/krylov_work_kernel.hpp"
 #include "kernels/precondition/cover_blocks_kernel.hpp"
-#include "kernels/precondition/levels/coarse_covers.hpp"
+#include "src/system/coarse_covers.hpp"
 
 namespace rockfold::solve {
 

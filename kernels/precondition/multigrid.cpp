@@ -3,8 +3,8 @@
 
 #include "kernels/device/sums_kernel.hpp"
 #include "kernels/precondition/chebyshev.hpp"
-#include "kernels/precondition/levels/coarse_points.hpp"
 #include "kernels/precondition/multigrid_kernel.hpp"
+#include "src/system/coarse_points.hpp"
 
 namespace rockfold::solve {
 namespace {

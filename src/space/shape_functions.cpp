@@ -97,6 +97,13 @@ std::array<Real, 8> part_weights(const CellPart& part, const Vec3& eta) {
   return weight;
 }
 
+int form_of_cell(const Lattice& lattice, Index cell) {
+  return lattice.kind == LatticeKind::tet5 &&
+                 &lattice.split(cell) == &cell_split(LatticeKind::tet5, true)
+             ? 1
+             : 0;
+}
+
 ElementNodes element_nodes(const CoverArrays& covers, Index element) {
   const int parts = covers.parts_per_cell(), per_part = covers.nodes_per_part();
   ElementNodes nodes;

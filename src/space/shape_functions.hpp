@@ -43,6 +43,9 @@ int sampling_degree(const CoverArrays& covers);
 /// N_a(η) of a part's nodes.
 std::array<Real, 8> part_weights(const CellPart& part, const Vec3& eta);
 
+/// Which of the forms of its split a lattice cell has: 1 for the odd one of tet5, else 0.
+int form_of_cell(const Lattice& lattice, Index cell);
+
 /// Where an element lies and which physical covers it belongs to.
 struct ElementNodes {
   Index cell = none;             ///< lattice cell

@@ -20,7 +20,7 @@ LIBRARIES = [
     ("toml++", r"toml\+\+/|toml\.hpp|toml\.h$", r"src/model/text/[^/]*\.cpp$"),
     ("CLI11", r"CLI/", r"src/app/[^/]*\.(cpp|hpp)$"),
     ("nlohmann-json", r"nlohmann/", r"src/(app|io|page|printed|report|run|store|sweep)/.*\.(cpp|hpp)$"),
-    ("fmt or spdlog", r"fmt/|spdlog/", r"(host/|src/(?!base/|arrays/|space/)).*$"),
+    ("fmt or spdlog", r"fmt/|spdlog/", r"(host/|src/(?!base/|arrays/|space/|system/)).*$"),
     ("MPI", r"mpi\.h$", r"src/sweep/mpi/[^/]*\.cpp$"),
     ("CUDA", r"cuda", r"kernels/device/.*(\.cpp|_kernel\.hpp)$"),
 ]
@@ -30,13 +30,14 @@ LAYERS = [
     ("src/base", ("src/base/",)),
     ("src/arrays", ("src/base/", "src/arrays/")),
     ("src/space", ("src/base/", "src/arrays/", "src/space/")),
+    ("src/system", ("src/base/", "src/arrays/", "src/space/", "src/system/")),
     ("src/model", ("src/base/", "src/arrays/", "src/space/", "src/model/")),
     ("src/io", ("src/base/", "src/arrays/", "src/space/", "src/model/", "src/io/", "generated/")),
     ("src", ("src/", "host/", "kernels/", "generated/")),
     ("host", ("src/base/", "src/arrays/", "src/space/", "src/model/", "host/")),
-    ("kernels", ("src/base/", "src/arrays/", "src/space/", "kernels/")),
+    ("kernels", ("src/base/", "src/arrays/", "src/space/", "src/system/", "kernels/")),
 ]
-STANDARD_ALONE = ("src/base/", "src/arrays/", "src/space/")
+STANDARD_ALONE = ("src/base/", "src/arrays/", "src/space/", "src/system/")
 POSIX = r"unistd\.h$|fcntl\.h$|signal\.h$|sys/|dirent\.h$|termios\.h$|omp\.h$|time\.h$|cstdatomic$"
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

@@ -3,45 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/constraints/sparse_cholesky.hpp"
 #include "src/base/vector.hpp"
 #include "tests/solve/systems/systems.hpp"
 
 namespace rockfold {
 namespace {
-
-TEST(SparseCholesky, LeavesNoResidualOnAnyPattern) {
-  // A ring and a star, each more than is left undivided, and a row by itself.
-  constexpr Index ring = 61, star = 50, rows = ring + star + 1;
-  std::vector<std::vector<Real>> dense(rows, std::vector<Real>(rows, 0));
-  const auto couple = [&](Index i, Index j, Real by) { dense[i][j] = dense[j][i] = by; };
-  for (Index i = 0; i < ring; ++i) couple(i, (i + 1) % ring, -1 - 0.1 * i);
-  for (Index i = ring + 1; i < ring + star; ++i) couple(ring, i, 0.5 + 0.01 * i);
-  std::vector<Index> begin{0}, column;
-  std::vector<Real> value;
-  for (Index i = 0; i < rows; ++i) {
-    Real sum = 1e-3;
-    for (const Real v : dense[i]) sum += std::abs(v);
-    dense[i][i] = sum;
-    for (Index j = 0; j < rows; ++j)
-      if (dense[i][j] != 0) {
-        column.push_back(j);
-        value.push_back(dense[i][j]);
-      }
-    begin.push_back(static_cast<Index>(column.size()));
-  }
-  solve::SparseCholesky factors(begin, column);
-  factors.factorise(begin, column, value);
-  std::vector<Real> x(rows);
-  for (Index i = 0; i < rows; ++i) x[i] = std::sin(1 + i);
-  const std::vector<Real> b = x;
-  factors.solve(x.data());
-  for (Index i = 0; i < rows; ++i) {
-    Real sum = 0;
-    for (Index j = 0; j < rows; ++j) sum += dense[i][j] * x[j];
-    EXPECT_NEAR(sum, b[i], 1e-12);
-  }
-}
 
 /// The rock of whole cells, the first so many nodes of which are held or on springs, and as many points again `aside` of them: they say the same
 /// as long as rock moves there as it does at the nodes.

@@ -3,6 +3,7 @@
 
 #include "kernels/operator/elements/element_table_kernel.hpp"
 #include "src/base/error.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold::solve {
 namespace {
@@ -61,7 +62,7 @@ ElementTable make_element_table(const CoverArrays& covers, const PieceMoments& m
   std::vector<std::uint8_t> form(covers.regular_cell.size(), 0), part = covers.element_part;
   if (functions.forms > 1) {
     const auto form_of = [&](Index cell) {
-      return static_cast<std::uint8_t>(LatticeFunctions::form(covers.lattice, cell));
+      return static_cast<std::uint8_t>(form_of_cell(covers.lattice, cell));
     };
     std::transform(covers.regular_cell.begin(), covers.regular_cell.end(), form.begin(), form_of);
     for (std::size_t e = 0; e < part.size(); ++e)

@@ -175,13 +175,6 @@ std::vector<Vec3> LatticeFunctions::gradients(int of, const Vec3& eta) const {
   return gradient;
 }
 
-int LatticeFunctions::form(const Lattice& lattice, Index cell) {
-  return lattice.kind == LatticeKind::tet5 &&
-                 &lattice.split(cell) == &cell_split(LatticeKind::tet5, true)
-             ? 1
-             : 0;
-}
-
 CoverPolynomials cover_polynomials(int order) {
   CoverPolynomials polynomials;
   polynomials.degree = order;

@@ -58,8 +58,6 @@ struct LatticeFunctions {
   std::vector<Real> values(int of, const Vec3& eta) const;
   /// ∂φ_ak/∂x at η, 1/m.
   std::vector<Vec3> gradients(int of, const Vec3& eta) const;
-  /// Which form a cell has.
-  static int form(const Lattice& lattice, Index cell);
 };
 
 LatticeFunctions lattice_functions(const Lattice& lattice, int order);

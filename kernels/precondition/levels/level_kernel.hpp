@@ -5,7 +5,7 @@
 #pragma once
 
 #include "kernels/operator/point_terms_kernel.hpp"
-#include "kernels/precondition/levels/coarse_covers.hpp"
+#include "src/system/coarse_covers.hpp"
 
 namespace rockfold::solve {
 

@@ -24,8 +24,8 @@ void for_each_element(const CoverArrays& covers, const LatticeFunctions& functio
       moments.volume.empty() ? 0 : moments.local.size() / moments.volume.size();
   for (Index e = 0; e < covers.element_count(); ++e) {
     Element element{element_nodes(covers, e), 0, {}};
-    element.part = element.nodes.part +
-                   functions.parts * LatticeFunctions::form(covers.lattice, element.nodes.cell);
+    element.part =
+        element.nodes.part + functions.parts * form_of_cell(covers.lattice, element.nodes.cell);
     if (e < regular) {
       element.moment = functions.part[element.part].moment;
     } else {

@@ -151,7 +151,7 @@ class Averages {
 /// The part of a cut element, counted through all forms.
 int part_of(const CoverArrays& covers, Index e) {
   return covers.element_part[e] +
-         covers.parts_per_cell() * LatticeFunctions::form(covers.lattice, covers.element_cell[e]);
+         covers.parts_per_cell() * form_of_cell(covers.lattice, covers.element_cell[e]);
 }
 
 /// Where functions are known at points alone.
@@ -211,7 +211,7 @@ std::vector<BlockMotion> average_block_motion(const CoverArrays& covers,
   if (covers.sampled()) return average_sampled_motion(covers, sums);
   const LatticeFunctions& all = sums.functions();
   for (Index r = 0; r < covers.regular_count(); ++r) {
-    const int first = all.parts * LatticeFunctions::form(covers.lattice, covers.regular_cell[r]);
+    const int first = all.parts * form_of_cell(covers.lattice, covers.regular_cell[r]);
     for (int part = first; part < first + all.parts; ++part) {
       std::array<Index, 8> cover{};
       for (int a = 0; a < all.nodes; ++a)

@@ -5,6 +5,7 @@
 #include "kernels/operator/elements/part_functions.hpp"
 #include "src/base/vector.hpp"
 #include "src/io/viewers/stress_measures.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold {
 namespace {
@@ -21,7 +22,7 @@ void for_each_piece(const CoverArrays& covers, const PieceMoments& moments, cons
   const LatticeFunctions all = lattice_functions(covers);
   for (Index r = 0; r < covers.regular_count(); ++r) {
     const Index cell = covers.regular_cell[r];
-    const int first = all.parts * LatticeFunctions::form(covers.lattice, cell);
+    const int first = all.parts * form_of_cell(covers.lattice, cell);
     for (int t = 0; t < all.parts; ++t) {
       Vec3 centroid{};
       for (int a = 0; a < all.nodes; ++a)

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "kernels/precondition/levels/coarse_covers.hpp"
+#include "src/system/coarse_covers.hpp"
 
 namespace rockfold::solve {
 

@@ -1,4 +1,4 @@
-#include "kernels/precondition/levels/coarse_covers.hpp"
+#include "src/system/coarse_covers.hpp"
 
 #include <map>
 #include <set>

@@ -1,4 +1,4 @@
-#include "kernels/constraints/sparse_cholesky.hpp"
+#include "src/system/sparse_cholesky.hpp"
 
 #include <algorithm>
 #include <cmath>

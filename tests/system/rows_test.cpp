@@ -1,5 +1,5 @@
 // Which rows share values.
-#include "kernels/operator/rows.hpp"
+#include "src/system/rows.hpp"
 
 #include <map>
 #include <tuple>

@@ -1,4 +1,4 @@
-#include "kernels/precondition/levels/coarse_points.hpp"
+#include "src/system/coarse_points.hpp"
 
 #include <map>
 

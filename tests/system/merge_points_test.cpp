@@ -1,4 +1,4 @@
-#include "kernels/constraints/merge_points.hpp"
+#include "src/system/merge_points.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "kernels/operator/rows.hpp"
+#include "src/system/rows.hpp"
 
 #include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
 
-#include "kernels/operator/elements/part_functions.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold::solve {
 namespace {
@@ -193,7 +193,7 @@ void gather_columns(const CoverArrays& covers, PlainRows& rows) {
       const Source source = rows.source[s];
       if (source >= 0) {
         const Source r = source / nodes;
-        const int form = LatticeFunctions::form(covers.lattice, covers.regular_cell[r]);
+        const int form = form_of_cell(covers.lattice, covers.regular_cell[r]);
         for (int c = 0; c < nodes; ++c)
           if (couple[form][source % nodes][c]) add(covers.regular_cover[r * nodes + c]);
       } else {
@@ -224,7 +224,7 @@ void find_alike(const CoverArrays& covers, PlainRows& rows) {
     for (Index s = rows.source_begin[b]; s < end; ++s) {
       const Index r = static_cast<Index>(rows.source[s] / nodes);
       const int node = static_cast<int>(rows.source[s] % nodes);
-      const int form = LatticeFunctions::form(covers.lattice, covers.regular_cell[r]);
+      const int form = form_of_cell(covers.lattice, covers.regular_cell[r]);
       key.insert(key.end(), {node, form, covers.regular_material[r]});
       for (int c = 0; c < nodes; ++c)
         if (couple[form][node][c]) key.push_back(place[covers.regular_cover[r * nodes + c]]);

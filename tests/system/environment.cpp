@@ -1,0 +1,1 @@
+#include "tests/kernels/device_environment.hpp"
