@@ -87,6 +87,16 @@ void add_table(Model& model, const Options& options) {
   model.tables.push_back(table);
 }
 
+void warn_of_stiffness_without_springs(const Model& model, Terminal& terminal) {
+  for (const Fixed& fixed : model.fixed) {
+    if (!fixed.stiffness || fixed.method == FixMethod::penalty) continue;
+    Place place = fixed.place;
+    place.key += ".stiffness";
+    terminal.warn(diagnostic_line(
+        {place, "is of no use: points are held exactly. Springs are method = \"penalty\""}));
+  }
+}
+
 }  // namespace
 
 bool wants_run(const Options& options) {
@@ -179,6 +189,7 @@ void require_in_rock(const Model& model, const MaterialPoints& monitors) {
 }
 
 void warn_of_keys_without_use(const Model& model, Terminal& terminal) {
+  warn_of_stiffness_without_springs(model, terminal);
   const Analysis given = *model.analysis, usual;
   if (given.has(AnalysisType::dynamic) || given.has(AnalysisType::quasi_static)) return;
   std::string keys;

@@ -123,7 +123,8 @@ class NoConvergence(ProgramTest):
         self.assertRegex(done.stderr, r"no more results could be written; \S*slow\.vtkhdf holds the (state|\d+ states) before that")
 
     def test_of_the_first_acceleration_keeps_the_start(self):
-        self.write("slow.toml", PRESSED.replace('type = "static"', DYNAMIC) + "[solver]\npreconditioner = 'node_block_jacobi'\nmax_iterations = 1\n")
+        self.write("slow.toml", PRESSED.replace('type = "static"', DYNAMIC + "\nnewmark = {beta = 0.3, gamma = 0.6}") +
+                   "[solver]\npreconditioner = 'node_block_jacobi'\nmax_iterations = 1\n")
         self.assertIn("step 0, time 0 s: the solver did not converge", self.run_program("run", "slow.toml", status=1).stderr)
         self.assertEqual(self.states(), [0])
 
@@ -135,6 +136,14 @@ class Warnings(ProgramTest):
                       self.run_program("run", "still.toml").stderr)
         self.write("still.toml", PRESSED)
         self.assertNotIn("warning", self.run_program("run", "still.toml").stderr)
+
+    def test_name_a_stiffness_of_points_that_are_held_exactly(self):
+        held = PRESSED.replace("[[fixed]]\n", "[[fixed]]\nstiffness = 1e9\n")
+        self.write("springs.toml", held)
+        self.assertNotIn("warning", self.run_program("run", "springs.toml").stderr)
+        self.write("held.toml", held.replace("stiffness = 1e9\n", 'stiffness = 1e9\nmethod = "augmented_lagrangian"\n'))
+        self.assertRegex(self.run_program("run", "held.toml").stderr,
+                         r"held\.toml:\d+:.*fixed\[1\]\.stiffness: is of no use: points are held exactly")
 
     @unittest.skipIf(SANITIZED, "a large model")
     def test_tell_where_factors_were_asked_for_but_are_out_of_reach(self):

@@ -183,6 +183,7 @@ TEST_F(CompleteModel, HasItsConditions) {
   EXPECT_EQ(model.fixed[5].table.time, (std::vector<Real>{0, 0.5}));
   EXPECT_EQ(model.fixed[5].table.value[1], (Vec3{0, 0, 0.01}));
   EXPECT_EQ(model.fixed[6].stiffness, 1e12);
+  EXPECT_EQ(model.fixed[6].method, FixMethod::penalty);
   EXPECT_TRUE(std::get<FaceRegion>(model.fixed[6].where).of_excavation);
   ASSERT_EQ(model.monitors.size(), 1u);
   EXPECT_EQ(model.monitors[0].name, "crest");

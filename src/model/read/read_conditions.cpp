@@ -66,9 +66,12 @@ void read_fixed(Draft& draft) {
         in.choose("method", {{"augmented_lagrangian", "penalty", "lagrange"}, {}}, Need::optional);
     constexpr FixMethod methods[] = {FixMethod::augmented_lagrangian, FixMethod::penalty,
                                      FixMethod::lagrange};
-    if (method) fixed.method = methods[*method];
     const bool point = std::holds_alternative<PointRegion>(fixed.where);
     in.read("stiffness", fixed.stiffness, positive(point ? "N/m" : "Pa/m"));
+    if (method)
+      fixed.method = methods[*method];
+    else if (fixed.stiffness)
+      fixed.method = FixMethod::penalty;
     if (fixed.stiffness && fixed.method == FixMethod::lagrange)
       in.wrong("stiffness", "has no use with method = \"lagrange\", which has no springs");
     draft.model.fixed.push_back(fixed);
