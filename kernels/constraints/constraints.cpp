@@ -29,9 +29,8 @@ void for_each_component(const F& f) {
   Host().fence();
 }
 
-/// The pattern of T: unknowns that share a point of which `acts` is true, and the diagonal.
-template <class Acts>
-void analyse(const Constraints& c, TiedUnknowns& t, const Acts& acts) {
+/// The pattern of T: unknowns that share a point that acts, and the diagonal.
+void analyse(const Constraints& c, TiedUnknowns& t, const std::vector<std::uint8_t>& acts) {
   const Index rows = static_cast<Index>(c.row_begin.size()) - 1;
   std::vector<Index> seen_by(rows, none);
   t.begin = {0};
@@ -43,7 +42,7 @@ void analyse(const Constraints& c, TiedUnknowns& t, const Acts& acts) {
     };
     meet(i);
     for (Index k = c.row_begin[i]; k < c.row_begin[i + 1]; ++k)
-      if (const Index n = c.row_point[k]; acts(n))
+      if (const Index n = c.row_point[k]; acts[n] != 0)
         for (Index m = c.begin[n]; m < c.begin[n + 1]; ++m) meet(c.entry_row_host[m]);
     std::sort(t.column.begin() + static_cast<std::ptrdiff_t>(first), t.column.end());
     t.begin.push_back(static_cast<Index>(t.column.size()));
@@ -83,8 +82,20 @@ void make_current(Constraints& c) {
   c.current = true;
   const auto resists = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), c.resists),
              unknown = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), c.unknown);
-  for_each_component(
-      [&](int d) { factorise(c, c.matrix[d], column(resists, d), column(unknown, d)); });
+  std::array<std::vector<Real>, 3> w, k;
+  for (int d = 0; d < 3; ++d) {
+    w[d] = column(resists, d);
+    k[d] = column(unknown, d);
+    c.matrix[d].components.clear();
+    int like = 0;
+    while (like < d && !(c.acts[like] == c.acts[d] && w[like] == w[d] && k[like] == k[d])) ++like;
+    c.matrix[like].components.push_back(d);
+  }
+  for_each_component([&](int d) {
+    if (c.matrix[d].components.empty()) return;
+    if (c.matrix[d].begin.empty()) analyse(c, c.matrix[d], c.acts[d]);
+    factorise(c, c.matrix[d], w[d], k[d]);
+  });
 }
 
 /// part ← T⁻¹ part.
@@ -92,7 +103,12 @@ void solve(Constraints& c) {
   make_current(c);
   const auto host = Kokkos::create_mirror_view(c.part);
   Kokkos::deep_copy(host, c.part);
-  for_each_component([&](int d) { c.matrix[d].factors.solve(&host(0, d)); });
+  for_each_component([&](int d) {
+    Real* r[3];
+    int columns = 0;
+    for (const int of : c.matrix[d].components) r[columns++] = &host(0, of);
+    if (columns > 0) c.matrix[d].factors.solve(r, columns);
+  });
   Kokkos::deep_copy(c.part, host);
 }
 
@@ -185,6 +201,11 @@ void replace_part(const Constraints& c, const Field& x) {
       });
 }
 
+/// The same for all components, which then share T where points tie them alike.
+KOKKOS_INLINE_FUNCTION Real stiffest_way(const Blocks& diagonal, Index u) {
+  return device::math::fmax(diagonal(u, 0), device::math::fmax(diagonal(u, 1), diagonal(u, 2)));
+}
+
 /// W⁻¹ = resists: the geometric mean with the stiffest beside an unknown, for points are kept by what is stiff, not by slivers.
 void find_what_resists(const Constraints& c, const Blocks& diagonal, const Field& resists) {
   const Springs s = c.springs;
@@ -195,14 +216,14 @@ void find_what_resists(const Constraints& c, const Blocks& diagonal, const Field
           Real most = 0;
           for (Index i = s.points.begin(n); i < s.points.begin(n + 1); ++i)
             if (s.points.weight(i) != 0)
-              most = device::math::fmax(most, diagonal(s.points.unknown(i), d));
+              most = device::math::fmax(most, stiffest_way(diagonal, s.points.unknown(i)));
           stiffest(n, d) = most;
         }
       });
   device::for_each(
       "rockfold::solve::resists", touched(c), KOKKOS_LAMBDA(const Index t) {
         for (int d = 0; d < 3; ++d) {
-          const Real a = diagonal(s.row(t), d);
+          const Real a = stiffest_way(diagonal, s.row(t));
           Real most = a;
           for (Index i = s.row_begin(t); i < s.row_begin(t + 1); ++i)
             most = device::math::fmax(most, stiffest(s.row_point(i), d));
@@ -261,7 +282,8 @@ Constraints make_constraints(Springs springs, Index unknowns) {
   c.unknown = device::make_field("solve::unknown_stiffness", s.points.count);
   c.resists = device::make_field("solve::resists", touched(c));
   for (int d = 0; d < 3; ++d)
-    analyse(c, c.matrix[d], [&](Index n) { return held(n, d) > 0 || stiffness(n, d) > 0; });
+    for (Index n = 0; n < s.points.count; ++n)
+      c.acts[d].push_back(held(n, d) > 0 || stiffness(n, d) > 0 ? 1 : 0);
   return c;
 }
 

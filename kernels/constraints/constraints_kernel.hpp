@@ -14,6 +14,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "kernels/krylov/krylov_work_kernel.hpp"
@@ -22,8 +23,9 @@
 
 namespace rockfold::solve {
 
-/// T of a component.
+/// T of components that points tie alike.
 struct TiedUnknowns {
+  std::vector<int> components;       ///< none: another one has this one's
   std::vector<Index> begin, column;  ///< its pattern
   std::vector<Real> value;
   SparseCholesky factors;
@@ -38,14 +40,15 @@ struct Constraints {
   // On the host: the entries of the points, and the points of each unknown's row.
   std::vector<Index> begin, entry_row_host, row_begin, row_point;
   std::vector<Real> entry_weight, row_weight;
+  std::array<std::vector<std::uint8_t>, 3> acts;  ///< [d][n] whether a point holds or pulls
   Field known;    ///< (n, d) N/m: what preconditioners know of what ties the points …
   Field unknown;  ///< … and the rest, which T knows
   Field resists;  ///< (t, d) N/m: W⁻¹ of unknown springs.row(t), with what is known
-  std::array<TiedUnknowns, 3> matrix;
-  bool current = false;  ///< whether T has been factorised
-  Field value;           ///< (n, d) work space
-  Field part, kept;      ///< (t, d) work space
-  Field left;            ///< (u, d) work space
+  std::array<TiedUnknowns, 3> matrix;  ///< [d] of component d, and of those after it that are alike
+  bool current = false;                ///< whether T has been factorised
+  Field value;                         ///< (n, d) work space
+  Field part, kept;                    ///< (t, d) work space
+  Field left;                          ///< (u, d) work space
 };
 Constraints make_constraints(Springs springs, Index unknowns);
 

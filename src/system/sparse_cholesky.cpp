@@ -101,7 +101,7 @@ SparseCholesky::SparseCholesky(const std::vector<Index>& begin, const std::vecto
       }
   mark_.assign(rows, none);
   reached_.resize(rows);
-  work_.assign(rows, 0);
+  work_.assign(3 * static_cast<std::size_t>(rows), 0);
   inverse_.resize(rows);
   start_.assign(rows + 1, 0);
   for (Index k = 0; k < rows; ++k)
@@ -153,22 +153,33 @@ void SparseCholesky::factorise(const std::vector<Index>& begin, const std::vecto
   }
 }
 
-void SparseCholesky::solve(Real* r) const {
-  const Index rows = static_cast<Index>(order_.size());
-  for (Index k = 0; k < rows; ++k) work_[k] = r[order_[k]];
-  for (Index k = 0; k < rows; ++k) {
-    const Real y = work_[k] *= inverse_[k];
-    for (std::size_t p = start_[k]; p < start_[k + 1]; ++p) work_[row_[p]] -= entry_[p] * y;
+template <int Columns>
+void SparseCholesky::solve_columns(Real* const* r) const {
+  const std::size_t rows = order_.size();
+  Real* const x = work_.data();
+  const auto at = [=](std::size_t k) { return x + Columns * k; };
+  for (std::size_t k = 0; k < rows; ++k)
+    for (int c = 0; c < Columns; ++c) at(k)[c] = r[c][order_[k]];
+  for (std::size_t k = 0; k < rows; ++k) {
+    Real y[Columns];
+    for (int c = 0; c < Columns; ++c) y[c] = at(k)[c] *= inverse_[k];
+    for (std::size_t p = start_[k]; p < start_[k + 1]; ++p)
+      for (int c = 0; c < Columns; ++c) at(row_[p])[c] -= entry_[p] * y[c];
   }
-  for (Index k = rows; k-- > 0;) {
-    Real sum = work_[k];
-    for (std::size_t p = start_[k]; p < start_[k + 1]; ++p) sum -= entry_[p] * work_[row_[p]];
-    work_[k] = sum * inverse_[k];
+  for (std::size_t k = rows; k-- > 0;) {
+    Real sum[Columns];
+    for (int c = 0; c < Columns; ++c) sum[c] = at(k)[c];
+    for (std::size_t p = start_[k]; p < start_[k + 1]; ++p)
+      for (int c = 0; c < Columns; ++c) sum[c] -= entry_[p] * at(row_[p])[c];
+    for (int c = 0; c < Columns; ++c) r[c][order_[k]] = at(k)[c] = sum[c] * inverse_[k];
   }
-  for (Index k = 0; k < rows; ++k) {
-    r[order_[k]] = work_[k];
-    work_[k] = 0;
-  }
+  std::fill(work_.begin(), work_.end(), 0.0);
+}
+
+void SparseCholesky::solve(Real* const* r, int columns) const {
+  if (columns == 1) return solve_columns<1>(r);
+  if (columns == 2) return solve_columns<2>(r);
+  solve_columns<3>(r);
 }
 
 }  // namespace rockfold::solve

@@ -17,12 +17,14 @@ class SparseCholesky {
   /// `value`: those of `column`, of a matrix that is positive.
   void factorise(const std::vector<Index>& begin, const std::vector<Index>& column,
                  const std::vector<Real>& value);
-  /// r becomes the answer; [rows].
-  void solve(Real* r) const;
+  /// Each of the r, of `columns` ≤ 3, becomes its answer; [rows]. The factors are read once for all.
+  void solve(Real* const* r, int columns) const;
 
  private:
   /// The columns of L in row k, as they have to be taken, into `reached`; how many.
   Index reach(Index k, const std::vector<Index>& begin, const std::vector<Index>& column);
+  template <int Columns>
+  void solve_columns(Real* const* r) const;
 
   std::vector<Index> order_, place_;   ///< [rows] the row at a place, and the place of a row
   std::vector<Index> parent_;          ///< [rows] in the elimination tree (Liu 1990), by place
@@ -31,7 +33,7 @@ class SparseCholesky {
   std::vector<Real> entry_;            ///< likewise
   std::vector<Real> inverse_;          ///< [rows] 1 / diagonal of L
   std::vector<Index> mark_, reached_;  ///< [rows] work space
-  mutable std::vector<Real> work_;     ///< [rows]
+  mutable std::vector<Real> work_;     ///< [rows · 3]
 };
 
 }  // namespace rockfold::solve

@@ -29,14 +29,21 @@ TEST(SparseCholesky, LeavesNoResidualOnAnyPattern) {
   }
   solve::SparseCholesky factors(begin, column);
   factors.factorise(begin, column, value);
-  std::vector<Real> x(rows);
-  for (Index i = 0; i < rows; ++i) x[i] = std::sin(1 + i);
-  const std::vector<Real> b = x;
-  factors.solve(x.data());
-  for (Index i = 0; i < rows; ++i) {
-    Real sum = 0;
-    for (Index j = 0; j < rows; ++j) sum += dense[i][j] * x[j];
-    EXPECT_NEAR(sum, b[i], 1e-12);
+  for (std::size_t columns = 1; columns <= 3; ++columns) {
+    std::vector<std::vector<Real>> x(columns, std::vector<Real>(rows));
+    std::vector<Real*> at_once;
+    for (std::size_t c = 0; c < columns; ++c) {
+      for (Index i = 0; i < rows; ++i) x[c][i] = std::sin(1 + i + 100.0 * static_cast<Real>(c));
+      at_once.push_back(x[c].data());
+    }
+    const auto b = x;
+    factors.solve(at_once.data(), static_cast<int>(columns));
+    for (std::size_t c = 0; c < columns; ++c)
+      for (Index i = 0; i < rows; ++i) {
+        Real sum = 0;
+        for (Index j = 0; j < rows; ++j) sum += dense[i][j] * x[c][j];
+        EXPECT_NEAR(sum, b[c][i], 1e-12);
+      }
   }
 }
 
