@@ -206,19 +206,6 @@ SolveReport solve_free(ConstrainedSystem& system, const Field& b, const Field& x
 
 }  // namespace
 
-SolveReport find_same_motion(ConstrainedSystem& system, const Field& x, const Field& y,
-                             const PcgOptions& pcg, Real enough) {
-  const Field load = device::make_field("solve::load_of_motion", system.op.unknowns);
-  apply_matrix(system, x, load);
-  SolveReport report;
-  const PcgReport done = solve_if_easy(system, load, y, pcg, report.preconditioner);
-  report.iterations = done.iterations;
-  report.residual = done.residual;
-  const bool direct = report.preconditioner == Preconditioner::direct;
-  report.converged = done.iterations > 0 && done.residual <= (direct ? enough : pcg.tolerance);
-  return report;
-}
-
 SolveReport solve_constrained(ConstrainedSystem& system, const Field& b, const Field& prescribed,
                               const Field& x, const Field& base, const ConstraintOptions& options) {
   if (!system.springs.any()) return solve_free(system, b, x, options.pcg);

@@ -95,10 +95,4 @@ struct ConstraintOptions {
 SolveReport solve_constrained(ConstrainedSystem& system, const Field& b, const Field& prescribed,
                               const Field& x, const Field& base, const ConstraintOptions& options);
 
-/// y: of all fields that move the rock as x does the one without null-space motion (null_space_motion.cpp), which conjugate gradients find for
-/// A y = A x from nothing. It has converged with a residual of pcg.tolerance, with factors of `enough`: what blocks leave is idle
-/// motion too.
-SolveReport find_same_motion(ConstrainedSystem& system, const Field& x, const Field& y,
-                             const PcgOptions& pcg, Real enough);
-
 }  // namespace rockfold::solve

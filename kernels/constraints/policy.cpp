@@ -275,19 +275,4 @@ PcgReport solve_by_policy(ConstrainedSystem& system, const Field& load, const Fi
   return solve_with_factors(system, load, x, pcg, done);
 }
 
-PcgReport solve_if_easy(ConstrainedSystem& system, const Field& load, const Field& x,
-                        const PcgOptions& pcg, Preconditioner& used) {
-  PcgReport done;
-  used = policy_of(system).first;
-  Kokkos::deep_copy(x, 0.0);
-  if (used != Preconditioner::direct) {
-    done = solve_pcg(system.work, matrix_of(system), make_inverse(system, used), load, x, pcg);
-    if (small_enough(done, pcg) || !factors_fit(system)) return done;
-    Kokkos::deep_copy(x, 0.0);
-  }
-  if (!has_factors(system, pivots_of(system).front())) return done;
-  used = Preconditioner::direct;
-  return solve_with_present_factors(system, load, x, pcg);
-}
-
 }  // namespace rockfold::solve

@@ -31,8 +31,4 @@ bool small_enough(const PcgReport& done, const PcgOptions& pcg);
 PcgReport solve_by_policy(ConstrainedSystem& system, const Field& load, const Field& x,
                           const PcgOptions& pcg, SolveReport& report);
 
-/// The same from x = 0, with the first choice of pivots alone: for what need not be found.
-PcgReport solve_if_easy(ConstrainedSystem& system, const Field& load, const Field& x,
-                        const PcgOptions& pcg, Preconditioner& used);
-
 }  // namespace rockfold::solve

@@ -4,7 +4,8 @@
 // motion stands on the right in every step,
 //   (M/(βΔt²) + γ/(βΔt) C + K) x = F − M a' − C v' − f(d'),  d' = d + Δt v + Δt²/2 a,  v' = v + Δt a,  a' = a,
 // so that no error of one step's solution drifts into the next; x corrects d' (step.cpp). With β = 1/4, γ = 1/2 this is the
-// thesis' scheme (average acceleration). Of other schemes the first acceleration follows from M a = F − C v − f(d). C = αM + βK (Rayleigh) and the dashpots of quiet boundaries.
+// thesis' scheme (average acceleration). Of other schemes the first acceleration follows from the balance with the matrix of the steps
+// (start.cpp). C = αM + βK (Rayleigh) and the dashpots of quiet boundaries.
 //
 // Where the base is accelerated (a record of an earthquake) the motion is relative to it: every point is loaded by −ρ a_base.
 // Displacements, velocities, damping and kinetic energy are then those that an observer on the base sees.

@@ -125,9 +125,6 @@ SolveReport solve_equilibrium(Motion::Data& m);
 Real largest_frequency(Motion::Data& m);
 /// One step of Newmark's method.
 SolveReport take_step(Motion::Data& m, Real dt);
-/// Takes out of velocity and acceleration what moves no rock, in the measure of the matrix, which is that of the step that begins.
-bool null_space_motion_is_due(const Motion::Data& m);
-void remove_null_space_motion(Motion::Data& m);
 /// Scales the velocity by the dynamic ratio, `handed`; at 0 drops the acceleration as well.
 void hand_on(Motion::Data& m);
 

@@ -55,11 +55,11 @@ Step make_step(const Motion::Data& m, Real dt) {
   return step;
 }
 
-void set_tangent(Motion::Data& m, const Step& step, bool with_contact = true) {
+void set_tangent(Motion::Data& m, const Step& step) {
   const bool linear = m.rock->linear();
   if (linear && step.dt > 0 && m.step_length == step.dt) return;
   m.rock->linearise(m.now.displacement);
-  if (m.contact && with_contact)
+  if (m.contact)
     m.system.symmetric =
         contact::write_tangents(*m.contact, step.middle ? 2 : 1, m.system.contacts);
   const Real of_mass = step.dt > 0 ? 1 / (m.beta * step.dt * step.dt) : 0,
@@ -98,14 +98,6 @@ void begin(Motion::Data& m, const Step& step) {
     begin_contact(m);
     m.system.symmetric = contact::clear_tangents(m.system.contacts);
     m.system.factors.of_this_step = false;  // what a step does follows from the state at its start
-  }
-  if (null_space_motion_is_due(m)) {
-    if (m.contact) {  // the matrix follows from the state alone, without contacts
-      find_contacts(m, step);
-      m.system.symmetric = contact::clear_tangents(m.system.contacts);
-    }
-    set_tangent(m, step, false);
-    remove_null_space_motion(m);
   }
   if (!linear) carry_rate(m, step);
   if (!linear || step.middle) keep_start(m);

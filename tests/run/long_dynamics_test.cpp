@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(All, LongSteps,
                                               std::get<1>(of.param));
                          });
 
-/// See kernels/time/null_space_motion.cpp.
+/// Covers with several functions can move without moving rock, which nothing resists (docs/theory.md).
 TEST(LongMotions, LeaveFunctionsThatMoveNoRockAtRest) {
   for (const char* method : {"augmented_lagrangian", "penalty"}) {
     const ModelAnswer answer =

@@ -105,7 +105,7 @@ class FiniteStrain : public Deformation {
   solve::ElementTable elements_;
   StressBefore before_;
   Array<Real> partial_, sums_;
-  Real rounding_;  ///< N, at terms of H of size 1
+  Real rounding_;                               ///< N, at terms of H of size 1
   std::unique_ptr<const CoverArrays> sampled_;  // where elements differ in their functions
 };
 
