@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -86,6 +87,23 @@ TEST(LongMotions, LeaveFunctionsThatMoveNoRockAtRest) {
     EXPECT_LT(largest(answer.last.motion.displacement), 100 * rock) << method;
     const Energy& energy = answer.result.energy;
     EXPECT_NEAR(energy.numerical / (energy.strain + energy.kinetic), 0, 1e-6) << method;
+  }
+}
+
+/// The same for as long as you like.
+TEST(SlowMotions, LeaveFunctionsThatMoveNoRockAtRestForTenThousandSteps) {
+  constexpr const char *average = "{beta = 0.25, gamma = 0.5}",
+                       *damped = "{beta = 0.3025, gamma = 0.6}";
+  for (const auto& [order, newmark] :
+       {std::pair{1, average}, std::pair{2, average}, std::pair{1, damped}}) {
+    const ModelAnswer answer = run_model(
+        block(3e10, fmt::format("lattice = \"tet6\"\nspacing = 0.5\norder = {}", order), "",
+              fmt::format("kinematics = \"small\"\ntime_step = 0.001\nsteps = 10000\nnewmark = {}",
+                          newmark)));
+    const Real rock = answer.result.largest_displacement.length;
+    EXPECT_LT(largest(answer.last.motion.displacement), 100 * rock) << order << newmark;
+    const Energy& energy = answer.result.energy;
+    EXPECT_GT(energy.numerical / std::abs(energy.potential), -1e-6) << order << newmark;
   }
 }
 
