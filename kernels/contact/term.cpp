@@ -266,7 +266,8 @@ Real rounding(const ContactTerm& term) {
         const ContactPoint& p = point(c);
         return p.area * laws(p.law).normal_stiffness * length(at(x, p.vertex[0]));
       });
-  return 0.5 * std::numeric_limits<Real>::epsilon() * largest *
+  constexpr Real roundings = 4;  // of places, frames, gaps and tractions, one after the other
+  return roundings * std::numeric_limits<Real>::epsilon() * largest *
          std::sqrt(static_cast<Real>(term.contacts.current.count));
 }
 

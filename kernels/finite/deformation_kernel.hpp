@@ -89,10 +89,10 @@ void mean_stress(const Deformation& body, const Array<Real>& stress);
 /// The first element with det F <= 0, or none. Points outside the rock, whose weights are not positive, do not count; nor do
 /// slivers that no solution resolves: those whose forces at a strain of 1 are below `least`, N.
 Index first_inverted(const Deformation& body, Real least);
-/// The largest sum of the sizes of the terms of H at an element's first point: displacements carry rounding in their own measure, however
-/// little they strain.
+/// The largest root of the sum of squares of the terms of H at an element's first point: displacements carry rounding in their own measure,
+/// however little they strain, and of many terms it adds up so.
 Real largest_terms(const Deformation& body, const Field& d);
-/// N: the forces of a strain of one rounding error everywhere. No residual can be asked to be smaller.
+/// N: the forces of a strain of one rounding error everywhere, as large as it is on average.
 Real rounding_force(const Deformation& body, const Array<Real>& partial, const Array<Real>& sums);
 
 }  // namespace rockfold::finite

@@ -63,10 +63,14 @@ steps = 5
                           run.base[i - 1].velocity;
       for (int d = 0; d < 3; ++d) {
         EXPECT_NEAR(absolute[d], gained[d] / 0.01, 1e-9) << i << held;
-        if (held[0] == 0 && i != 2) EXPECT_NEAR(absolute[d], 0, 1e-9) << i;  // 2: over a kink
+        if (held[0] == 0 && i != 2) {
+          EXPECT_NEAR(absolute[d], 0, 1e-9) << i;  // 2: over a kink
+        }
       }
     }
-    if (held[0] == 0) EXPECT_NEAR(foot.acceleration[0][0], -1, 1e-12);
+    if (held[0] == 0) {
+      EXPECT_NEAR(foot.acceleration[0][0], -1, 1e-12);
+    }
   }
 }
 

@@ -66,7 +66,7 @@ def toppling_slope(program, full):
     rates = [-float(accelerations(document, [crest])[0]) for document in documents]
     found.row("tan φ at which the acceleration of the crest is zero", "", limit, below[0] + (below[1] - below[0]) * rates[0] / (rates[0] - rates[1]),
               TURNED, "limit equilibrium")
-    resting = run(limit + 0.003, **{"analysis.steps": 400})  # friction between blocks 3 and 4 may take hundreds of steps to come to work
+    resting = run(limit + 0.003, **{"analysis.steps": 600})  # friction between blocks 3 and 4 may take hundreds of steps to come to work
     _, u = path(resting, crest)
     found.row("motion of the crest in the last step, tan φ 0.003 above the limit", "m", 0, float(np.linalg.norm(u[-1] - u[-2])), 1e-9, "limit equilibrium")
     near = run(limit + 2e-4, **{"analysis.steps": 400})
