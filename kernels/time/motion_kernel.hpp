@@ -114,6 +114,8 @@ void stabilise_supports(const Motion::Data& m, Real dt, bool middle);
 void prescribe_acceleration(const Motion::Data& m);
 /// What is prescribed for the first velocity: at points held that of their tables, nothing without one; at others what they have.
 void prescribe_velocity(const Motion::Data& m);
+/// m/s²: of gravity, less the mean that the base has over the time dt up to now.
+Vec3 free_fall(const Motion::Data& m, Real dt);
 solve::ConstraintOptions solve_options(Motion::Data& m, Real reference);
 
 /// Zeroes what belongs to rock that has been excavated.

@@ -1,6 +1,5 @@
 // Where a motion begins: the first velocity and acceleration.
 #include "kernels/time/step_kernel.hpp"
-#include "src/base/vector.hpp"
 
 namespace rockfold::motion {
 namespace {
@@ -20,13 +19,6 @@ SolveReport catch_up_with_supports(Motion::Data& m, Real dt) {
                                                       m.now.velocity, Field(), solve_options(m, 0));
   m.now.work.supports += kinetic_energy(m) - before;
   return report;
-}
-
-/// a = g, less what the base has.
-void fall_freely(const Motion::Data& m) {
-  const TimeTable& base = m.varying_loads.base;
-  const Vec3 fall = base.empty() ? m.gravity : m.gravity - base.at(m.now.time);
-  device::copy_to_device(uniform_field(m.unknowns, m.covers, fall), m.now.acceleration);
 }
 
 /// From (M + γΔt C + βΔt² K) a = F − C v − f(d). The matrix is that of the steps: what follows from it leaves functions at rest that steps
@@ -53,7 +45,8 @@ SolveReport set_in_motion(Motion::Data& m, Real dt) {
   if (!m.average())
     report.add(find_acceleration(m, dt));
   else if (!m.system.springs.any())
-    fall_freely(m);
+    device::copy_to_device(uniform_field(m.unknowns, m.covers, free_fall(m, 0)),
+                           m.now.acceleration);
   return report;
 }
 

@@ -129,11 +129,11 @@ bool is_settled(Motion::Data& m, const Step& step, const Forces& forces, Newton&
   if (m.least_load > 0)
     newton.wanted = std::min(newton.wanted, std::max(newton.enough, balance_of_a_block) *
                                                 (step.middle ? 2 : 1) * m.least_load);
-  newton.wanted = std::max(newton.wanted, 16 * rounding);
+  newton.wanted = std::max(newton.wanted, 2 * rounding);
   total.residual = newton.left / newton.reference;
   total.gap = newton.gap;
   // Rounding alone: what is left is small, and another iteration would not take it away.
-  const bool stalled = newton.left <= 256 * rounding && newton.left > 0.5 * before;
+  const bool stalled = newton.left <= 32 * rounding && newton.left > 0.5 * before;
   // A gap that a solve does not halve stays: points contradict each other, and the report says by how much.
   const bool closed = newton.gap <= solve::closed_gap || newton.gap > 0.5 * gap_before;
   if ((newton.corrected || newton.iterations > 0) && (newton.left <= newton.wanted || stalled) &&
@@ -158,7 +158,7 @@ solve::ConstraintOptions correction_options(Motion::Data& m, const Step& step,
   const bool factors = !m.contact && solve::policy_of(m.system).first == Preconditioner::direct;
   const Real inexact = step.dt > 0 ? (factors ? forcing_with_factors : forcing) * newton.left : 0;
   how.pcg.tolerance =
-      std::max({0.1 * newton.wanted, inexact, 4 * m.rock->rounding(m.now.displacement)}) /
+      std::max({0.1 * newton.wanted, inexact, 0.5 * m.rock->rounding(m.now.displacement)}) /
       newton.reference;
   return how;
 }
