@@ -42,11 +42,10 @@ constexpr Index limit_in_time = 1000, limit_of_blocks = 500, limit_of_multigrid 
 /// Iterations with the factors of an earlier Newton iteration of the step that cost about as much as new ones.
 constexpr Index limit_of_earlier_factors = 20;
 
-/// Pivots of a matrix of unit diagonal that count as none, in the order in which they are tried. What is left of functions that depend on each
+/// Pivots of a matrix of unit diagonal that count as none, in the order in which they are tried: what is left of functions that depend on each
 /// other is rounding, and an answer to it does harm; of slivers, of thin plates, and of rock that is soft beside its springs it is all that
-/// resists. In time steps inertia resists too, and what is known of such functions to a few digits only grows from step to step.
-constexpr std::array<Real, 4> pivots_at_rest{1e-12, 1e-14, 1e-10, 1e-8},
-    pivots_in_time{1e-10, 1e-12, 1e-8, 1e-14};
+/// resists.
+constexpr std::array<Real, 3> pivots{1e-12, 1e-10, 1e-8};
 
 /// Of the reference: what rounding may leave at most.
 constexpr Real most_left = 1e-4;
@@ -140,10 +139,6 @@ bool has_factors(ConstrainedSystem& system, Real pivot) {
          factorise(factors, system.op, system.combination, terms_of(system), pivot);
 }
 
-const std::array<Real, 4>& pivots_of(const ConstrainedSystem& system) {
-  return system.combination.mass == 0 ? pivots_at_rest : pivots_in_time;
-}
-
 /// Until some pivots do, each from the x given. `done`: what was before.
 PcgReport solve_with_factors(ConstrainedSystem& system, const Field& load, const Field& x,
                              const PcgOptions& pcg, PcgReport done) {
@@ -158,7 +153,7 @@ PcgReport solve_with_factors(ConstrainedSystem& system, const Field& load, const
     if (small_enough(done, pcg)) return done;
   }
   PcgReport best;
-  for (const Real pivot : pivots_of(system)) {
+  for (const Real pivot : pivots) {
     how.max_iterations = pcg.max_iterations - done.iterations;
     if (how.max_iterations <= 0 || interrupt_signal || !has_factors(system, pivot)) break;
     Kokkos::deep_copy(x, system.start);
