@@ -77,7 +77,13 @@ class ConstrainedSolve {
       left_ = find_load();
       const Real left_before = std::exchange(left_at_start, left_);
       measure();
-      if (is_balanced()) break;
+      if (is_balanced()) {
+        // Springs are yet to be stretched by what their points have just been found to take.
+        const Real gap_before = std::exchange(gap, gap_over_motion());
+        if (closed || gap <= closed_gap || gap > 0.5 * gap_before) break;
+        left_at_start = std::numeric_limits<Real>::infinity();
+        continue;
+      }
       if (left_ > 0.5 * left_before) {
         allow_rounding();
         break;
@@ -174,15 +180,21 @@ class ConstrainedSolve {
   }
 
   /// What points that depend on each other leave where they contradict each other, over the motion, or over what the forces would move the
-  /// stiffest cover by: where they cancel nothing moves, and any gap would be large beside that.
+  /// stiffest cover by: where they cancel nothing moves, and any gap would be large beside that. And what springs have to go by multipliers
+  /// found since, over the motion, which may be theirs alone.
   Real gap_over_motion() {
-    if (!system_.constraints.any_held) return 0;
-    const Real gap = largest_gap(system_.springs, x_, prescribed_);
+    const Constraints& c = system_.constraints;
+    if (!c.any_tied) return 0;
+    const auto gap_of = [&](bool held) {
+      return largest_gap(system_.springs, held, c.spring_factor, x_, prescribed_);
+    };
+    const Real held = gap_of(true), pulled = gap_of(false);
+    if (!(held > 0) && !(pulled > 0)) return 0;
     const Real diagonal = system_.largest_diagonal,
-               least = diagonal > 0 ? options_.pcg.reference / diagonal : 0;
-    return gap > 0 ? gap / std::max({largest_motion(system_, x_, base_), largest_entry(prescribed_),
-                                     least})
-                   : 0;
+               least = diagonal > 0 ? options_.pcg.reference / diagonal : 0,
+               motion = std::max(largest_motion(system_, x_, base_), largest_entry(prescribed_));
+    return std::max(held > 0 ? held / std::max(motion, least) : 0,
+                    pulled > 0 ? pulled / motion : 0);
   }
 
   ConstrainedSystem& system_;

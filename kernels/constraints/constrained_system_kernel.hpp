@@ -64,7 +64,7 @@ void apply_matrix(const ConstrainedSystem& system, const Field& x, const Field& 
 /// With points held and stiff springs as soft as levels and factors know them: regular without conditions.
 void apply_known(const ConstrainedSystem& system, const Field& x, const Field& y);
 
-/// Chooses α, β, γ.
+/// Chooses the shares of stiffness, mass and springs.
 void set_combination(ConstrainedSystem& system, const Combination& c, Real spring_factor);
 
 /// The inverted diagonal blocks of the matrix as it is, [U], with springs as they are known or without: found where they are not there.

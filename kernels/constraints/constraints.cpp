@@ -330,9 +330,8 @@ void close_gaps(Constraints& c, const Field& prescribed, const Field& x) {
     device::for_each(
         "rockfold::solve::pulls", s.points.count, KOKKOS_LAMBDA(const Index n) {
           for (int d = 0; d < 3; ++d) {
-            const Real stretch =
-                s.held(n, d) > 0 ? 0 : s.multiplier(n, d) / (factor * s.stiffness(n, d));
-            value(n, d) = s.tied(n, d) > 0 ? unknown(n, d) * (prescribed(n, d) + stretch -
+            value(n, d) = s.tied(n, d) > 0 ? unknown(n, d) * (prescribed(n, d) +
+                                                              stretch_of_tied(s, n, d, factor) -
                                                               interpolate_one(s.points, n, d, x))
                                            : 0;
           }

@@ -64,14 +64,16 @@ void add_spring_load(const Springs& springs, const Field& prescribed, const Fiel
   scatter(springs, 1, springs.force, b);
 }
 
-Real largest_gap(const Springs& springs, const Field& x, const Field& prescribed) {
+Real largest_gap(const Springs& springs, bool held, Real factor, const Field& x,
+                 const Field& prescribed) {
   const Springs s = springs;
   return device::largest(
       "rockfold::solve::largest_gap", s.points.count, KOKKOS_LAMBDA(const Index n) {
         Real worst = 0;
         for (int d = 0; d < 3; ++d) {
-          if (!(s.held(n, d) > 0)) continue;
-          const Real gap = interpolate_one(s.points, n, d, x) - prescribed(n, d);
+          if (!(s.tied(n, d) > 0) || (s.held(n, d) > 0) != held) continue;
+          const Real gap = prescribed(n, d) + stretch_of_tied(s, n, d, factor) -
+                           interpolate_one(s.points, n, d, x);
           worst = device::math::fmax(worst, s.motion_ratio(n) * device::math::fabs(gap));
         }
         return worst;

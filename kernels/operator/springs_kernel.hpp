@@ -33,8 +33,14 @@ void apply_springs(const Springs& springs, const Field& stiffness, Real factor, 
 /// b += Nᵀ k u*, u* = prescribed(n, d), of springs that are not tied.
 void add_spring_load(const Springs& springs, const Field& prescribed, const Field& b);
 
-/// The largest motion_ratio · |N x − prescribed| of points held, m.
-Real largest_gap(const Springs& springs, const Field& x, const Field& prescribed);
+/// m: by what its multiplier stretches the spring of a tied point, which has `factor` of its stiffness; a point held has none.
+KOKKOS_INLINE_FUNCTION Real stretch_of_tied(const Springs& s, Index n, int d, Real factor) {
+  return s.held(n, d) > 0 ? 0 : s.multiplier(n, d) / (factor * s.stiffness(n, d));
+}
+
+/// The largest motion_ratio · |prescribed + stretch − N x|, m, of points held, or of those that springs of `factor` of their stiffness tie.
+Real largest_gap(const Springs& springs, bool held, Real factor, const Field& x,
+                 const Field& prescribed);
 
 /// reaction(n, d): the force of each point on the rock, N: −λ where it is tied, else k (prescribed − N x).
 void spring_reactions(const Springs& springs, const Field& x, const Field& prescribed,

@@ -2,7 +2,7 @@
 //
 // The thesis solves (K + 4M/Δt²) Δd = F + M (4v/Δt + a) with K d carried along in F. Here the whole residual of the predicted
 // motion stands on the right in every step,
-//   (M/(βΔt²) + γ/(βΔt) C + K) x = F − M a' − C v' − f(d'),  d' = d + Δt v + Δt²/2 a,  v' = v + Δt a,  a' = a,
+//   (M/(βΔt²) + γ/(βΔt) C + K) x = F − M a' − C v' − f(d'),  d', v', a' those of predict.cpp,
 // so that no error of one step's solution drifts into the next; x corrects d' (step.cpp). With β = 1/4, γ = 1/2 this is the
 // thesis' scheme (average acceleration). Of other schemes the first acceleration follows from the balance with the matrix of the steps
 // (start.cpp). C = αM + βK (Rayleigh) and the dashpots of quiet boundaries.

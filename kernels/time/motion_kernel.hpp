@@ -102,7 +102,7 @@ namespace motion {
 /// [unknowns] the functions that move everything by v.
 std::vector<Vec3> uniform_field(Index unknowns, Index covers, const Vec3& v);
 
-/// Chooses α, β of αK + βM, the factor of the dashpots, and that of the springs.
+/// Chooses the matrix: `c` of stiffness and mass, and the factors of dashpots and springs.
 void set_matrix(Motion::Data& m, const solve::Combination& c, Real dashpots, Real springs);
 /// The loads that change and the targets of the supports, at t.
 void set_time(Motion::Data& m, Real t);

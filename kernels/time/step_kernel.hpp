@@ -52,7 +52,7 @@ void end_contact(Motion::Data& m, const Step& step);
 
 // predict.cpp
 
-/// d', v', a' in free flight, or where the step is too long for it with d' = d.
+/// d', v', a' of rock that goes on as it moves, or falls.
 void predict(Motion::Data& m, Real dt);
 
 // residual.cpp

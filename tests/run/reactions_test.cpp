@@ -55,6 +55,44 @@ TEST(Reactions, HaveTheMomentsOfTheForcesWhereTheRockIs) {
   EXPECT_LE(norm(moment + cross(centre, weight)), 1e-4 * norm(cross(centre, weight)));
 }
 
+/// A cube of 2 t under 5 m/s² on springs, which alone resist: at rest, and kept there by one step of any length.
+TEST(Springs, StretchByWhatTheyCarryHoweverLittleResistsBesideThem) {
+  for (const Real stiffness : {1e5, 1e8, 1e12})
+    for (const Real dt : {0.01, 250.0}) {
+      const RunResult run =
+          run_model(box({1, 1, 1}, {5, 0, 0},
+                        fmt::format("[cover]\nlattice = 'block'\norder = 0\n"
+                                    "[[fixed]]\nwhere = {{face = 'r.xmin'}}\nstiffness = {}\n"
+                                    "[[monitor]]\npoint = [0.5, 0.5, 0.5]\n"
+                                    "[analysis]\nkinematics = 'small'\n[[step]]\ntype = 'static'\n"
+                                    "[[step]]\ntype = 'dynamic'\ntime_step = {}\nsteps = 1\n",
+                                    stiffness, dt)))
+              .result;
+      const Real force = 5 * 2000, way = force / stiffness;
+      for (const Vec3& u : {run.monitors[0].displacement[1], run.monitors[0].displacement[2]})
+        EXPECT_NEAR(u[0] / way, 1, 1e-8) << stiffness << ' ' << dt;
+      EXPECT_NEAR(run.energy.supports / (-0.5 * force * way), 1, 1e-8) << stiffness << ' ' << dt;
+    }
+}
+
+/// Let go at once, whatever the scheme: springs store ½ k u², and what the scheme takes is `numerical`.
+TEST(Springs, StoreWhatTheyAreStretchedByInTheFirstStepToo) {
+  for (const char* newmark :
+       {"{beta = 0.25, gamma = 0.5}", "{beta = 0.5, gamma = 1}", "{beta = 0.3025, gamma = 0.6}"}) {
+    const RunResult run =
+        run_model(box({1, 1, 1}, {5, 0, 0},
+                      fmt::format("[cover]\nlattice = 'block'\norder = 0\n"
+                                  "[[fixed]]\nwhere = {{face = 'r.xmin'}}\nstiffness = 1e5\n"
+                                  "[[monitor]]\npoint = [0.5, 0.5, 0.5]\n"
+                                  "[analysis]\ntype = 'dynamic'\nkinematics = 'small'\n"
+                                  "time_step = 0.0625\nsteps = 1\nnewmark = {}\n",
+                                  newmark)))
+            .result;
+    const Real u = run.monitors[0].displacement[1][0];
+    EXPECT_NEAR(run.energy.supports / (-0.5 * 1e5 * u * u), 1, 1e-9) << newmark;
+  }
+}
+
 TEST(Supports, AtRestOnlyTakeEnergyFromRockThatIsThrown) {
   for (const char* kinematics : {"small", "large"})
     for (const Real dt : {1e-4, 1e-3, 1e-2}) {
