@@ -107,6 +107,7 @@ SparseCholesky::SparseCholesky(const std::vector<Index>& begin, const std::vecto
   for (Index k = 0; k < rows; ++k)
     for (Index i = reach(k, begin, column); i < rows; ++i) ++start_[reached_[i] + 1];
   for (Index k = 0; k < rows; ++k) start_[k + 1] += start_[k];
+  find_supernodes();
   row_.resize(start_[rows]);
   entry_.resize(start_[rows]);
 }
@@ -153,27 +154,87 @@ void SparseCholesky::factorise(const std::vector<Index>& begin, const std::vecto
   }
 }
 
+void SparseCholesky::find_supernodes() {
+  const Index rows = static_cast<Index>(order_.size());
+  const auto below = [&](Index k) { return start_[k + 1] - start_[k]; };
+  std::size_t most = 0;
+  first_ = {0};
+  for (Index k = 0; k < rows; ++k) {
+    most = std::max(most, below(k));
+    const bool goes_on = k + 1 < rows && parent_[k] == k + 1 && below(k) == below(k + 1) + 1;
+    if (!goes_on) first_.push_back(k + 1);
+  }
+  below_.assign(3 * most, 0);
+}
+
+namespace {
+
+/// x · y in four sums, which is how it is as fast as a processor adds.
+Real dot(const Real* x, const Real* y, std::size_t n) {
+  Real sum[4] = {0, 0, 0, 0};
+  std::size_t i = 0;
+  for (; i + 4 <= n; i += 4)
+    for (int k = 0; k < 4; ++k) sum[k] += x[i + k] * y[i + k];
+  for (; i < n; ++i) sum[0] += x[i] * y[i];
+  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+/// y −= a x.
+void take_off(Real a, const Real* x, Real* y, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) y[i] -= a * x[i];
+}
+
+}  // namespace
+
+template <int Columns>
+void SparseCholesky::eliminate(std::size_t node, Real* const* x) const {
+  const Index from = first_[node], to = first_[node + 1];
+  const std::size_t most = below_.size() / 3, low = start_[to] - start_[to - 1];
+  const Index* rows = row_.data() + start_[to - 1];
+  Real* const below = below_.data();
+  for (int c = 0; c < Columns; ++c) std::fill_n(below + c * most, low, 0.0);
+  for (Index k = from; k < to; ++k) {
+    const Real* entry = entry_.data() + start_[k];
+    const std::size_t beside = to - 1 - k;
+    for (int c = 0; c < Columns; ++c) {
+      const Real y = x[c][k] *= inverse_[k];
+      take_off(y, entry, x[c] + k + 1, beside);
+      take_off(y, entry + beside, below + c * most, low);
+    }
+  }
+  for (std::size_t i = 0; i < low; ++i)
+    for (int c = 0; c < Columns; ++c) x[c][rows[i]] += below[c * most + i];
+}
+
+template <int Columns>
+void SparseCholesky::substitute(std::size_t node, Real* const* x) const {
+  const Index from = first_[node], to = first_[node + 1];
+  const std::size_t most = below_.size() / 3, low = start_[to] - start_[to - 1];
+  const Index* rows = row_.data() + start_[to - 1];
+  Real* const below = below_.data();
+  for (std::size_t i = 0; i < low; ++i)
+    for (int c = 0; c < Columns; ++c) below[c * most + i] = x[c][rows[i]];
+  for (Index k = to; k-- > from;) {
+    const Real* entry = entry_.data() + start_[k];
+    const std::size_t beside = to - 1 - k;
+    for (int c = 0; c < Columns; ++c)
+      x[c][k] = inverse_[k] * (x[c][k] - dot(entry, x[c] + k + 1, beside) -
+                               dot(entry + beside, below + c * most, low));
+  }
+}
+
 template <int Columns>
 void SparseCholesky::solve_columns(Real* const* r) const {
-  const std::size_t rows = order_.size();
-  Real* const x = work_.data();
-  const auto at = [=](std::size_t k) { return x + Columns * k; };
-  for (std::size_t k = 0; k < rows; ++k)
-    for (int c = 0; c < Columns; ++c) at(k)[c] = r[c][order_[k]];
-  for (std::size_t k = 0; k < rows; ++k) {
-    Real y[Columns];
-    for (int c = 0; c < Columns; ++c) y[c] = at(k)[c] *= inverse_[k];
-    for (std::size_t p = start_[k]; p < start_[k + 1]; ++p)
-      for (int c = 0; c < Columns; ++c) at(row_[p])[c] -= entry_[p] * y[c];
+  const std::size_t rows = order_.size(), nodes = first_.size() - 1;
+  Real* x[Columns];
+  for (int c = 0; c < Columns; ++c) {
+    x[c] = work_.data() + c * rows;
+    for (std::size_t k = 0; k < rows; ++k) x[c][k] = r[c][order_[k]];
   }
-  for (std::size_t k = rows; k-- > 0;) {
-    Real sum[Columns];
-    for (int c = 0; c < Columns; ++c) sum[c] = at(k)[c];
-    for (std::size_t p = start_[k]; p < start_[k + 1]; ++p)
-      for (int c = 0; c < Columns; ++c) sum[c] -= entry_[p] * at(row_[p])[c];
-    for (int c = 0; c < Columns; ++c) r[c][order_[k]] = at(k)[c] = sum[c] * inverse_[k];
-  }
-  std::fill(work_.begin(), work_.end(), 0.0);
+  for (std::size_t node = 0; node < nodes; ++node) eliminate<Columns>(node, x);
+  for (std::size_t node = nodes; node-- > 0;) substitute<Columns>(node, x);
+  for (int c = 0; c < Columns; ++c)
+    for (std::size_t k = 0; k < rows; ++k) r[c][order_[k]] = std::exchange(x[c][k], 0);
 }
 
 void SparseCholesky::solve(Real* const* r, int columns) const {

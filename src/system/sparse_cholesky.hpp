@@ -23,17 +23,25 @@ class SparseCholesky {
  private:
   /// The columns of L in row k, as they have to be taken, into `reached`; how many.
   Index reach(Index k, const std::vector<Index>& begin, const std::vector<Index>& column);
+  void find_supernodes();
   template <int Columns>
   void solve_columns(Real* const* r) const;
+  template <int Columns>
+  void eliminate(std::size_t node, Real* const* x) const;
+  template <int Columns>
+  void substitute(std::size_t node, Real* const* x) const;
 
-  std::vector<Index> order_, place_;   ///< [rows] the row at a place, and the place of a row
-  std::vector<Index> parent_;          ///< [rows] in the elimination tree (Liu 1990), by place
-  std::vector<std::size_t> start_;     ///< [rows + 1] of each column of L below its diagonal
-  std::vector<Index> row_;             ///< of the entries of L, ascending in a column
-  std::vector<Real> entry_;            ///< likewise
-  std::vector<Real> inverse_;          ///< [rows] 1 / diagonal of L
+  std::vector<Index> order_, place_;  ///< [rows] the row at a place, and the place of a row
+  std::vector<Index> parent_;         ///< [rows] in the elimination tree (Liu 1990), by place
+  std::vector<std::size_t> start_;    ///< [rows + 1] of each column of L below its diagonal
+  std::vector<Index> row_;            ///< of the entries of L, ascending in a column
+  std::vector<Real> entry_;           ///< likewise
+  std::vector<Real> inverse_;         ///< [rows] 1 / diagonal of L
+  /// [+1] Columns from first_[s] to first_[s + 1] − 1 have the same rows below them (Liu, Ng & Peyton 1993): as dense ones, without indices.
+  std::vector<Index> first_;
   std::vector<Index> mark_, reached_;  ///< [rows] work space
-  mutable std::vector<Real> work_;     ///< [rows · 3]
+  mutable std::vector<Real> work_;     ///< [3][rows]
+  mutable std::vector<Real> below_;    ///< [3][rows below a supernode, at most]
 };
 
 }  // namespace rockfold::solve
