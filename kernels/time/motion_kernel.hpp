@@ -110,6 +110,8 @@ void set_time(Motion::Data& m, Real t);
 std::array<Real, 3> stabilisation_gains(Real beta, Real gamma);
 /// Finds how far points held go in the step that begins, of the middle rule or not: support_way.
 void stabilise_supports(const Motion::Data& m, Real dt, bool middle);
+/// N, of springs: what their stretch pulls with now, in `reaction`.
+void find_pull_of_springs(const Motion::Data& m);
 /// What is prescribed for the first acceleration: nothing at points held; others pull with what their springs are stretched by.
 void prescribe_acceleration(const Motion::Data& m);
 /// What is prescribed for the first velocity: at points held that of their tables, nothing without one; at others what they have.

@@ -65,8 +65,8 @@ void follow(Motion::Data& m, const Step& step) {
       });
 }
 
-/// stretch_before = what springs are stretched by at the step's start; at that of the first they pull as they did before it, mostly not at all:
-/// supports that are moved at once would else swing about their places for ever.
+/// stretch_before = what springs are stretched by at the step's start; at that of the first they pull as they did before it, which at the
+/// very start is not at all: supports that are moved at once would else swing about their places for ever.
 void keep_stretch(Motion::Data& m) {
   find_prescribed(m, {});
   const solve::Springs s = m.system.springs;

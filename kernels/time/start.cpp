@@ -21,21 +21,6 @@ SolveReport catch_up_with_supports(Motion::Data& m, Real dt) {
   return report;
 }
 
-/// What supports do at the start: springs pull by how far they are stretched, points held take what keeps them from accelerating.
-void find_reactions(const Motion::Data& m) {
-  const solve::Springs s = m.system.springs;
-  if (!s.any()) return;
-  solve::spring_reactions(s, m.now.acceleration, m.prescribed, m.now.reaction);
-  const auto d = m.now.displacement, reaction = m.now.reaction;
-  device::for_each(
-      "rockfold::motion::pull_of_springs", s.points.count, KOKKOS_LAMBDA(const Index n) {
-        for (int i = 0; i < 3; ++i)
-          if (!(s.held(n, i) > 0))
-            reaction(n, i) =
-                s.stiffness(n, i) * (s.target(n, i) - solve::interpolate_one(s.points, n, i, d));
-      });
-}
-
 /// From (M + γΔt C + βΔt² K) a = F − C v − f(d). The matrix is that of the steps: what follows from it leaves functions at rest that steps
 /// leave, those that move no rock, and those of slivers, which have stiffness and next to no mass. Slow modes are changed by β(ωΔt)², as the
 /// scheme changes them.
@@ -49,7 +34,9 @@ SolveReport find_acceleration(Motion::Data& m, Real dt) {
   prescribe_acceleration(m);
   const SolveReport report = solve::solve_constrained(
       m.system, m.right, m.prescribed, m.now.acceleration, Field(), solve_options(m, reference));
-  find_reactions(m);
+  if (m.system.springs.any())
+    solve::spring_reactions(m.system.springs, m.now.acceleration, m.prescribed, m.now.reaction);
+  find_pull_of_springs(m);
   return report;
 }
 

@@ -363,6 +363,7 @@ void begin_stage(Motion::Data& m, Real dynamic_ratio) {
     Kokkos::deep_copy(m.now.velocity, 0.0);
     Kokkos::deep_copy(m.now.acceleration, 0.0);
   }
+  find_pull_of_springs(m);  // the last step left its mean
   m.now.dynamic_ratio = dynamic_ratio;
   m.now.steps = 0;
   m.now.begins_with_factors = 0;

@@ -97,6 +97,18 @@ void stabilise_supports(const Motion::Data& m, Real dt, bool middle) {
       });
 }
 
+void find_pull_of_springs(const Motion::Data& m) {
+  const solve::Springs s = m.system.springs;
+  const auto d = m.now.displacement, reaction = m.now.reaction;
+  device::for_each(
+      "rockfold::motion::pull_of_springs", s.points.count, KOKKOS_LAMBDA(const Index n) {
+        for (int i = 0; i < 3; ++i)
+          if (!(s.held(n, i) > 0))
+            reaction(n, i) =
+                s.stiffness(n, i) * (s.target(n, i) - solve::interpolate_one(s.points, n, i, d));
+      });
+}
+
 void prescribe_acceleration(const Motion::Data& m) {
   const solve::Springs s = m.system.springs;
   const Real factor = m.system.spring_factor;

@@ -93,6 +93,30 @@ TEST(Springs, StoreWhatTheyAreStretchedByInTheFirstStepToo) {
   }
 }
 
+/// A swinging cube whose analysis is divided in two, and one whose is not.
+TEST(Springs, PullInASecondAnalysisAsTheyDidAtTheEndOfTheFirst) {
+  const auto swing = [](const char* kinematics, const char* steps) {
+    return run_model(box({1, 1, 1}, {5, 0, 0},
+                         fmt::format("[cover]\nlattice = 'hex8'\nspacing = 0.5\n"
+                                     "[[fixed]]\nwhere = {{face = 'r.xmin'}}\nstiffness = 1e5\n"
+                                     "[[monitor]]\npoint = [0.5, 0.5, 0.5]\n"
+                                     "[analysis]\nkinematics = '{}'\ntime_step = 0.05\n{}",
+                                     kinematics, steps)))
+        .result;
+  };
+  for (const char* kinematics : {"small", "large"}) {
+    const RunResult once = swing(kinematics, "type = 'dynamic'\nsteps = 10\n"),
+                    twice = swing(kinematics,
+                                  "[[step]]\ntype = 'dynamic'\nsteps = 7\n"
+                                  "[[step]]\ntype = 'dynamic'\nsteps = 3\n");
+    for (std::size_t step = 0; step <= 10; ++step)
+      EXPECT_NEAR(twice.monitors[0].displacement[step][0], once.monitors[0].displacement[step][0],
+                  1e-9)
+          << kinematics << ' ' << step;
+    EXPECT_NEAR(twice.energy.supports / once.energy.supports, 1, 1e-7) << kinematics;
+  }
+}
+
 TEST(Supports, AtRestOnlyTakeEnergyFromRockThatIsThrown) {
   for (const char* kinematics : {"small", "large"})
     for (const Real dt : {1e-4, 1e-3, 1e-2}) {
