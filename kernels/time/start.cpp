@@ -43,9 +43,10 @@ SolveReport find_acceleration(Motion::Data& m, Real dt) {
 SolveReport set_in_motion(Motion::Data& m, Real dt) {
   SolveReport report = catch_up_with_supports(m, dt);
   if (!report.converged) return report;
-  if (!m.average())
+  // An analysis that goes on from another one's motion has its acceleration, in balance.
+  if (!m.average() && solve::largest_entry(m.now.acceleration) == 0)
     report.add(find_acceleration(m, dt));
-  else if (!m.system.springs.any())
+  else if (m.average() && !m.system.springs.any())
     device::copy_to_device(uniform_field(m.unknowns, m.covers, free_fall(m, 0)),
                            m.now.acceleration);
   return report;

@@ -95,25 +95,26 @@ TEST(Springs, StoreWhatTheyAreStretchedByInTheFirstStepToo) {
 
 /// A swinging cube whose analysis is divided in two, and one whose is not.
 TEST(Springs, PullInASecondAnalysisAsTheyDidAtTheEndOfTheFirst) {
-  const auto swing = [](const char* kinematics, const char* steps) {
+  const auto swing = [](const char* motion, const char* steps) {
     return run_model(box({1, 1, 1}, {5, 0, 0},
                          fmt::format("[cover]\nlattice = 'hex8'\nspacing = 0.5\n"
                                      "[[fixed]]\nwhere = {{face = 'r.xmin'}}\nstiffness = 1e5\n"
                                      "[[monitor]]\npoint = [0.5, 0.5, 0.5]\n"
-                                     "[analysis]\nkinematics = '{}'\ntime_step = 0.05\n{}",
-                                     kinematics, steps)))
+                                     "[analysis]\n{}\ntime_step = 0.05\n{}",
+                                     motion, steps)))
         .result;
   };
-  for (const char* kinematics : {"small", "large"}) {
-    const RunResult once = swing(kinematics, "type = 'dynamic'\nsteps = 10\n"),
-                    twice = swing(kinematics,
+  for (const char* motion : {"kinematics = 'small'", "kinematics = 'large'",
+                             "kinematics = 'small'\nnewmark = {beta = 0.3025, gamma = 0.6}"}) {
+    const RunResult once = swing(motion, "type = 'dynamic'\nsteps = 10\n"),
+                    twice = swing(motion,
                                   "[[step]]\ntype = 'dynamic'\nsteps = 7\n"
                                   "[[step]]\ntype = 'dynamic'\nsteps = 3\n");
     for (std::size_t step = 0; step <= 10; ++step)
       EXPECT_NEAR(twice.monitors[0].displacement[step][0], once.monitors[0].displacement[step][0],
                   1e-9)
-          << kinematics << ' ' << step;
-    EXPECT_NEAR(twice.energy.supports / once.energy.supports, 1, 1e-7) << kinematics;
+          << motion << ' ' << step;
+    EXPECT_NEAR(twice.energy.supports / once.energy.supports, 1, 1e-7) << motion;
   }
 }
 
