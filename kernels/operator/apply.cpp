@@ -9,12 +9,6 @@
 namespace rockfold::solve {
 namespace {
 
-/// αK + βM of one coupling.
-KOKKOS_INLINE_FUNCTION void combine(const Combination& c, const Real* entry, Real* block) {
-  for (int k = 0; k < 9; ++k) block[k] = c.stiffness * entry[k];
-  for (int d = 0; d < 3; ++d) block[4 * d] += c.mass * entry[9];
-}
-
 /// Where function `l` of cover p stands, and those after it.
 [[maybe_unused]] KOKKOS_INLINE_FUNCTION Components components(const Field& x, Index unknown) {
   return {{&x(unknown, 0), &x(unknown, 1), &x(unknown, 2)}};
@@ -34,7 +28,7 @@ void apply_run_of_one(const DeviceStencil& stencil, Index run, const Combination
   const Index* q = &stencil.neighbour(stencil.neighbour_begin(run));
   for (Index o = 1; o < offsets; o += 2, q += 2) {
     Real block[9];
-    combine(c, table + entry_size * o, block);
+    for (int m = 0; m < 9; ++m) block[m] = c.entry(table + entry_size * o, m);
     stencil_add(length, block, own, components(x, q[0]), components(x, q[1]), out);
   }
 }
@@ -54,7 +48,8 @@ void apply_run(const DeviceStencil& stencil, Index run, const Combination& c, In
     Index term = 0;
     for (int l = 0; l < n; ++l)
       for (Index o = l == 0 ? 1 : 0; o < offsets; ++o, ++term) {
-        combine(c, table + stencil.entry(offsets, k, o, l), block + 9 * term);
+        for (int m = 0; m < 9; ++m)
+          block[9 * term + m] = c.entry(table + stencil.entry(offsets, k, o, l), m);
         at[term] = components(x, l * covers + (o == 0 ? first : q[o - 1]));
       }
     const Index row = k * covers + first;
@@ -240,11 +235,10 @@ void diagonal_blocks(const Operator& op, const Combination& c, const Blocks& d) 
         const int at[6] = {0, 4, 8, 1, 5, 2};
         const Index offsets = stencil.run_offsets(run);
         for (int k = 0; k < n; ++k) {
-          Real combined[9];
-          combine(c, stencil.of_run(run) + stencil.entry(offsets, k, 0, k), combined);
+          const Real* own = stencil.of_run(run) + stencil.entry(offsets, k, 0, k);
           for (Index i = 0; i < stencil.length(run); ++i)
             for (int m = 0; m < 6; ++m)
-              d(k * covers + stencil.first(run) + stencil.stride * i, m) = combined[at[m]];
+              d(k * covers + stencil.first(run) + stencil.stride * i, m) = c.entry(own, at[m]);
         }
       });
   device::for_each(
@@ -255,8 +249,7 @@ void diagonal_blocks(const Operator& op, const Combination& c, const Blocks& d) 
         for (int k = 0; k < n; ++k) {
           const Real* v = block.diagonals(slot / slice_lanes, k, k) + slot % slice_lanes;
           for (int m = 0; m < 6; ++m)
-            d(k * covers + p, m) =
-                c.stiffness * v[at[m] * slice_lanes] + (m < 3 ? c.mass * v[9 * slice_lanes] : 0);
+            d(k * covers + p, m) = c.entry(v, at[m], slice_lanes);
         }
       });
 }

@@ -21,6 +21,11 @@ inline constexpr int slice_lanes = device::on_gpu ? 32 : simd_lanes;
 /// y = (stiffness · K + mass · M) x.
 struct Combination {
   Real stiffness = 0, mass = 0;
+
+  /// Entry k = 3i + j of the block of a coupling v, whose entry_size values stand `step` apart.
+  KOKKOS_INLINE_FUNCTION Real entry(const Real* v, int k, int step = 1) const {
+    return stiffness * v[k * step] + (k % 4 == 0 ? mass * v[9 * step] : 0);
+  }
 };
 
 /// Stencil rows. For each material and node class a table of couplings: with the offsets 0, +1, −1, +2, −2, … of the class,

@@ -59,8 +59,7 @@ struct OperatorRows {
     const int width = 3 * functions;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
-        a[(3 * l + j) * width + 3 * k + i] =
-            c.stiffness * v[(3 * i + j) * lanes] + (i == j ? c.mass * v[9 * lanes] : 0);
+        a[(3 * l + j) * width + 3 * k + i] = c.entry(v, 3 * i + j, lanes);
   }
 };
 

@@ -23,8 +23,7 @@ KOKKOS_INLINE_FUNCTION void own_matrix(const DeviceBlocks& block, const DeviceSt
       }
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-          a[(3 * k + i) * width + 3 * l + j] =
-              c.stiffness * v[(3 * i + j) * step] + (i == j ? c.mass * v[9 * step] : 0);
+          a[(3 * k + i) * width + 3 * l + j] = c.entry(v, 3 * i + j, step);
     }
 }
 

@@ -24,9 +24,8 @@ SingleStencil combined_stencils(const DeviceStencil& from, const Combination& c,
     const Real* of = &values[begin[t]];
     for (Index o = 1; o < offsets; ++o)
       for (int k = 0; k < 9; ++k) {
-        const Real* entry = of + from.entry(offsets, 0, o, 0);
-        table.push_back(static_cast<float>(
-            (c.stiffness * entry[k] + (k % 4 == 0 ? c.mass * entry[9] : 0)) / scale));
+        table.push_back(
+            static_cast<float>(c.entry(of + from.entry(offsets, 0, o, 0), k) / scale));
       }
     table.push_back(static_cast<float>(c.mass * of[from.row_mass(offsets, 0)] / scale));
   }
@@ -66,11 +65,9 @@ SingleBlocks combined_blocks(const DeviceBlocks& from, const Combination& c, Rea
                           static_cast<std::size_t>(k - begin) * entry_size * slice_lanes + lane;
           float* to =
               block.values(slice) + static_cast<std::size_t>(k - begin) * 9 * slice_lanes + lane;
-          const Real m = v[9 * slice_lanes];
-          sum += m;
+          sum += v[9 * slice_lanes];
           for (int j = 0; owns && j < 9; ++j)
-            to[j * slice_lanes] = static_cast<float>(
-                (c.stiffness * v[j * slice_lanes] + (j % 4 == 0 ? c.mass * m : 0)) / scale);
+            to[j * slice_lanes] = static_cast<float>(c.entry(v, j, slice_lanes) / scale);
         }
         for (int d = 0; d < 3; ++d)
           block.own(3 * static_cast<std::size_t>(slot) + d) =
