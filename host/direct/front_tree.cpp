@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
+#include "host/direct/order.hpp"
 
 namespace rockfold::host {
 namespace {
@@ -13,21 +12,10 @@ namespace {
 constexpr double most_zeros = 0.15;
 /// Fronts narrower than this (unknowns) take in any child that comes right before them.
 constexpr Index narrow = 24;
-
-/// The places of rows in an order of little fill.
-std::vector<Index> order_rows(const BlockMatrix& a) {
-  using Pattern = Eigen::SparseMatrix<Real, Eigen::ColMajor, Index>;
-  const Index n = a.rows();
-  const std::vector<Real> ones(a.column.size(), 1);
-  const Eigen::Map<const Pattern> pattern(n, n, static_cast<Index>(a.column.size()), a.begin.data(),
-                                          a.column.data(), ones.data());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index> order;
-  Eigen::AMDOrdering<Index>()(Pattern(pattern).selfadjointView<Eigen::Upper>(), order);
-  // order.indices()[k]: the row that is eliminated as the k-th
-  std::vector<Index> place(n);
-  for (Index k = 0; k < n; ++k) place[order.indices()[k]] = k;
-  return place;
-}
+/// Of all operations: what a subtree has at most, so that threads that do not take part in the last ones wait for little.
+constexpr double largest_subtree = 1.0 / 32;
+/// Operations a row that take as long as to look for a second order: 10 µs.
+constexpr double worth_dissecting = 1e5;
 
 /// Rows in the order, and for each the columns before it.
 struct Lower {
@@ -175,34 +163,93 @@ void find_children(FrontTree& tree) {
     if (tree.parent[f] != none) tree.child[at[tree.parent[f]]++] = f;
 }
 
-void count_work(FrontTree& tree, double width) {
-  std::vector<double> waits(tree.fronts(), 0);  // what children have left for a front
-  double waiting = 0;
+/// Where each row that a front hands on stands among its parent's.
+void find_in_parent(FrontTree& tree) {
+  tree.in_parent.assign(tree.row.size(), none);
   for (Index f = 0; f < tree.fronts(); ++f) {
-    const double own = width * (tree.first[f + 1] - tree.first[f]);
-    const double rows = width * (tree.begin[f + 1] - tree.begin[f]), left = rows - own;
-    tree.entries += own * rows;
-    tree.operations += own * own * own / 6 + own * own * left / 2 + own * left * left / 2;
-    tree.most_at_once = std::max(tree.most_at_once, waiting + rows * rows);
-    waiting += left * left - waits[f];
-    if (tree.parent[f] != none) waits[tree.parent[f]] += left * left;
+    if (tree.parent[f] == none) continue;
+    Index at = tree.begin[tree.parent[f]];
+    for (Index m = tree.handed_on(f); m < tree.begin[f + 1]; ++m) {
+      while (tree.row[at] < tree.row[m]) ++at;
+      tree.in_parent[m] = at - tree.begin[tree.parent[f]];
+    }
   }
 }
 
-}  // namespace
+double operations_of(const FrontTree& tree, Index f, double width) {
+  const double own = width * (tree.first[f + 1] - tree.first[f]);
+  const double left = width * (tree.begin[f + 1] - tree.begin[f]) - own;
+  return own * own * own / 6 + own * own * left / 2 + own * left * left / 2;
+}
 
-FrontTree make_front_tree(const BlockMatrix& a) {
+/// Divides the tree into subtrees, the heaviest first, and what is above them.
+void find_subtrees(FrontTree& tree, double width) {
+  const Index n = tree.fronts();
+  std::vector<double> below(n, 0);  // operations of a front and those below it
+  std::vector<Index> first(n);      // of those
+  for (Index f = 0; f < n; ++f) {
+    const Index children = tree.child_begin[f];
+    first[f] = children < tree.child_begin[f + 1] ? first[tree.child[children]] : f;
+    below[f] += operations_of(tree, f, width);
+    tree.operations += operations_of(tree, f, width);
+    if (tree.parent[f] != none) below[tree.parent[f]] += below[f];
+  }
+  std::vector<std::uint8_t> above(n, 0);
+  for (Index f = n; f-- > 0;) {
+    if (tree.parent[f] != none && above[tree.parent[f]] == 0) continue;
+    above[f] = below[f] > largest_subtree * tree.operations ? 1 : 0;
+    if (above[f] != 0)
+      tree.top.push_back(f);
+    else
+      tree.subtree.push_back({first[f], f + 1});
+  }
+  std::reverse(tree.top.begin(), tree.top.end());
+  std::stable_sort(tree.subtree.begin(), tree.subtree.end(),
+                   [&](const auto& s, const auto& t) { return below[s[1] - 1] > below[t[1] - 1]; });
+}
+
+/// Subtrees as if one came after the other: several at once take more, but what they leave is what counts.
+void count_memory(FrontTree& tree, double width) {
+  std::vector<double> waits(tree.fronts(), 0);  // what children have left for a front
+  double waiting = 0;
+  const auto count = [&](Index f) {
+    const double own = width * (tree.first[f + 1] - tree.first[f]);
+    const double rows = width * (tree.begin[f + 1] - tree.begin[f]), left = rows - own;
+    tree.entries += own * rows;
+    tree.most_at_once = std::max(tree.most_at_once, waiting + rows * rows);
+    waiting += left * left - waits[f];
+    if (tree.parent[f] != none) waits[tree.parent[f]] += left * left;
+  };
+  for (const auto& [from, to] : tree.subtree)
+    for (Index f = from; f < to; ++f) count(f);
+  for (const Index f : tree.top) count(f);
+}
+
+FrontTree tree_in_order(const BlockMatrix& a, std::vector<Index> place) {
   FrontTree tree;
-  tree.place = order_rows(a);
+  tree.place = std::move(place);
   const std::vector<Index> after = postorder(elimination_tree(lower_half(a, tree.place)));
-  for (Index& place : tree.place) place = after[place];
+  for (Index& at : tree.place) at = after[at];
   const Lower half = lower_half(a, tree.place);
   const std::vector<Index> parent = elimination_tree(half);
   tree.first = join_columns(parent, column_counts(half, parent), a.width);
   find_rows(tree, half);
   find_children(tree);
-  count_work(tree, a.width);
+  find_in_parent(tree);
+  find_subtrees(tree, a.width);
+  count_memory(tree, a.width);
   return tree;
+}
+
+}  // namespace
+
+FrontTree make_front_tree(const BlockMatrix& a) {
+  FrontTree by_degree = tree_in_order(a, order_by_degree(a));
+  if (by_degree.operations < worth_dissecting * a.rows()) return by_degree;
+  std::vector<Index> place = order_by_dissection(a);
+  if (place.empty()) return by_degree;
+  FrontTree by_dissection = tree_in_order(a, std::move(place));
+  return by_dissection.operations < by_degree.operations ? by_dissection : by_degree;
 }
 
 }  // namespace rockfold::host

@@ -5,8 +5,10 @@
 
 #include <Eigen/Dense>
 
+#include "host/direct/dense.hpp"
 #include "host/direct/front_tree.hpp"
 #include "host/direct/pivoted_cholesky.hpp"
+#include "host/parallel.hpp"
 #include "src/base/interrupt.hpp"
 
 namespace rockfold::host {
@@ -14,6 +16,9 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
+
+/// Entries that take longer to go through than other threads take to start.
+constexpr double worthwhile = 1e5;
 
 /// Of a front's own unknowns those that get an answer, in the order of their pivots; L of them, and of the rows below.
 struct Factor {
@@ -29,12 +34,17 @@ class Multifrontal : public DirectSolver {
   double operations() const override { return tree_.operations; }
   double entries() const override { return tree_.entries; }
   bool factorise(const BlockMatrix& a, Real least_pivot) override;
-  void solve(std::vector<Real>& r) const override;
+  void solve(std::vector<Real>& r) override;
 
  private:
   void find_scale(const BlockMatrix& a);
   Matrix assemble(const BlockMatrix& a, Index f, std::vector<Matrix>& left);
+  void add_what_child_left(Index child, const Matrix& left, Matrix& front) const;
   Matrix eliminate(Matrix& front, Index f, Real least_pivot);
+  template <class F>
+  void for_each_front(const F& f) const;
+  void forward(Index f);
+  void backward(Index f);
   Index own(Index f) const { return width_ * (tree_.first[f + 1] - tree_.first[f]); }
   Index rows(Index f) const { return width_ * (tree_.begin[f + 1] - tree_.begin[f]); }
 
@@ -44,6 +54,9 @@ class Multifrontal : public DirectSolver {
   std::vector<Index> row_at_;   // [P] the row of the matrix at each place
   std::vector<Real> scale_;     // [P · width] in the order: 1 / √diagonal, 0: no answer
   std::vector<Factor> factor_;  // [F]
+  Vector x_;                    // [P · width] in the order
+  Vector
+      part_;  // [row · width] of each front: its answers in the order of pivots, and what it hands on
 };
 
 void Multifrontal::find_scale(const BlockMatrix& a) {
@@ -83,18 +96,21 @@ Matrix Multifrontal::assemble(const BlockMatrix& a, Index f, std::vector<Matrix>
     }
   }
   for (Index c = tree_.child_begin[f]; c < tree_.child_begin[f + 1]; ++c) {
-    const Index child = tree_.child[c];
-    const Index from = tree_.begin[child] + tree_.first[child + 1] - tree_.first[child];
-    const Index blocks = tree_.begin[child + 1] - from;
-    std::vector<Index> to(blocks);
-    for (Index i = 0; i < blocks; ++i) to[i] = local(row[from + i]);
-    Matrix& s = left[child];
-    for (Index j = 0; j < blocks; ++j)
-      for (Index i = j; i < blocks; ++i)
-        front.block(to[i], to[j], w, w) += s.block(w * i, w * j, w, w);
-    s.resize(0, 0);
+    add_what_child_left(tree_.child[c], left[tree_.child[c]], front);
+    left[tree_.child[c]].resize(0, 0);
   }
   return front;
+}
+
+void Multifrontal::add_what_child_left(Index child, const Matrix& left, Matrix& front) const {
+  const int w = width_;
+  const Index* to = tree_.in_parent.data() + tree_.handed_on(child);
+  const Index blocks = tree_.begin[child + 1] - tree_.handed_on(child);
+  const auto add_column = [&](std::int64_t j) {
+    for (Index i = static_cast<Index>(j); i < blocks; ++i)
+      front.block(w * to[i], w * to[j], w, w) += left.block(w * i, w * j, w, w);
+  };
+  parallel_for(blocks, 16, add_column, static_cast<double>(left.size()) > worthwhile);
 }
 
 /// Eliminates the front's own columns. Pivots that are rounding alone stand for functions that depend on the others: they get no
@@ -111,10 +127,8 @@ Matrix Multifrontal::eliminate(Matrix& front, Index f, Real least_pivot) {
   factor.column = std::move(order);
   if (below == 0) return {};
   Matrix left = front.bottomRightCorner(below, below);
-  if (rank == 0) return left;  // Eigen divides by the depth of a product
-  factor.own.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(
-      factor.below);
-  left.selfadjointView<Eigen::Lower>().rankUpdate(factor.below, -1);
+  divide_by_transpose(below, rank, factor.own.data(), rank, factor.below.data(), below);
+  take_off_square(below, rank, factor.below.data(), below, left.data(), below);
   return left;
 }
 
@@ -123,62 +137,89 @@ bool Multifrontal::analyse(const BlockMatrix& a) {
   width_ = a.width;
   row_at_.resize(a.rows());
   for (Index i = 0; i < a.rows(); ++i) row_at_[tree_.place[i]] = i;
+  x_.resize(static_cast<Eigen::Index>(width_) * a.rows());
+  part_.resize(static_cast<Eigen::Index>(width_) * static_cast<Eigen::Index>(tree_.row.size()));
   return tree_.operations <= limits_.operations &&
          sizeof(Real) * (tree_.entries + tree_.most_at_once) <= limits_.bytes;
+}
+
+/// Subtrees side by side, then one front after the other, which threads share.
+template <class F>
+void Multifrontal::for_each_front(const F& f) const {
+  const auto in_subtree = [&](std::int64_t s) {
+    for (Index i = tree_.subtree[s][0]; i < tree_.subtree[s][1]; ++i) f(i);
+  };
+  parallel_for(static_cast<std::int64_t>(tree_.subtree.size()), 1, in_subtree,
+               tree_.entries > worthwhile);
+  for (const Index i : tree_.top) f(i);
 }
 
 bool Multifrontal::factorise(const BlockMatrix& a, Real least_pivot) {
   find_scale(a);
   factor_.assign(tree_.fronts(), {});
   std::vector<Matrix> left(tree_.fronts());
-  for (Index f = 0; f < tree_.fronts(); ++f) {
-    if (interrupt_signal) return false;
+  for_each_front([&](Index f) {
+    if (interrupt_signal) return;
     Matrix front = assemble(a, f, left);
     left[f] = eliminate(front, f, least_pivot);
-  }
-  return true;
+  });
+  return !interrupt_signal;
 }
 
-void Multifrontal::solve(std::vector<Real>& r) const {
+/// L y = x of a front's own, with what its children hand on; then what it hands on itself.
+void Multifrontal::forward(Index f) {
+  const Factor& factor = factor_[f];
+  auto own_part = x_.segment(width_ * tree_.first[f], own(f));
+  auto below = part_.segment(width_ * tree_.handed_on(f), rows(f) - own(f));
+  below.setZero();
+  for (Index c = tree_.child_begin[f]; c < tree_.child_begin[f + 1]; ++c) {
+    const Index child = tree_.child[c];
+    for (Index m = tree_.handed_on(child); m < tree_.begin[child + 1]; ++m) {
+      const Index to = width_ * tree_.in_parent[m];
+      if (to < own(f))
+        own_part.segment(to, width_) += part_.segment(width_ * m, width_);
+      else
+        below.segment(to - own(f), width_) += part_.segment(width_ * m, width_);
+    }
+  }
+  auto y = part_.segment(width_ * tree_.begin[f], static_cast<Index>(factor.column.size()));
+  y = own_part(factor.column);
+  factor.own.triangularView<Eigen::Lower>().solveInPlace(y);
+  below.noalias() -= factor.below * y;
+}
+
+/// Lᵀ x = y, with the answers of the fronts above.
+void Multifrontal::backward(Index f) {
+  const Factor& factor = factor_[f];
+  auto own_part = x_.segment(width_ * tree_.first[f], own(f));
+  auto below = part_.segment(width_ * tree_.handed_on(f), rows(f) - own(f));
+  for (Index m = tree_.handed_on(f); m < tree_.begin[f + 1]; ++m)
+    part_.segment(width_ * m, width_) = x_.segment(width_ * tree_.row[m], width_);
+  auto y = part_.segment(width_ * tree_.begin[f], static_cast<Index>(factor.column.size()));
+  y.noalias() -= factor.below.transpose() * below;
+  factor.own.triangularView<Eigen::Lower>().transpose().solveInPlace(y);
+  own_part.setZero();
+  own_part(factor.column) = y;
+}
+
+void Multifrontal::solve(std::vector<Real>& r) {
   const int w = width_;
   const Index n = static_cast<Index>(tree_.place.size());
-  Vector x(static_cast<Eigen::Index>(n) * w);
+  const auto scale = Eigen::Map<const Vector>(scale_.data(), x_.size());
+  auto given = Eigen::Map<Vector>(r.data(), x_.size());
   for (Index i = 0; i < n; ++i)
-    for (int e = 0; e < w; ++e)
-      x(tree_.place[i] * w + e) = r[static_cast<std::size_t>(i) * w + e] *
-                                  scale_[static_cast<std::size_t>(tree_.place[i]) * w + e];
-  // Rows of a front beyond its own.
-  const auto for_each_below = [&](Index f, const auto& visit) {
-    Index at = 0;
-    for (Index m = tree_.begin[f] + tree_.first[f + 1] - tree_.first[f]; m < tree_.begin[f + 1];
-         ++m, at += w)
-      visit(at, tree_.row[m] * w);
+    x_.segment(w * tree_.place[i], w) =
+        given.segment(w * i, w).cwiseProduct(scale.segment(w * tree_.place[i], w));
+  for_each_front([&](Index f) { forward(f); });
+  for (Index t = static_cast<Index>(tree_.top.size()); t-- > 0;) backward(tree_.top[t]);
+  const auto in_subtree = [&](std::int64_t s) {
+    for (Index f = tree_.subtree[s][1]; f-- > tree_.subtree[s][0];) backward(f);
   };
-  std::vector<Vector> answer(tree_.fronts());
-  Vector below;
-  for (Index f = 0; f < tree_.fronts(); ++f) {
-    const Factor& factor = factor_[f];
-    auto own_part = x.segment(tree_.first[f] * w, own(f));
-    Vector& y = answer[f] = own_part(factor.column);
-    factor.own.triangularView<Eigen::Lower>().solveInPlace(y);
-    own_part.setZero();
-    below.noalias() = factor.below * y;
-    for_each_below(f, [&](Index at, Index to) { x.segment(to, w) -= below.segment(at, w); });
-  }
-  for (Index f = tree_.fronts(); f-- > 0;) {
-    const Factor& factor = factor_[f];
-    below.resize(rows(f) - own(f));
-    for_each_below(f, [&](Index at, Index from) { below.segment(at, w) = x.segment(from, w); });
-    Vector& y = answer[f];
-    y.noalias() -= factor.below.transpose() * below;
-    factor.own.triangularView<Eigen::Lower>().transpose().solveInPlace(y);
-    for (std::size_t j = 0; j < factor.column.size(); ++j)
-      x(tree_.first[f] * w + factor.column[j]) = y(j);
-  }
+  parallel_for(static_cast<std::int64_t>(tree_.subtree.size()), 1, in_subtree,
+               tree_.entries > worthwhile);
   for (Index i = 0; i < n; ++i)
-    for (int e = 0; e < w; ++e)
-      r[static_cast<std::size_t>(i) * w + e] =
-          x(tree_.place[i] * w + e) * scale_[static_cast<std::size_t>(tree_.place[i]) * w + e];
+    given.segment(w * i, w) =
+        x_.segment(w * tree_.place[i], w).cwiseProduct(scale.segment(w * tree_.place[i], w));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace rockfold::host {
 
-/// What factors may take: half a minute to a minute of one core.
+/// What factors may take: about a minute of one core.
 struct DirectLimits {
   double bytes = 3e9;
   double operations = 3e11;  ///< multiplications with additions

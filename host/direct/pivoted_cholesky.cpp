@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "host/direct/dense.hpp"
+
 namespace rockfold::host {
 namespace {
 
@@ -52,9 +54,7 @@ Index pivoted_cholesky(Real* values, Index n, Index stride, Real least_pivot,
       diagonal.tail(under) -= column.cwiseAbs2();
     }
     if (end < n)
-      a.bottomRightCorner(n - end, n - end)
-          .selfadjointView<Eigen::Lower>()
-          .rankUpdate(a.block(end, begin, n - end, end - begin), -1);
+      take_off_square(n - end, end - begin, &a(end, begin), stride, &a(end, end), stride);
   }
   return n;
 }

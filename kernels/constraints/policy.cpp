@@ -16,9 +16,9 @@ constexpr Index least_for_multigrid = 2000, least_for_cover_grid = 100;
 /// Rock of one function a cover that hangs together: beyond this its factors cost a hundred cycles, and to look at their pattern a few.
 constexpr Index most_to_look_at = 20000;
 
-/// Seconds of one core (perf/records/2026-11-26-preconditioners.md): a multiplication of a factorisation, an entry of the matrix that is
-/// assembled for it, an entry of the factors in a solve …
-constexpr double of_operation = 0.4e-9, of_assembly = 50e-9, of_factor_entry = 2e-9;
+/// Seconds of one core (perf/records/2026-11-28-factors.md): a multiplication of a factorisation, an entry of the matrix that is assembled
+/// for it, an entry of the factors in each sweep of a solve …
+constexpr double of_operation = 0.15e-9, of_assembly = 50e-9, of_factor_entry = 0.6e-9;
 /// … an entry of the matrix in an iteration of conjugate gradients, with one function and with several …
 constexpr double of_entry = 0.5e-9, of_entry_of_several = 1.7e-9;
 /// … and iterations that a cycle of multigrid costs.

@@ -1,5 +1,5 @@
 #include "kernels/finite/tangent_row_kernel.hpp"
-#include "kernels/operator/simd_versions.hpp"
+#include "src/base/simd_versions.hpp"
 
 namespace rockfold::finite {
 

@@ -1,6 +1,6 @@
 #include "kernels/operator/simd.hpp"
 
-#include "kernels/operator/simd_versions.hpp"
+#include "src/base/simd_versions.hpp"
 
 namespace rockfold::solve {
 

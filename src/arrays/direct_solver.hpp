@@ -38,7 +38,7 @@ class DirectSolver {
   /// gets no answer. False where a signal came before the end.
   virtual bool factorise(const BlockMatrix& a, Real least_pivot) = 0;
   /// r becomes z; [P · width], by covers.
-  virtual void solve(std::vector<Real>& r) const = 0;
+  virtual void solve(std::vector<Real>& r) = 0;
 };
 
 using MakeDirectSolver = std::function<std::unique_ptr<DirectSolver>()>;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <omp.h>
 
 namespace rockfold::host {
 namespace {
@@ -112,6 +113,24 @@ TEST(DirectSolver, BalancesForcesOfASingularMatrix) {
   Index at_rest = 0;
   for (Real v : z) at_rest += v == 0;
   EXPECT_EQ(at_rest, grid.sparse.rows());  // of each pair of the same function one
+}
+
+TEST(DirectSolver, GivesTheSameBitsOnAnyNumberOfThreads) {
+  const Grid grid = random_grid(9, 4, true);
+  const std::vector<Real> r = scattered(grid.dense.rows());
+  const int before = omp_get_max_threads();
+  std::vector<std::vector<Real>> answers;
+  for (const int threads : {1, 2, 5}) {
+    omp_set_num_threads(threads);
+    const auto solver = make_direct_solver();
+    ASSERT_TRUE(solver->analyse(grid.sparse));
+    ASSERT_TRUE(solver->factorise(grid.sparse, least_pivot));
+    answers.push_back(r);
+    solver->solve(answers.back());
+  }
+  omp_set_num_threads(before);
+  EXPECT_EQ(answers[1], answers[0]);
+  EXPECT_EQ(answers[2], answers[0]);
 }
 
 TEST(DirectSolver, IsSymmetric) {

@@ -52,7 +52,7 @@ class DenseSolver : public DirectSolver {
     }
     return true;
   }
-  void solve(std::vector<Real>& r) const override {
+  void solve(std::vector<Real>& r) override {
     ++asked_.solved;
     std::vector<Real> z(r.size(), 0), y(pivot_.size());
     for (std::size_t i = 0; i < r.size(); ++i) r[i] *= scale_[i];

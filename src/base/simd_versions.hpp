@@ -1,4 +1,4 @@
-// What the inner loops on a core are compiled with: see simd.hpp.
+// What the inner loops on a core are compiled with: see kernels/operator/simd.hpp.
 #pragma once
 
 // Function versions are chosen when the program starts, before the sanitizers are ready: not both.
