@@ -1,5 +1,4 @@
-// Cholesky's method for small sparse symmetric matrices, those of the points of surfaces, in the order of nested dissection (George 1973): what
-// stands on both sides of a row of neighbours comes before it.
+// Cholesky's method for small sparse symmetric matrices, those of the points of surfaces.
 #pragma once
 
 #include <vector>
@@ -17,19 +16,22 @@ class SparseCholesky {
   /// `value`: those of `column`, of a matrix that is positive.
   void factorise(const std::vector<Index>& begin, const std::vector<Index>& column,
                  const std::vector<Real>& value);
-  /// Each of the r, of `columns` ≤ 3, becomes its answer; [rows]. The factors are read once for all.
-  void solve(Real* const* r, int columns) const;
+  /// Each right-hand side r, of `sides` ≤ 3, becomes its answer; [rows]. The factors are read once for all.
+  void solve(Real* const* r, int sides) const;
+
+  /// Columns of L that are read at a time, for all right-hand sides: what they are applied to is then read a quarter as often.
+  static constexpr int at_once = 4;
+  using Columns = const Real* [at_once];
 
  private:
-  /// The columns of L in row k, as they have to be taken, into `reached`; how many.
-  Index reach(Index k, const std::vector<Index>& begin, const std::vector<Index>& column);
+  void find_entries(const std::vector<Index>& begin, const std::vector<Index>& column);
   void find_supernodes();
-  template <int Columns>
-  void solve_columns(Real* const* r) const;
-  template <int Columns>
-  void eliminate(std::size_t node, Real* const* x) const;
-  template <int Columns>
-  void substitute(std::size_t node, Real* const* x) const;
+  void locate_rows(std::size_t node);
+  void factorise_columns(std::size_t node);
+  void take_off_others(std::size_t node);
+  int columns_from(Index k, Index to, Columns& column) const;
+  void eliminate(std::size_t node, int sides, Real* const* x) const;
+  void substitute(std::size_t node, int sides, Real* const* x) const;
 
   std::vector<Index> order_, place_;  ///< [rows] the row at a place, and the place of a row
   std::vector<Index> parent_;         ///< [rows] in the elimination tree (Liu 1990), by place
@@ -39,9 +41,9 @@ class SparseCholesky {
   std::vector<Real> inverse_;         ///< [rows] 1 / diagonal of L
   /// [+1] Columns from first_[s] to first_[s + 1] − 1 have the same rows below them (Liu, Ng & Peyton 1993): as dense ones, without indices.
   std::vector<Index> first_;
-  std::vector<Index> mark_, reached_;  ///< [rows] work space
-  mutable std::vector<Real> work_;     ///< [3][rows]
-  mutable std::vector<Real> below_;    ///< [3][rows below a supernode, at most]
+  std::vector<Index> at_;            ///< [rows] work space
+  mutable std::vector<Real> work_;   ///< [3][rows]
+  mutable std::vector<Real> below_;  ///< [3][rows below a supernode, at most]
 };
 
 }  // namespace rockfold::solve

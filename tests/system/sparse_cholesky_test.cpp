@@ -1,5 +1,6 @@
 #include "src/system/sparse_cholesky.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -47,6 +48,42 @@ TEST(SparseCholesky, LeavesNoResidualOnAnyPattern) {
         }
         EXPECT_NEAR(sum, b[c][i], 1e-15 * terms);
       }
+  }
+}
+
+/// Two layers of a square, each row coupled to those two away at most.
+TEST(SparseCholesky, LeavesNoResidualOnASurface) {
+  constexpr Index n = 23, rows = 2 * n * n;
+  const auto row_at = [](Index x, Index y, Index z) { return x + n * (y + n * z); };
+  std::vector<Index> begin{0}, column;
+  std::vector<Real> value;
+  for (Index z = 0; z < 2; ++z)
+    for (Index y = 0; y < n; ++y)
+      for (Index x = 0; x < n; ++x) {
+        for (Index k = 0; k < 2; ++k)
+          for (Index j = std::max(0, y - 2); j <= std::min(n - 1, y + 2); ++j)
+            for (Index i = std::max(0, x - 2); i <= std::min(n - 1, x + 2); ++i) {
+              const bool own = i == x && j == y && k == z;
+              column.push_back(row_at(i, j, k));
+              value.push_back(own ? 50.001 : -1 + 0.1 * ((i + x) * (j + y) % 7));
+            }
+        begin.push_back(static_cast<Index>(column.size()));
+      }
+  solve::SparseCholesky factors(begin, column);
+  for (const Real times : {3.0, 1.0}) {  // anew with other values
+    auto scaled = value;
+    for (Real& v : scaled) v *= times;
+    factors.factorise(begin, column, scaled);
+  }
+  std::vector<Real> x(rows);
+  for (Index i = 0; i < rows; ++i) x[i] = std::sin(1 + i);
+  const auto b = x;
+  Real* const side = x.data();
+  factors.solve(&side, 1);
+  for (Index i = 0; i < rows; ++i) {
+    Real sum = 0;
+    for (Index m = begin[i]; m < begin[i + 1]; ++m) sum += value[m] * x[column[m]];
+    EXPECT_NEAR(sum, b[i], 1e-12);
   }
 }
 
