@@ -151,7 +151,7 @@ class StrengthReduction(ProgramTest):
         steps = ('[[step]]\ntype = "quasi_static"\ntime_step = 0.1\nsteps = 30\n[[step]]\ntype = "dynamic"\ntime_step = 0.02\nend_time = 6.0\n'
                  "reset_displacement = true\n[reduction]\nfactors = [1.24, 1.32]\ntolerance = 0.01\n")
         tilt = "table = [[0, 0, 0, 0], [0.3, 0, 0, 0], [0.4, 0.5, 0, 0], [0.7, 0.5, 0, 0], [1.7, 0, 0, 0]]"
-        rock = text[: text.index("[analysis]")].replace("friction_angle = 37.97", "friction_angle = 45").replace("table = [[0, 0.5, 0, 0], [0.3, 0.5, 0, 0], [1.3, 0, 0, 0]]", tilt)
+        rock = text[: text.index("[[step]]")].replace("friction_angle = 37.97", "friction_angle = 45").replace("table = [[0, 0.5, 0, 0], [0.3, 0.5, 0, 0], [1.3, 0, 0, 0]]", tilt)
         self.assertIn(tilt, rock)
         found = self.factor_of(rock + steps)["reduction"]
         self.assertAlmostEqual(found["factor"], 1 / 0.785544, delta=0.01)
