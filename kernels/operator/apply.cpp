@@ -248,8 +248,7 @@ void diagonal_blocks(const Operator& op, const Combination& c, const Blocks& d) 
         if (p == none) return;
         for (int k = 0; k < n; ++k) {
           const Real* v = block.diagonals(slot / slice_lanes, k, k) + slot % slice_lanes;
-          for (int m = 0; m < 6; ++m)
-            d(k * covers + p, m) = c.entry(v, at[m], slice_lanes);
+          for (int m = 0; m < 6; ++m) d(k * covers + p, m) = c.entry(v, at[m], slice_lanes);
         }
       });
 }

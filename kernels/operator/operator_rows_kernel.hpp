@@ -58,8 +58,7 @@ struct OperatorRows {
   KOKKOS_INLINE_FUNCTION void store(int k, int l, const Real* v, int lanes, Real* a) const {
     const int width = 3 * functions;
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        a[(3 * l + j) * width + 3 * k + i] = c.entry(v, 3 * i + j, lanes);
+      for (int j = 0; j < 3; ++j) a[(3 * l + j) * width + 3 * k + i] = c.entry(v, 3 * i + j, lanes);
   }
 };
 

@@ -24,8 +24,7 @@ SingleStencil combined_stencils(const DeviceStencil& from, const Combination& c,
     const Real* of = &values[begin[t]];
     for (Index o = 1; o < offsets; ++o)
       for (int k = 0; k < 9; ++k) {
-        table.push_back(
-            static_cast<float>(c.entry(of + from.entry(offsets, 0, o, 0), k) / scale));
+        table.push_back(static_cast<float>(c.entry(of + from.entry(offsets, 0, o, 0), k) / scale));
       }
     table.push_back(static_cast<float>(c.mass * of[from.row_mass(offsets, 0)] / scale));
   }
