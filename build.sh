@@ -99,7 +99,7 @@ distribution() { (. /etc/os-release 2>/dev/null && printf '%s' "${PRETTY_NAME:-$
 install_packages() {
   command -v dpkg-query >/dev/null && command -v apt-get >/dev/null || fail \
     "this is $(distribution); packages are installed here with apt alone (Debian 12 or 13, Ubuntu 24.04)." \
-    "Install a C++20 compiler, CMake 3.25, Ninja, CGAL 5.5, Eigen 3.4, HDF5, CLI11, toml++ 3.3, nlohmann-json 3.11, fmt," \
+    "Install a C++20 compiler, CMake 3.25, Ninja, CGAL 5.5, Eigen 3.4, METIS 5.1, HDF5, CLI11, toml++ 3.3, nlohmann-json 3.11, fmt," \
     "GoogleTest, Google Benchmark and Kokkos 4.5 with OpenMP by your system's own means; then:" \
     "cmake --preset release && cmake --build --preset release"
   local missing

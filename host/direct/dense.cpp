@@ -76,6 +76,7 @@ void take_off_chunk(Index rows, Index columns, Index depth, const Real* a, Index
 
 void take_off_product(Index rows, Index columns, Index depth, const Real* a, Index a_stride,
                       const Real* b, Index b_stride, Real* c, Index c_stride) {
+  if (depth == 0) return;
   for (Index j = 0; j < columns; j += block)
     for (Index k = 0; k < depth; k += chunk)
       take_off_chunk(rows, std::min(block, columns - j), std::min(chunk, depth - k),
@@ -84,6 +85,7 @@ void take_off_product(Index rows, Index columns, Index depth, const Real* a, Ind
 }
 
 void take_off_square(Index n, Index depth, const Real* a, Index a_stride, Real* c, Index c_stride) {
+  if (depth == 0) return;
   const auto take_off = [&](std::int64_t i) {
     const Index j = static_cast<Index>(i) * block;
     take_off_product(n - j, std::min(block, n - j), depth, a + j, a_stride, a + j, a_stride,

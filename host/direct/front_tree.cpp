@@ -216,7 +216,7 @@ void count_memory(FrontTree& tree, double width) {
     const double own = width * (tree.first[f + 1] - tree.first[f]);
     const double rows = width * (tree.begin[f + 1] - tree.begin[f]), left = rows - own;
     tree.entries += own * rows;
-    tree.most_at_once = std::max(tree.most_at_once, waiting + rows * rows);
+    tree.most_at_once = std::max(tree.most_at_once, waiting + rows * rows + left * left);
     waiting += left * left - waits[f];
     if (tree.parent[f] != none) waits[tree.parent[f]] += left * left;
   };
@@ -245,11 +245,12 @@ FrontTree tree_in_order(const BlockMatrix& a, std::vector<Index> place) {
 
 FrontTree make_front_tree(const BlockMatrix& a) {
   FrontTree by_degree = tree_in_order(a, order_by_degree(a));
-  if (by_degree.operations < worth_dissecting * a.rows()) return by_degree;
+  if (by_degree.operations <= worth_dissecting * a.rows()) return by_degree;
   std::vector<Index> place = order_by_dissection(a);
   if (place.empty()) return by_degree;
   FrontTree by_dissection = tree_in_order(a, std::move(place));
-  return by_dissection.operations < by_degree.operations ? by_dissection : by_degree;
+  if (by_dissection.operations < by_degree.operations) return by_dissection;
+  return by_degree;
 }
 
 }  // namespace rockfold::host

@@ -137,8 +137,6 @@ bool Multifrontal::analyse(const BlockMatrix& a) {
   width_ = a.width;
   row_at_.resize(a.rows());
   for (Index i = 0; i < a.rows(); ++i) row_at_[tree_.place[i]] = i;
-  x_.resize(static_cast<Eigen::Index>(width_) * a.rows());
-  part_.resize(static_cast<Eigen::Index>(width_) * static_cast<Eigen::Index>(tree_.row.size()));
   return tree_.operations <= limits_.operations &&
          sizeof(Real) * (tree_.entries + tree_.most_at_once) <= limits_.bytes;
 }
@@ -156,6 +154,8 @@ void Multifrontal::for_each_front(const F& f) const {
 
 bool Multifrontal::factorise(const BlockMatrix& a, Real least_pivot) {
   find_scale(a);
+  x_.resize(static_cast<Eigen::Index>(width_) * a.rows());
+  part_.resize(static_cast<Eigen::Index>(width_) * static_cast<Eigen::Index>(tree_.row.size()));
   factor_.assign(tree_.fronts(), {});
   std::vector<Matrix> left(tree_.fronts());
   for_each_front([&](Index f) {

@@ -1,8 +1,5 @@
 #include "host/direct/order.hpp"
 
-#include <csignal>
-#include <new>
-
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <metis.h>
@@ -33,15 +30,12 @@ std::vector<Index> order_by_dissection(const BlockMatrix& a) {
       if (a.column[m] != i) neighbour.push_back(a.column[m]);
     begin.push_back(static_cast<idx_t>(neighbour.size()));
   }
-  idx_t rows = n, options[METIS_NOPTIONS];
+  idx_t options[METIS_NOPTIONS], sizes[2];
   METIS_SetDefaultOptions(options);
-  const int status = METIS_NodeND(&rows, begin.data(), neighbour.data(), nullptr, options,
-                                  order.data(), place.data());
-  if (status == METIS_ERROR_MEMORY) throw std::bad_alloc();
-  if (status != METIS_OK) {  // it catches SIGTERM itself
-    std::raise(SIGTERM);
-    return {};
-  }
+  // As METIS_NodeND, but without handlers of its own for the signals that end a run.
+  const int status = METIS_NodeNDP(n, begin.data(), neighbour.data(), nullptr, 1, options,
+                                   order.data(), place.data(), sizes);
+  if (status != METIS_OK) return {};
   return {place.begin(), place.end()};
 }
 

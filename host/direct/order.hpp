@@ -11,7 +11,7 @@ namespace rockfold::host {
 std::vector<Index> order_by_degree(const BlockMatrix& a);
 
 /// [P] Likewise: what divides the rock into halves comes last (nested dissection by multilevel partitions; Karypis & Kumar 1998). Empty
-/// where a signal came.
+/// where METIS does not know how.
 std::vector<Index> order_by_dissection(const BlockMatrix& a);
 
 }  // namespace rockfold::host

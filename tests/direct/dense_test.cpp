@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include "host/direct/pivoted_cholesky.hpp"
 
