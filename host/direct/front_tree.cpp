@@ -216,7 +216,7 @@ void count_memory(FrontTree& tree, double width) {
     const double own = width * (tree.first[f + 1] - tree.first[f]);
     const double rows = width * (tree.begin[f + 1] - tree.begin[f]), left = rows - own;
     tree.entries += own * rows;
-    tree.most_at_once = std::max(tree.most_at_once, waiting + rows * rows + left * left);
+    tree.most_at_once = std::max(tree.most_at_once, waiting + rows * own + left * left);
     waiting += left * left - waits[f];
     if (tree.parent[f] != none) waits[tree.parent[f]] += left * left;
   };

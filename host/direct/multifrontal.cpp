@@ -26,6 +26,11 @@ struct Factor {
   Matrix own, below;
 };
 
+/// The columns that a front eliminates, of all its rows, and the lower half of what it leaves to its parent.
+struct Front {
+  Matrix columns, left;
+};
+
 class Multifrontal : public DirectSolver {
  public:
   explicit Multifrontal(const DirectLimits& limits) : limits_(limits) {}
@@ -38,9 +43,9 @@ class Multifrontal : public DirectSolver {
 
  private:
   void find_scale(const BlockMatrix& a);
-  Matrix assemble(const BlockMatrix& a, Index f, std::vector<Matrix>& left);
-  void add_what_child_left(Index child, const Matrix& left, Matrix& front) const;
-  Matrix eliminate(Matrix& front, Index f, Real least_pivot);
+  Front assemble(const BlockMatrix& a, Index f, std::vector<Matrix>& left);
+  void add_what_child_left(Index child, const Matrix& left, Front& front) const;
+  void eliminate(Front& front, Index f, Real least_pivot);
   template <class F>
   void for_each_front(const F& f) const;
   void forward(Index f);
@@ -72,14 +77,15 @@ void Multifrontal::find_scale(const BlockMatrix& a) {
 }
 
 /// A front: the matrix's own entries and what children have left.
-Matrix Multifrontal::assemble(const BlockMatrix& a, Index f, std::vector<Matrix>& left) {
+Front Multifrontal::assemble(const BlockMatrix& a, Index f, std::vector<Matrix>& left) {
   const int w = width_;
   const Index begin = tree_.begin[f], end = tree_.begin[f + 1];
   const auto* row = tree_.row.data();
   const auto local = [&](Index place) {
     return w * static_cast<Index>(std::lower_bound(row + begin, row + end, place) - (row + begin));
   };
-  Matrix front = Matrix::Zero(rows(f), rows(f));
+  const Index below = rows(f) - own(f);
+  Front front{Matrix::Zero(rows(f), own(f)), Matrix::Zero(below, below)};
   for (Index j = tree_.first[f]; j < tree_.first[f + 1]; ++j) {
     const Index of = row_at_[j];
     const Index at_j = w * (j - tree_.first[f]);
@@ -91,8 +97,9 @@ Matrix Multifrontal::assemble(const BlockMatrix& a, Index f, std::vector<Matrix>
       const Index at_i = local(i);
       for (int e = 0; e < w; ++e)
         for (int d = 0; d < w; ++d)
-          front(at_i + e, at_j + d) = v[e * w + d] * scale_[static_cast<std::size_t>(i) * w + e] *
-                                      scale_[static_cast<std::size_t>(j) * w + d];
+          front.columns(at_i + e, at_j + d) = v[e * w + d] *
+                                              scale_[static_cast<std::size_t>(i) * w + e] *
+                                              scale_[static_cast<std::size_t>(j) * w + d];
     }
   }
   for (Index c = tree_.child_begin[f]; c < tree_.child_begin[f + 1]; ++c) {
@@ -102,34 +109,38 @@ Matrix Multifrontal::assemble(const BlockMatrix& a, Index f, std::vector<Matrix>
   return front;
 }
 
-void Multifrontal::add_what_child_left(Index child, const Matrix& left, Matrix& front) const {
+void Multifrontal::add_what_child_left(Index child, const Matrix& left, Front& front) const {
   const int w = width_;
   const Index* to = tree_.in_parent.data() + tree_.handed_on(child);
   const Index blocks = tree_.begin[child + 1] - tree_.handed_on(child);
-  const auto add_column = [&](std::int64_t j) {
-    for (Index i = static_cast<Index>(j); i < blocks; ++i)
-      front.block(w * to[i], w * to[j], w, w) += left.block(w * i, w * j, w, w);
+  const Index own = static_cast<Index>(front.columns.cols());
+  const auto add_columns = [&](std::int64_t j) {
+    const bool eliminated = w * to[j] < own;
+    const Index first = eliminated ? 0 : own;  // row and column of the part in which it stands
+    for (int e = 0; e < w; ++e) {
+      Real* into = (eliminated ? front.columns : front.left).col(w * to[j] + e - first).data();
+      const Real* from = left.col(w * j + e).data();
+      for (Index i = static_cast<Index>(j); i < blocks; ++i)
+        for (int d = 0; d < w; ++d) into[w * to[i] + d - first] += from[w * i + d];
+    }
   };
-  parallel_for(blocks, 16, add_column, static_cast<double>(left.size()) > worthwhile);
+  parallel_for(blocks, 16, add_columns, static_cast<double>(left.size()) > worthwhile);
 }
 
-/// Eliminates the front's own columns. Pivots that are rounding alone stand for functions that depend on the others: they get no
-/// answer. Returns what is left to the parent.
-Matrix Multifrontal::eliminate(Matrix& front, Index f, Real least_pivot) {
+/// Eliminates the front's own columns, and takes them off what is left. Pivots that are rounding alone stand for functions that depend
+/// on the others: they get no answer.
+void Multifrontal::eliminate(Front& front, Index f, Real least_pivot) {
   const Index columns = own(f), below = rows(f) - columns;
   Factor& factor = factor_[f];
   std::vector<Index> order;
-  const Index rank = pivoted_cholesky(front.data(), columns, rows(f), least_pivot, order);
+  const Index rank = pivoted_cholesky(front.columns.data(), columns, rows(f), least_pivot, order);
   order.resize(rank);
-  factor.own = front.topLeftCorner(rank, rank);
+  factor.own = front.columns.topLeftCorner(rank, rank);
   factor.below.resize(below, rank);
-  for (Index j = 0; j < rank; ++j) factor.below.col(j) = front.col(order[j]).tail(below);
+  for (Index j = 0; j < rank; ++j) factor.below.col(j) = front.columns.col(order[j]).tail(below);
   factor.column = std::move(order);
-  if (below == 0) return {};
-  Matrix left = front.bottomRightCorner(below, below);
   divide_by_transpose(below, rank, factor.own.data(), rank, factor.below.data(), below);
-  take_off_square(below, rank, factor.below.data(), below, left.data(), below);
-  return left;
+  take_off_square(below, rank, factor.below.data(), below, front.left.data(), below);
 }
 
 bool Multifrontal::analyse(const BlockMatrix& a) {
@@ -160,8 +171,9 @@ bool Multifrontal::factorise(const BlockMatrix& a, Real least_pivot) {
   std::vector<Matrix> left(tree_.fronts());
   for_each_front([&](Index f) {
     if (interrupt_signal) return;
-    Matrix front = assemble(a, f, left);
-    left[f] = eliminate(front, f, least_pivot);
+    Front front = assemble(a, f, left);
+    eliminate(front, f, least_pivot);
+    left[f] = std::move(front.left);
   });
   return !interrupt_signal;
 }
@@ -183,7 +195,7 @@ void Multifrontal::forward(Index f) {
     }
   }
   auto y = part_.segment(width_ * tree_.begin[f], static_cast<Index>(factor.column.size()));
-  y = own_part(factor.column);
+  for (std::size_t j = 0; j < factor.column.size(); ++j) y(j) = own_part(factor.column[j]);
   factor.own.triangularView<Eigen::Lower>().solveInPlace(y);
   below.noalias() -= factor.below * y;
 }
@@ -199,7 +211,7 @@ void Multifrontal::backward(Index f) {
   y.noalias() -= factor.below.transpose() * below;
   factor.own.triangularView<Eigen::Lower>().transpose().solveInPlace(y);
   own_part.setZero();
-  own_part(factor.column) = y;
+  for (std::size_t j = 0; j < factor.column.size(); ++j) own_part(factor.column[j]) = y(j);
 }
 
 void Multifrontal::solve(std::vector<Real>& r) {
