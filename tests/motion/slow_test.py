@@ -1,4 +1,4 @@
-"""First batches of 30 random slopes and tunnels move as block theory says, but for two."""
+"""First batches of 30 random slopes and tunnels move as block theory says, but for one."""
 import sys
 import unittest
 from pathlib import Path

@@ -102,6 +102,7 @@ def friction_panel(run, limit):
     panel = Panel("Acceleration of the crest", "tan φ", "acceleration, mm/s²")
     frictions = [0.760, 0.764, 0.768, 0.772, 0.775, 0.777, 0.780, 0.783, 0.785, 0.786, 0.788, 0.790]
     for label, changes in (("ours, after a tilt", {}), ("ours, weight alone", {"base_acceleration.scale": 0.0})):
+        changes = {"step.2.steps": 300, **changes}  # above the limit it takes so many to come to rest
         rates = [1e3 * max(0.0, -float(accelerations(run(mu, **changes), [f"top {slope.CREST}"])[0])) for mu in frictions]
         panel.lines.append(Line(label, frictions, rates))
     panel.lines.append(Line("limit equilibrium", [limit, limit], [0, max(panel.lines[0].y)], "reference"))
