@@ -137,6 +137,8 @@ struct TerrainShape {
   std::string file;  ///< ESRI ASCII grid or XYZ; resolved against the model's folder
   Real base = 0;     ///< m, elevation of the flat bottom, below all posts
   std::shared_ptr<const TriangleSurface> ground;  ///< counter-clockwise seen from above
+  std::vector<std::string> columns =
+      {};  ///< what the columns of a table of posts are, where its heading does not say
 };
 using Shape = std::variant<BoxShape, HalfspacesShape, PrismShape, PyramidShape, FrustumShape,
                            CylinderShape, SphereShape, TunnelShape, MeshShape, TerrainShape>;
@@ -246,11 +248,15 @@ struct JointTable {
     Vec3 center{};
     Real radius = 0;  ///< m; infinite where the field is empty: through-going
     Index material = 0;
+    std::string name = {};  ///< of the set or joint that the row names; empty: the table's
   };
+  /// What a column of persistences, trace lengths, … says of the rows' discs.
+  enum class Extent : std::uint8_t { from_columns, through_going };
   std::string name;
   std::string file;
   Index material = 0;      ///< of rows that name none
   bool left_hand = false;  ///< planes dip to the left of their strikes, if the table has strikes
+  Extent extent = Extent::from_columns;
   Index sides = default_disc_sides;
   Index within = none;
   std::vector<Row> rows;  ///< filled after the model is read
@@ -284,11 +290,18 @@ struct Merge {
   Place place = {};
 };
 
+/// What becomes of blocks that are far smaller than the others.
+enum class Specks : std::uint8_t {
+  keep,  ///< blocks as all others
+  merge  ///< each goes to the neighbour with which it shares most area
+};
+
 /// [cut]: limits and what the report of the cutting flags.
 struct CutSpec {
   std::int64_t max_cells = 20'000'000;
-  Place place_of_max_cells = {};         ///< no file: not given
-  std::optional<Real> min_volume;        ///< m³; smaller blocks are flagged
+  Place place_of_max_cells = {};   ///< no file: not given
+  std::optional<Real> min_volume;  ///< m³; smaller blocks are flagged, or merged as specks
+  Specks specks = Specks::keep;
   std::optional<Real> max_aspect_ratio;  ///< longest over shortest extent; larger ones are flagged
 };
 
@@ -407,7 +420,10 @@ struct InitialVelocity {
 struct BaseAcceleration {
   std::string
       file;  ///< CSV; resolved against the model's folder; empty: the table stands in the model
-  Real scale = 1;   ///< of the record, not yet applied
+  Real scale = 1;                 ///< of the record, not yet applied
+  std::optional<Vec3> direction;  ///< unit, of a record with one component
+  std::optional<Real> unit;       ///< m/s², of the record's numbers; none: the file says it
+  Index stage = 0;  ///< into Analysis::stages: the record's t = 0 is that stage's start
   TimeTable table;  ///< m/s²; of a file: filled after the model is read
   Place place = {};
 };
@@ -431,6 +447,8 @@ struct AnalysisStage {
   bool reset_displacement = false;  ///< displacements and monitors count from its start
   /// Stage of excavation whose rock goes at its start; 0: none, as in the first.
   Index excavate = 0;
+  /// s since its start, and the share of the tractions on the excavation's walls that is gone by then; empty: by default.
+  std::vector<std::array<Real, 2>> release = {};
   Place place = {};
   /// Of the velocity, to the next step.
   Real share_handed_on() const { return type == AnalysisType::quasi_static ? 0 : dynamic_ratio; }
@@ -515,12 +533,23 @@ struct WaterHead {
   Real elevation = 0;
 };
 
+/// How the pressure goes on from where water stands in a joint to where the joint meets a free face that drains.
+enum class WaterLaw : std::uint8_t {
+  hydrostatic,  ///< by the depth below the level alone, to the very edge
+  drained,      ///< zero at edges that drain
+  mid_height,  ///< zero at both ends of the wet height, half its head in the middle (Hoek & Bray 1981)
+};
+
 /// [[water]]: water in joints. Pressures below zero are none.
 struct Water {
   std::vector<std::string>
       joints;           ///< names of joints of any kind; empty = all that no other names
   Real density = 1000;  ///< kg/m³, > 0
   std::variant<WaterPressure, WaterTable, WaterHead> level;
+  std::optional<bool> drains;   ///< whether free faces let the water out; none: by default
+  std::optional<WaterLaw> law;  ///< none: by default
+  /// m from (0, 0, 0) against gravity: up to where water stands before free faces, and presses them.
+  std::optional<Real> pond;
   Place place = {};
 };
 
