@@ -1,5 +1,5 @@
 // Rock that is excavated on the way: its parts lose their pairs and points.
-#include "kernels/contact/contact_kernel.hpp"
+#include "kernels/contact/term_kernel.hpp"
 
 namespace rockfold::contact {
 
@@ -68,6 +68,18 @@ void forget_gone(DeviceContacts& c, const Field& x) {
         if (gone(p) == 0) return;
         for (Index i = s.part_vertex_begin(p); i < s.part_vertex_begin(p + 1); ++i)
           for (int d = 0; d < 3; ++d) speed(s.part_vertex(i), d) = 0;
+      });
+}
+
+void keep_wall_forces(ContactTerm& term) {
+  const PointSet set = term.contacts.current;
+  const auto gone = term.contacts.broad.gone;
+  const Field force = term.force;
+  device::for_each(
+      "rockfold::contact::keep_wall_forces", set.pairs.count, KOKKOS_LAMBDA(const Index pair) {
+        if (gone(set.pairs.a(pair)) != gone(set.pairs.b(pair))) return;
+        for (Index c = set.point_begin(pair); c < set.point_begin(pair + 1); ++c)
+          for (int d = 0; d < 3; ++d) force(c, d) = 0;
       });
 }
 

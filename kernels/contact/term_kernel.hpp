@@ -39,6 +39,9 @@ DetectReport detect(ContactTerm& term, solve::PointTerms& rows);
 /// Forces and tangents of the points where vertices are now; f += scale · Nᵀ Gᵀ force.
 void add_forces(ContactTerm& term, const solve::PointTerms& rows, Real scale, const Field& f);
 
+/// Of the forces found last, those of the points between rock that is gone and rock that is not; others become zero.
+void keep_wall_forces(ContactTerm& term);
+
 /// The next correction is the first of its kind: no point has slid yet.
 void forget_headings(ContactTerm& term);
 

@@ -59,6 +59,12 @@ void count_work(Motion::Data& m, Real dt) {
   }
 }
 
+void count_wall_work(Motion::Data& m, Real before, Real after) {
+  if (before == 0 && after == 0) return;
+  m.now.work.excavated -=
+      0.5 * (before + after) * solve::dot(m.system.work, m.now.wall, m.increment);
+}
+
 void count_following_work(Motion::Data& m) {
   if (!m.following.any()) return;
   Kokkos::deep_copy(m.work, m.following_before);

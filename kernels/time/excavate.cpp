@@ -25,6 +25,22 @@ void let_go(Motion::Data& m) {
       });
 }
 
+/// Those of all contact points as blocks are now, before anything of it goes.
+void find_forces_at_rest(Motion::Data& m) {
+  contact::set_motion(*m.contact, m.now.displacement, m.now.velocity, 0, 0);
+  contact::detect(*m.contact, m.system.contacts);
+  Kokkos::deep_copy(m.work, 0.0);
+  contact::add_forces(*m.contact, m.system.contacts, 1, m.work);
+}
+
+/// N, on the covers of what stays: the forces of the points that it shares with what goes, as they are now.
+void take_over_walls(Motion::Data& m) {
+  contact::ContactTerm& term = *m.contact;
+  contact::keep_wall_forces(term);
+  if (m.system.contacts.any()) solve::scatter(m.system.contacts, 1, term.force, m.now.wall);
+  leave_out_gone(m, m.now.wall);
+}
+
 /// J, of motion and all that is stored.
 Real mechanical_energy(const Motion& motion) {
   const Energy e = motion.energy();
@@ -55,10 +71,33 @@ void Motion::leave_out(const GoneRock& gone) {
   contact::set_gone(m.contact->contacts, gone.block);
 }
 
+void Motion::begin_release() {
+  Data& m = *data_;
+  const auto wall = m.now.wall;
+  const Real left = m.now.walls;
+  device::for_each(
+      "rockfold::motion::begin_release", static_cast<Index>(wall.extent(0)),
+      KOKKOS_LAMBDA(const Index p) {
+        for (int d = 0; d < 3; ++d) wall(p, d) *= left;
+      });
+  m.now.walls = 1;
+}
+
+Real Motion::walls() const {
+  return data_->now.walls;
+}
+
+void Motion::set_walls(Real left) {
+  data_->now.walls = left;
+}
+
 void Motion::excavate(const GoneRock& gone) {
   Data& m = *data_;
   const Real before = motion::mechanical_energy(*this);
+  motion::find_forces_at_rest(m);
   leave_out(gone);
+  begin_release();
+  motion::take_over_walls(m);
   for (const device::Field& field : {m.now.displacement, m.now.velocity, m.now.acceleration})
     motion::leave_out_gone(m, field);
   contact::set_motion(*m.contact, m.now.displacement, m.now.velocity, 0, 0);

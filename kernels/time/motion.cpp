@@ -14,12 +14,13 @@ using device::Field;
 
 namespace motion {
 
-MovingState make_moving_state(Index unknowns, Index fixed) {
+MovingState make_moving_state(Index unknowns, Index fixed, bool walls) {
   MovingState state;
   state.displacement = device::make_field("motion::displacement", unknowns);
   state.velocity = device::make_field("motion::velocity", unknowns);
   state.acceleration = device::make_field("motion::acceleration", unknowns);
   state.reaction = device::make_field("motion::reaction", fixed);
+  state.wall = device::make_field("motion::wall", walls ? unknowns : 0);
   return state;
 }
 
@@ -82,7 +83,7 @@ void make_data(Motion::Data& m, const MotionSetup& setup) {
   m.solver = setup.solver;
   make_system(m, setup);
   const Index fixed = m.system.springs.points.count;
-  m.now = make_moving_state(m.unknowns, fixed);
+  m.now = make_moving_state(m.unknowns, fixed, m.contact != nullptr);
   m.now.dynamic_ratio = setup.dynamic_ratio;
   m.increment = device::make_field("motion::increment", m.unknowns);
   m.gone = device::Array<std::uint8_t>("rockfold::motion::gone", m.unknowns);
@@ -166,11 +167,12 @@ SolveReport Motion::start(Real dt) {
   return report;
 }
 
-SolveReport Motion::step(Real dt, bool first, const TrackedPoints* watched) {
+SolveReport Motion::step(Real dt, bool first, const TrackedPoints* watched,
+                         const StepCourse& course) {
   Data& m = *data_;
   m.handed = 1;
   if (first || m.now.dynamic_ratio == 0) motion::hand_on(m);
-  SolveReport report = motion::take_step(m, dt);
+  SolveReport report = motion::take_step(m, dt, course);
   motion::require_finite(m, report);
   if (watched && report.converged)
     m.largest_increment = motion::largest_motion(watched->data().points, m.increment);
@@ -187,7 +189,8 @@ Real Motion::energy_made() const {
 void Motion::save() {
   Data& m = *data_;
   if (m.saved.displacement.extent(0) == 0)
-    m.saved = motion::make_moving_state(m.unknowns, m.system.springs.points.count);
+    m.saved =
+        motion::make_moving_state(m.unknowns, m.system.springs.points.count, m.contact != nullptr);
   motion::copy_state(m.now, m.saved);
   if (m.contact) contact::keep(m.contact->contacts, m.saved_contacts);
 }

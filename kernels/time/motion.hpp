@@ -41,6 +41,14 @@ struct Rayleigh {
   Real stiffness = 0;  ///< s
 };
 
+/// How a step goes on, beside its length.
+struct StepCourse {
+  /// Loads, supports and the base stay where they are: the step only brings forces into balance.
+  bool time_stands = false;
+  /// Share of what excavated rock pressed its walls with that is left at the step's end.
+  Real walls = 0;
+};
+
 struct MotionSetup {
   const CoverArrays& covers;
   const PieceMoments& moments;
@@ -83,8 +91,14 @@ class Motion {
   void begin_stage(Real dynamic_ratio);
 
   /// Rock is gone from here on, with its contacts and supports: its covers stay in place and unstrained, and nothing acts on them.
-  /// `gone` holds all rock that is. Only where blocks touch each other. Call start() before the next step.
+  /// What it pressed its walls with goes on to act there: steps say what is left of it. `gone` holds all rock that is. Only where blocks touch
+  /// each other. Call start() before the next step.
   void excavate(const GoneRock& gone);
+  /// What is left of the forces on walls becomes the whole that steps take their share of.
+  void begin_release();
+  /// Share of them that is left, 0 … 1.
+  Real walls() const;
+  void set_walls(Real left);
   /// The same for a state restored from bytes, in which it has been done.
   void leave_out(const GoneRock& gone);
 
@@ -92,7 +106,8 @@ class Motion {
   /// accelerating as steps of length dt will hold them.
   SolveReport start(Real dt);
   /// A step of length dt, or a part of one; the first hands the velocity on (without a velocity to hand on all parts are steps of their own).
-  SolveReport step(Real dt, bool first = true, const TrackedPoints* watched = nullptr);
+  SolveReport step(Real dt, bool first = true, const TrackedPoints* watched = nullptr,
+                   const StepCourse& course = {});
   /// m: how far the last step has moved one of the points watched.
   Real largest_increment() const;
   /// Of kinetic energy and that stored in joints: what the last step has made out of nothing, by the rule that blocks which overlap far

@@ -28,6 +28,7 @@ struct StateNumbers {
       0;  ///< J, kinetic + strain + potential of the motion given, and what the initial stress stores in joints
   Real contact_energy = 0;  ///< J, stored in joints
   Real dynamic_ratio = 1;   ///< share of the velocity that steps hand on
+  Real walls = 0;           ///< share of the forces on walls that acts
   Work work;
   std::int64_t steps = 0;  ///< done since the stage began
   std::int64_t begins_with_factors =
@@ -39,10 +40,13 @@ struct StateNumbers {
 struct MovingState : StateNumbers {
   Field displacement, velocity, acceleration;  ///< of the covers
   Field reaction;                              ///< of the fixed points
+  Field wall;  ///< N, what excavated rock pressed its walls with; empty where blocks do not touch
 
-  std::array<Field, 4> fields() const { return {displacement, velocity, acceleration, reaction}; }
+  std::array<Field, 5> fields() const {
+    return {displacement, velocity, acceleration, reaction, wall};
+  }
 };
-MovingState make_moving_state(Index unknowns, Index fixed);
+MovingState make_moving_state(Index unknowns, Index fixed, bool walls);
 void copy_state(const MovingState& from, MovingState& to);
 
 }  // namespace motion
@@ -128,7 +132,7 @@ SolveReport solve_initial_acceleration(Motion::Data& m, Real dt);
 SolveReport solve_equilibrium(Motion::Data& m);
 Real largest_frequency(Motion::Data& m);
 /// One step of Newmark's method.
-SolveReport take_step(Motion::Data& m, Real dt);
+SolveReport take_step(Motion::Data& m, Real dt, const StepCourse& course);
 /// Scales the velocity by the dynamic ratio, `handed`; at 0 drops the acceleration as well.
 void hand_on(Motion::Data& m);
 
@@ -136,6 +140,8 @@ void hand_on(Motion::Data& m);
 void update_reactions(Motion::Data& m, bool middle);
 /// Counts the work of changing loads and of damping over the increment.
 void count_work(Motion::Data& m, Real dt);
+/// Of what is left of the forces on walls, at the step's start and its end: excavated rock takes it along.
+void count_wall_work(Motion::Data& m, Real before, Real after);
 /// Of pressures that follow their faces, over the step.
 void count_following_work(Motion::Data& m);
 /// Work of changing loads and of pressures that follow, put on at once where nothing has moved yet: `increment` is the way.

@@ -97,6 +97,8 @@ Forces find_residual(Motion::Data& m, const Step& step) {
   const auto load = m.load, varying = m.varying, before = m.varying_before, right = m.right,
              internal = m.work;
   const auto gone = m.gone;
+  const auto wall = m.now.wall;
+  const Real walls = step.walls;
   const bool varies = m.varying_loads.any(), middle = step.middle;
   const Real times = middle ? 2 : 1, share = step.load;
   const auto out = m.sums;
@@ -109,7 +111,9 @@ Forces find_residual(Motion::Data& m, const Step& step) {
         }
         for (int d = 0; d < 3; ++d) {
           const Real constant = share * times * load(p, d);
-          const Real changing = varies ? share * (varying(p, d) + (middle ? before(p, d) : 0)) : 0;
+          const Real changing =
+              (varies ? share * (varying(p, d) + (middle ? before(p, d) : 0)) : 0) +
+              (walls > 0 ? walls * wall(p, d) : 0);
           const Real f = constant + changing, inner = times * internal(p, d);
           sum.value[0] += constant * constant + changing * changing;
           sum.value[1] += right(p, d) * right(p, d);

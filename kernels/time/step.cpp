@@ -42,12 +42,13 @@ struct Newton {
   Real wanted = 0;  ///< N, below which nothing is balanced
 };
 
-Step make_step(const Motion::Data& m, Real dt) {
+Step make_step(const Motion::Data& m, Real dt, const StepCourse& course) {
   const bool linear = m.rock->linear();
   Step step;
   step.dt = dt;
   step.stabilised = m.now.dynamic_ratio > 0;
   step.middle = m.average() && step.stabilised;
+  step.walls = course.walls + (step.middle ? m.now.walls : 0);
   step.inertia =
       !linear || step.stabilised || m.now.steps == 0;  // else nothing moves before the solve
   step.rate = linear;
@@ -88,7 +89,7 @@ void carry_rate(Motion::Data& m, const Step& step) {
                        step.middle ? 0 : damping * step.dt * (1 - 0.5 * at_end));
 }
 
-void begin(Motion::Data& m, const Step& step) {
+void begin(Motion::Data& m, const Step& step, bool time_stands) {
   const bool linear = m.rock->linear();
   m.system.begins_with_factors = m.now.begins_with_factors != 0;
   m.system.steady = linear;
@@ -103,7 +104,7 @@ void begin(Motion::Data& m, const Step& step) {
   if (!linear || step.middle) keep_start(m);
   if (m.varying_loads.any()) varying_load(m.varying_loads, m.now.time, m.varying_before);
   if (step.stabilised) stabilise_supports(m, step.dt, step.middle);
-  m.now.time += step.dt;
+  if (!time_stands) m.now.time += step.dt;
   set_time(m, m.now.time);
 }
 
@@ -279,15 +280,17 @@ void take_mean_acceleration(const Motion::Data& m, const Step& step) {
 
 }  // namespace
 
-SolveReport take_step(Motion::Data& m, Real dt) {
-  const Step step = make_step(m, dt);
-  begin(m, step);
+SolveReport take_step(Motion::Data& m, Real dt, const StepCourse& course) {
+  const Step step = make_step(m, dt, course);
+  begin(m, step, course.time_stands);
   predict(m, dt);
   if (m.contact) find_contacts(m, step);
   SolveReport report = m.contact ? balance_with_contact(m, step) : balance_forces(m, step);
   count_supports(m, step.middle);
   count_following_work(m);
   count_work(m, dt);
+  count_wall_work(m, m.now.walls, course.walls);
+  m.now.walls = course.walls;
   if (m.contact && report.converged) end_contact(m, step);
   if (step.middle) take_mean_acceleration(m, step);
   m.mean_over = step.middle ? dt : 0;
@@ -309,12 +312,12 @@ SolveReport solve_equilibrium(Motion::Data& m) {
   // All of the load at once; where that does not converge, in ever smaller parts.
   MovingState good;
   if (!m.rock->linear()) {
-    good = make_moving_state(m.unknowns, m.system.springs.points.count);
+    good = make_moving_state(m.unknowns, m.system.springs.points.count, m.contact != nullptr);
     copy_state(m.now, good);
   }
   SolveReport total;
   Real done = 0, part = 1;
-  Step step;
+  Step step;  // rock is excavated only where blocks touch: walls are none
   while (done < 1) {
     step.load = std::min<Real>(1, done + part);
     const Index inverted = total.inverted;

@@ -21,6 +21,7 @@ struct Step {
   bool stabilised = false;  ///< points held go as supports.cpp says, not straight to their places
   Real speed_by_gap = 0;    ///< 1/s, dv'/dd': of contacts that feel speeds; 0: they do not
   Real load = 1;            ///< share of the loads and of the supports' way, in equilibrium
+  Real walls = 0;  ///< share of the forces on walls: at the end; in the middle of both ends
 };
 
 /// Norms of what acts, each by itself, N.

@@ -105,6 +105,26 @@ std::string largest_text(const Json& largest) {
                      blocks.at(0).get<Index>(), blocks.at(1).get<Index>());
 }
 
+/// How rock that a step takes away was let go before the step went on.
+std::string settled_text(const Json& s) {
+  const std::string first =
+      s.at("block").is_null()
+          ? "nothing moved"
+          : fmt::format("block {} moved {}, most of all", s.at("block").get<Index>(),
+                        quantity(s.at("largest_displacement"), "m"));
+  const std::string then =
+      !s.at("settled").get<bool>() ? "not all of the rock came to rest"
+      : s.at("at_rest").get<bool>()
+          ? "all came to rest"
+          : fmt::format(
+                "{} blocks nothing holds any more, block {} "
+                "first of all",
+                s.at("moving_blocks").get<Index>(), s.at("fastest_block").get<Index>());
+  return fmt::format("stage {} let go over {} quasi-static steps: {}; {}",
+                     s.at("stage").get<Index>(), s.at("quasi_static_steps").get<Index>(), first,
+                     then);
+}
+
 void add_totals(Html& html, const Json& answer) {
   const Json& totals = answer.at("totals");
   std::vector<std::pair<std::string, std::string>> facts{
@@ -126,6 +146,9 @@ void add_totals(Html& html, const Json& answer) {
                         : "the fastest moves at " + quantity(rest.at("speed"), "m/s")));
     facts.emplace_back("Largest slip", largest_text(rest.at("largest_slip")));
     facts.emplace_back("Largest opening", largest_text(rest.at("largest_opening")));
+    if (answer.contains("excavation"))
+      for (const Json& s : answer.at("excavation").at("settled"))
+        facts.emplace_back("Before “" + s.at("step").get<std::string>() + "”", settled_text(s));
     const Json& c = answer.at("contacts");
     facts.emplace_back(
         "Contact points",

@@ -186,6 +186,10 @@ class Run {
  private:
   void begin(const AnalysisStage& stage);
   void excavate();
+  bool settles(const AnalysisStage& stage) const;
+  void begin_settling(const AnalysisStage& stage);
+  void settle(const AnalysisStage& stage);
+  StepCourse course_to(Real end) const;
   void record_start();
   void go_on(const AnalysisStage& stage, Progress& progress);
   void pass(Archive& archive);
@@ -210,6 +214,8 @@ class Run {
   Then then_ = Then::go_on;  ///< what the watch says
   Timer since_checkpoint_;
   RunPosition at_;
+  Settling settling_;               ///< of the stage
+  std::vector<Vec3> settles_from_;  ///< displacement of the covers when settling began
   /// What save_motion() keeps of the counts: a part of a step that a signal ends has not been.
   struct Counts {
     RunResult::Iterations iterations;
@@ -285,7 +291,8 @@ bool Run::take_step(Index step, Real dt) {
   };
   while (at.done < at.parts) {
     save_motion();
-    SolveReport report = motion_.step(dt / at.parts, at.done == 0, watched_ ? &*watched_ : nullptr);
+    SolveReport report = motion_.step(dt / at.parts, at.done == 0, watched_ ? &*watched_ : nullptr,
+                                      course_to(motion_.time() + dt / at.parts));
     // Newton's method may find its way by shorter steps.
     if (!report.converged && analysis_.large() && at.parts < most_substeps && !interrupt_signal) {
       if (report.inverted != none) at.inverted = report.inverted;
@@ -371,15 +378,78 @@ void Run::excavate() {
   recorder_.leave_out(gone);
 }
 
+/// Whether a stage takes rock away that is let go before it goes on: in motion, unless the model says how it is.
+bool Run::settles(const AnalysisStage& stage) const {
+  const auto& taken_at = input_.blocks.stage;
+  return stage.excavate != 0 && stage.type == AnalysisType::dynamic && stage.release.empty() &&
+         std::count(taken_at.begin(), taken_at.end(), stage.excavate) > 0;
+}
+
 void Run::begin(const AnalysisStage& stage) {
   if (!at_.begun) {
-    if (at_.stage > 0) motion_.begin_stage(stage.share_handed_on());
-    if (stage.excavate != 0) excavate();
+    at_.stage_began = motion_.time();
+    if (at_.stage > 0) motion_.begin_stage(settles(stage) ? 0 : stage.share_handed_on());
+    if (stage.excavate != 0)
+      excavate();
+    else if (!stage.release.empty())
+      motion_.begin_release();
     if (stage.reset_displacement) recorder_.count_from(motion_.state().displacement);
+    at_.settled = settles(stage) ? 0 : 1;
+    if (!at_.settled)
+      begin_settling(stage);
+    else
+      motion_.set_walls(course_to(motion_.time()).walls);
     at_.begun = 1;
   }
-  if (!at_.started && stage.type != AnalysisType::static_) start(stage);
+  if (!at_.settled) settle(stage);
+  if (!at_.started && !result_.interrupted && stage.type != AnalysisType::static_) start(stage);
   if (!result_.interrupted) at_.started = 1;
+}
+
+void Run::begin_settling(const AnalysisStage& stage) {
+  settling_.begin(stage.time_step, mean_block_size(input_), norm(input_.model.gravity));
+  settles_from_ = motion_.state().displacement;
+}
+
+/// [B] m: how far the blocks have gone between two displacements of the covers.
+std::vector<Vec3> block_ways(const RunInput& input, const PieceMoments& moments,
+                             const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
+  std::vector<Vec3> covers(to.size());
+  for (std::size_t p = 0; p < to.size(); ++p) covers[p] = to[p] - from[p];
+  std::vector<Vec3> ways;
+  for (const BlockMotion& block :
+       average_block_motion(input.covers, moments, covers, input.blocks.block_count()))
+    ways.push_back(block.displacement);
+  return ways;
+}
+
+/// Quasi-static steps, while time stands still, until the rock that the stage excavates has been let go.
+void Run::settle(const AnalysisStage& stage) {
+  while (!settling_.done()) {
+    const std::vector<Vec3> before = motion_.state().displacement;
+    if (!take_step(result_.steps + 1, settling_.time_step())) return;
+    const std::vector<Vec3> now = motion_.state().displacement;
+    settling_.add(block_ways(input_, moments_, before, now),
+                  block_ways(input_, moments_, settles_from_, now), substeps_);
+    result_.interrupted = interrupt_signal != 0;
+    if (result_.interrupted || since_checkpoint_.seconds() >= checkpoints_.every) save_checkpoint();
+    if (result_.interrupted) return recorder_.store(motion_, result_.steps);
+  }
+  result_.settled.push_back(settling_.settled());
+  result_.settled.back().stage = at_.stage;
+  motion_.begin_stage(stage.share_handed_on());
+  at_.settled = 1;
+}
+
+/// Of a step, or a part of one, to `end` s.
+StepCourse Run::course_to(Real end) const {
+  const AnalysisStage& stage = analysis_.stages[at_.stage];
+  if (!at_.settled) {
+    const Real start = motion_.walls(), left = static_cast<Real>(at_.parts - at_.done);
+    return {true, start + (settling_.walls() - start) / left};
+  }
+  if (stage.release.empty()) return {false, stage.excavate != 0 ? 0 : motion_.walls()};
+  return {false, walls_left(stage.release, end - at_.stage_began)};
 }
 
 /// Step 0.
@@ -394,6 +464,8 @@ void Run::pass(Archive& archive) {
   archive.pass(at_);
   pass_stages(archive, analysis_, at_.stage, at_.step);
   archive.pass(start_);
+  settling_.pass(archive);
+  archive.pass(settles_from_);
   pass_histories(archive, result_);
   recorder_.pass(archive);
 }
@@ -467,7 +539,7 @@ void Run::go(Progress& progress) {
     go_on(stage, progress);
     if (result_.interrupted) break;
     ++at_.stage;
-    at_.step = at_.begun = at_.started = 0;
+    at_.step = at_.begun = at_.settled = at_.started = 0;
   }
   progress.end();
 }
@@ -482,6 +554,7 @@ void Run::summarise() {
   result.reactions = motion_.reactions();
   const std::vector<Vec3> whole = motion_.state().displacement, counted = recorder_.counted(whole);
   result.gone = recorder_.gone();
+  result.walls = motion_.walls();
   const Index blocks = input_.blocks.block_count();
   const bool large = analysis_.large();
   result.conditions =

@@ -13,6 +13,7 @@
 #include "src/arrays/element_arrays.hpp"
 #include "src/base/types.hpp"
 #include "src/run/fixed_contradiction.hpp"
+#include "src/run/settling.hpp"
 
 namespace rockfold {
 
@@ -154,6 +155,8 @@ struct RunResult {
   std::optional<Rest> rest;          ///< with contact
   std::vector<BlockCourse> courses;  ///< [B] with contact
   std::vector<std::uint8_t> gone;    ///< [B] 1: excavated on the way; empty where nothing goes
+  std::vector<Settled> settled;      ///< of the stages that rock settles in before they go on
+  Real walls = 0;                    ///< share of the forces on walls that is left at the end
   std::vector<JointHistory>
       joint_monitors;  ///< in the order of those of Model::monitors that have a joint
   Real support_gap =

@@ -34,16 +34,19 @@ struct Checkpoints {
 
 /// Where a run is.
 struct RunPosition {
-  Index stage = 0;      ///< of Analysis::stages
-  Index step = 0;       ///< steps of it that are done
-  Index begun = 0;      ///< 1: the stage has taken over from the one before …
-  Index started = 0;    ///< 1: … and has its first acceleration
+  Index stage = 0;  ///< of Analysis::stages
+  Index step = 0;   ///< steps of it that are done
+  Index begun = 0;  ///< 1: the stage has taken over from the one before …
+  Index settled =
+      0;  ///< 1: … rock that it excavates has been let go, as far as it does so at once …
+  Index started = 0;    ///< 1: … and it has its first acceleration
   Index newton = 0;     ///< iterations of the step so far
   Index under_way = 0;  ///< 1: within a step, of whose `parts` `done` are done; it ends at `end`
   Index parts = 1, done = 0;
   Index needed = 1;       ///< parts without which it did not converge
   Index inverted = none;  ///< element that a longer part turned inside out
   Real end = 0;           ///< s
+  Real stage_began = 0;   ///< s
 };
 
 /// The part of a run's result that grows step by step. The monitors must be there.

@@ -31,8 +31,10 @@ std::string taken(const std::string& min, const std::string& max, int stage = 1)
 const std::string settle =
     "[analysis]\nkinematics = 'large'\n"
     "[[step]]\nname = 'gravity'\ntype = 'quasi_static'\ntime_step = 1\nsteps = 10\n";
-const std::string then_fall =
-    "[[step]]\nname = 'fall'\ntype = 'dynamic'\ntime_step = 0.002\nend_time = 0.1\nexcavate = 1\n";
+const std::string dig =
+    "[[step]]\nname = 'dig'\ntype = 'dynamic'\ntime_step = 0.002\nend_time = 0.1\nexcavate = 1\n";
+const std::string at_once = "release = [[0, 1]]\n";
+const std::string then_fall = dig + at_once;
 
 /// Three cubes on each other, on the lowest of which, held, all rest.
 std::string tower(const std::string& analysis) {
@@ -109,8 +111,8 @@ TEST(Excavation, GoesStageByStage) {
   // The upper of two supports bears until its own stage comes; the lower one goes first and changes nothing.
   const std::string model =
       tower(taken("[-1, -1, 1]", "[2, 2, 2]", 2) + taken("[0.6, -1, 0]", "[2, 2, 1]", 1) + settle +
-            "[[step]]\ntype = 'dynamic'\ntime_step = 0.002\nsteps = 20\nexcavate = 1\n"
-            "[[step]]\ntype = 'dynamic'\ntime_step = 0.002\nsteps = 20\nexcavate = 2\n");
+            "[[step]]\ntype = 'dynamic'\ntime_step = 0.002\nsteps = 20\nexcavate = 1\n" + at_once +
+            "[[step]]\ntype = 'dynamic'\ntime_step = 0.002\nsteps = 20\nexcavate = 2\n" + at_once);
   const ModelAnswer answer = run_model(model);
   const MonitorHistory& top = answer.result.monitors[0];
   EXPECT_LT(std::abs(top.displacement[30][2]), 1e-3);
@@ -136,6 +138,110 @@ TEST(Excavation, BeforeTheFirstStepIsAsWithoutOne) {
   const ModelAnswer plain = run_model(tower(middle + fall)),
                     named = run_model(tower(middle + fall + "excavate = 1\n"));
   EXPECT_EQ(plain.result.monitors[0].displacement, named.result.monitors[0].displacement);
+}
+
+TEST(Settling, LeavesBlocksThatNothingHoldsToTheStep) {
+  const std::string middle = taken("[-1, -1, 1]", "[2, 2, 2]");
+  const ModelAnswer answer = run_model(tower(middle + settle + dig));
+  ASSERT_EQ(answer.result.settled.size(), 1u);
+  const Settled& settled = answer.result.settled[0];
+  EXPECT_TRUE(settled.ended);
+  EXPECT_EQ(settled.moving, 1);
+  EXPECT_EQ(settled.fastest, 2);
+  EXPECT_EQ(settled.block, 2);
+  // In each of its steps it moves a ten thousandth of its size or what it falls in 2 ms at rest, g Δt²/4.
+  EXPECT_GT(settled.steps, 10);
+  EXPECT_LT(settled.largest, 2e-4 * settled.steps);
+  // From there it falls freely.
+  const MonitorHistory& top = answer.result.monitors[0];
+  for (std::size_t n = 11; n < 61; ++n) {
+    const Real t = top.time[n] - top.time[10];
+    EXPECT_NEAR(top.displacement[n][2] - top.displacement[10][2],
+                -settled.largest - 0.5 * gravity * t * t, 1e-6);
+  }
+  EXPECT_LT(imbalance(answer.result, 11), 1e-9);
+}
+
+/// A block between two walls that a stress along x presses on it by far more than its friction needs; what stands under it is dug away.
+std::string clamped_block(const std::string& steps) {
+  return rock + box("rock", "[-2, 0, 0]", "[3, 1, 2]") +
+         "[[joint]]\nname = 'left'\nmaterial = 'clean'\ndip = 90\ndip_direction = 90\n"
+         "point = [0, 0, 0]\n"
+         "[[joint]]\nname = 'right'\nmaterial = 'clean'\ndip = 90\ndip_direction = 90\n"
+         "point = [1, 0, 0]\n"
+         "[[fixed]]\nwhere = {face = 'rock.xmin'}\n[[fixed]]\nwhere = {face = 'rock.xmax'}\n"
+         "[initial_stress]\nvalue = [[-5e6, 0, 0], [0, 0, 0], [0, 0, 0]]\n"
+         "[[monitor]]\nname = 'key'\npoint = [0.5, 0.5, 1.5]\n" +
+         taken("[0, -1, -1]", "[1, 2, 1]") + steps;
+}
+
+TEST(Settling, KeepsAClampedBlockWhereItIs) {
+  // The walls bear 5 MPa · 1 m² · tan 30° each, a hundred times its weight. Let go at once, it swings and is shaken loose.
+  const ModelAnswer answer = run_model(clamped_block(settle + dig + "reset_displacement = true\n"));
+  const RunResult& run = answer.result;
+  ASSERT_EQ(run.settled.size(), 1u);
+  EXPECT_EQ(run.settled[0].moving, 0);
+  EXPECT_TRUE(run.settled[0].ended);
+  const Real stored = 2 * 0.5 * 5e6 * 5e6 / 1e9;  // J, of the two joints and more, at least
+  EXPECT_LT(run.energy.kinetic, 1e-6 * stored);
+  EXPECT_LT(norm(run.monitors[0].displacement.back()), 0.01);
+  EXPECT_LT(norm(run.monitors[0].velocity.back()), 1e-3);
+}
+
+TEST(Release, OverTimeLeavesItsShareOnTheWalls) {
+  // Of three cubes the upper two go: half of their weight at first, all of it in a later step.
+  const std::string steps =
+      settle +
+      "[[step]]\ntype = 'quasi_static'\ntime_step = 1\nsteps = 20\nexcavate = 1\n"
+      "release = [[5, 0.5]]\n"
+      "[[step]]\ntype = 'quasi_static'\ntime_step = 1\nsteps = 20\nrelease = [[5, 1]]\n";
+  const std::string model =
+      rock + box("rock", "[0, 0, 0]", "[1, 1, 3]") + "[[fixed]]\nwhere = {face = 'rock.zmin'}\n" +
+      taken("[-1, -1, 1]", "[2, 2, 4]") + "[[monitor]]\nname = 'low'\npoint = [0.5, 0.5, 1]\n";
+  const ModelAnswer half = run_model(model + steps.substr(0, steps.rfind("[[step]]"))),
+                    all = run_model(model + steps);
+  const Real cube = density * gravity;
+  const auto bears = [](const RunResult& run) { return run.conditions[0].force[2]; };
+  EXPECT_NEAR(bears(half.result) / (cube + 0.5 * 2 * cube), 1, 1e-6);
+  EXPECT_EQ(half.result.walls, 0.5);
+  EXPECT_NEAR(bears(all.result) / cube, 1, 1e-6);
+  EXPECT_EQ(all.result.walls, 0);
+}
+
+TEST(Release, InMotionClosesTheAccountOfEnergies) {
+  const std::string middle = taken("[-1, -1, 1]", "[2, 2, 2]");
+  const ModelAnswer answer =
+      run_model(tower(middle + settle + dig + "release = [[0.01, 0.3], [0.05, 1]]\n"));
+  EXPECT_LT(imbalance(answer.result, 10), 1e-9);
+  // The cube on top falls by the share of its weight that is gone: 0.3 t/0.01 g at first.
+  const MonitorHistory& top = answer.result.monitors[0];
+  EXPECT_NEAR(top.velocity[15][2] - top.velocity[10][2], -0.5 * 30 * gravity * 0.01 * 0.01, 1e-3);
+}
+
+TEST(WallsLeft, GoLinearlyFromRowToRow) {
+  const std::vector<std::array<Real, 2>> release{{0.5, 0.4}, {1.5, 0.9}};
+  const Real expected[][2] = {{0, 1}, {0.25, 0.8}, {0.5, 0.6}, {1, 0.35}, {1.5, 0.1}, {9, 0.1}};
+  for (const auto& [time, left] : expected) EXPECT_NEAR(walls_left(release, time), left, 1e-15);
+  EXPECT_EQ(walls_left({{0, 1}}, 0), 0);
+}
+
+TEST(Settling, EndsWhereNothingMoves) {
+  Settling settling;
+  settling.begin(0.01, 1, 9.81);
+  int steps = 0;
+  for (; !settling.done(); ++steps) settling.add({{0, 0, 0}}, {{0, 0, 0}});
+  EXPECT_EQ(steps, 11);
+  EXPECT_EQ(settling.settled().block, none);
+}
+
+TEST(Settling, TellsWhatDoesNotComeToRest) {
+  // It swings: what accelerates to and fro is neither at rest nor steady.
+  Settling settling;
+  settling.begin(0.01, 1, 9.81);
+  Real to = 1e-3;
+  for (; !settling.done(); to = -to) settling.add({{to, 0, 0}}, {{std::max<Real>(to, 0), 0, 0}});
+  EXPECT_FALSE(settling.settled().ended);
+  EXPECT_EQ(settling.settled().largest, 1e-3);
 }
 
 }  // namespace

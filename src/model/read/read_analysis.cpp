@@ -6,6 +6,7 @@
 #include <set>
 
 #include "src/model/read/draft.hpp"
+#include "src/model/read/read_loads.hpp"
 #include "src/model/read/read_value.hpp"
 
 namespace rockfold {
@@ -173,6 +174,26 @@ void check_excavate(TableReader& in, const Draft& draft, const std::vector<Analy
   }
 }
 
+/// How what excavated rock pressed its walls with is let go: of this step's, or of what an earlier one has left of it.
+void read_release(TableReader& in, const std::vector<AnalysisStage>& before, AnalysisStage& stage) {
+  if (!in.has("release")) return;
+  const auto takes = [](const AnalysisStage& step) { return step.excavate != 0; };
+  if (stage.excavate == 0 && std::none_of(before.begin(), before.end(), takes))
+    in.wrong("release", "no step has taken rock away yet: it goes with excavate");
+  TimeTable table;
+  read_time_table(in, "release", 1, between(0, 1, "share that is gone"), table);
+  for (std::size_t i = 0; i < table.time.size(); ++i) {
+    const Real share = table.value[i][0], least = i > 0 ? table.value[i - 1][0] : 0;
+    if (!(table.time[i] >= 0))
+      in.wrong("release", "found " + number_text(table.time[i]) +
+                              " s, must be >= 0: times count from the start of the step");
+    if (!(share >= least))
+      in.wrong("release", "found a share of " + number_text(share) + " after " +
+                              number_text(least) + ": what is gone does not come back");
+    stage.release.push_back({table.time[i], share});
+  }
+}
+
 /// [[step]]: analyses in order. `usual`: what [analysis] says.
 void read_stages(Draft& draft, const StageDefaults& usual) {
   std::vector<AnalysisStage> stages;
@@ -188,7 +209,8 @@ void read_stages(Draft& draft, const StageDefaults& usual) {
     if (in.has("excavate") &&
         in.read("excavate", stage.excavate, IntegerRange{.low = 1}, Need::optional))
       check_excavate(in, draft, stages, stage.excavate);
-    for (const char* later : {"release", "base_acceleration"}) in.not_yet(later);
+    read_release(in, stages, stage);
+    in.not_yet("base_acceleration");
     stages.push_back(stage);
   });
   if (stages.empty()) return;

@@ -134,6 +134,25 @@ Json energy_json(const Energy& e) {
           {"supports", e.supports}, {"excavated", e.excavated}};
 }
 
+/// Rock that steps take away: how what it had pressed its walls with was let go before they went on.
+Json settled_json(const RunReport& report) {
+  const auto or_null = [](Index block) { return block == none ? Json() : Json(block + 1); };
+  Json list = Json::array();
+  for (const Settled& s : report.run.settled) {
+    const AnalysisStage& stage = report.model.analysis->stages[s.stage];
+    list.push_back({{"step", stage.name},
+                    {"stage", stage.excavate},
+                    {"quasi_static_steps", s.steps},
+                    {"largest_displacement", s.largest},
+                    {"block", or_null(s.block)},
+                    {"moving_blocks", s.moving},
+                    {"fastest_block", or_null(s.fastest)},
+                    {"at_rest", s.moving == 0},
+                    {"settled", s.ended}});
+  }
+  return list;
+}
+
 Json contacts_json(const RunResult& run) {
   const ContactCount& c = run.contacts;
   const Rest rest = run.rest.value_or(Rest{});
@@ -221,6 +240,8 @@ Json run_document(const DocumentHead& head, const RunReport& report, BlockList l
   document["contacts"] = contacts_json(report.run);
   document["contacts_history"] = contacts_history_json(report.run);
   if (report.run.rest) document["rest"] = rest_json(report);
+  if (!report.run.gone.empty())
+    document["excavation"] = {{"walls", report.run.walls}, {"settled", settled_json(report)}};
   document["reaction"] = sum_of_forces(report.run.conditions);
   document["reactions"] = reactions_json(report.run.conditions);
   document["strength"] = strength_json(report.run.strength);

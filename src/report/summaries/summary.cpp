@@ -184,12 +184,36 @@ bool resets(const Model& model) {
                      [](const AnalysisStage& step) { return step.reset_displacement; });
 }
 
+/// How rock that a step takes away was let go before it went on.
+std::string settled_text(const Settled& s, const AnalysisStage& stage) {
+  std::string text = fmt::format(
+      "stage {} let go over {} quasi-static steps before \"{}\" goes on: ", stage.excavate, s.steps,
+      stage.name);
+  text += s.block == none
+              ? "nothing moved"
+              : fmt::format("block {} moved {:.3g} m, most of all", s.block + 1, s.largest);
+  if (!s.ended) return text + "; not all of the rock came to rest";
+  if (s.moving == 0) return text + "; all came to rest";
+  return text + fmt::format("; {} nothing holds any more, block {} first of all",
+                            counted(s.moving, "block", "blocks"), s.fastest + 1);
+}
+
+std::string excavation_facts(const RunReport& report) {
+  const Index gone = count_true(report.run.gone);
+  if (gone == 0) return "";
+  std::string text = fact("excavated", counted(gone, "block", "blocks") + " on the way");
+  for (const Settled& s : report.run.settled)
+    text += fact("", settled_text(s, report.model.analysis->stages[s.stage]));
+  if (report.run.walls > 0)
+    text += fact("", fmt::format("its walls still bear {:.3g} % of what it pressed them with",
+                                 100 * report.run.walls));
+  return text;
+}
+
 std::string rest_facts(const RunReport& report) {
   const Rest& rest = *report.run.rest;
-  const Index gone = count_true(report.run.gone);
-  const Index blocks = report.blocks.block_count() - gone;
-  std::string text =
-      gone == 0 ? "" : fact("excavated", counted(gone, "block", "blocks") + " on the way");
+  const Index blocks = report.blocks.block_count() - count_true(report.run.gone);
+  std::string text = excavation_facts(report);
   text +=
       fact("moved",
            fmt::format("{} of {} blocks by more than a hundredth of their size; {}",

@@ -29,11 +29,14 @@ Vec3 rotated(const Vec3& v, const Vec3& rotation) {
 
 }  // namespace
 
-Real resting_speed(const RunInput& input) {
+Real mean_block_size(const RunInput& input) {
   const auto& volume = input.blocks.volume;
   const Real rock = std::accumulate(volume.begin(), volume.end(), Real{0});
-  const Real size = std::cbrt(rock / static_cast<Real>(volume.size()));
-  return resting * std::sqrt(norm(input.model.gravity) * size);
+  return std::cbrt(rock / static_cast<Real>(volume.size()));
+}
+
+Real resting_speed(const RunInput& input) {
+  return resting * std::sqrt(norm(input.model.gravity) * mean_block_size(input));
 }
 
 Real largest_speed(const std::vector<BlockMotion>& velocity) {
