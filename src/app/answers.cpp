@@ -9,10 +9,12 @@
 #include "generated/version.hpp"
 #include "src/app/examples.hpp"
 #include "src/app/process/limits.hpp"
+#include "src/app/process/signals.hpp"
 #include "src/check/key_use.hpp"
 #include "src/io/partial_file.hpp"
 #include "src/report/documents/documents.hpp"
 #include "src/report/documents/marks.hpp"
+#include "src/report/error_text.hpp"
 #include "src/report/summaries/design_summary.hpp"
 #include "src/report/summaries/summary.hpp"
 #include "src/report/summaries/table.hpp"
@@ -133,9 +135,27 @@ void deliver(const Options& options, const std::vector<std::string>& warnings,
     Json document = make_document();
     finish_document(document, warnings, seconds);
     if (!options.json_file.empty()) write_document_file(options.json_file, document, list);
-    if (options.json) return write_document(stdout, document, list);
+    if (options.json) {
+      answer_begins();
+      return write_document(stdout, document, list);
+    }
   }
   if (!options.quiet) put(make_summary());
+}
+
+void add_limit(Json& document, const std::optional<Error>& limit) {
+  if (limit) document["error"] = error_document(*limit)["error"];
+}
+
+/// Below a summary; the document says it itself.
+void tell_limit(const Options& options, const std::optional<Error>& limit, Terminal& terminal) {
+  if (!limit) return;
+  std::fflush(stdout);
+  for (const std::string& line : error_lines(*limit))
+    if (options.json)
+      terminal.log(line);
+    else
+      terminal.error_line(line);
 }
 
 Json examples_document() {
@@ -170,10 +190,26 @@ void print_answer(const Answer& answer, Terminal& terminal, const PhaseSeconds& 
   const auto document = [&] {
     Json made = answer_document(answer);
     made["unused"] = answer.unused;
+    add_limit(made, answer.limit);
     return made;
   };
   deliver(answer.options, terminal.warnings(), seconds, long_list(answer), document,
           [&] { return answer_text(answer, seconds); });
+  tell_limit(answer.options, answer.limit, terminal);
+}
+
+void print_search(const Options& options, const Model& model, const Reduction& reduction,
+                  const std::optional<Error>& limit, Terminal& terminal) {
+  const auto document = [&] {
+    Json made =
+        search_document({command_name(options.command), model.title, options.seed}, reduction);
+    add_limit(made, limit);
+    return made;
+  };
+  deliver(options, terminal.warnings(), {}, {}, document, [&] {
+    return (model.title.empty() ? model.path : model.title) + "\n\n" + search_summary(reduction);
+  });
+  tell_limit(options, limit, terminal);
 }
 
 std::string stored_answer(const Answer& answer, const std::vector<std::string>& warnings) {

@@ -2,6 +2,7 @@
 // the pipeline.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "src/app/estimate.hpp"
 #include "src/app/support_design.hpp"
 #include "src/arrays/block_arrays.hpp"
+#include "src/base/error.hpp"
 #include "src/io/result_file.hpp"
 #include "src/page/write_page.hpp"
 #include "src/printed/printed_report.hpp"
@@ -38,6 +40,7 @@ struct Answer {
   const Reduction* reduction;       ///< of the run
   std::string path;                 ///< of the result file
   std::vector<std::string> unused;  ///< keys of the model that the command does not use
+  std::optional<Error> limit;       ///< that ended the run before its end
 };
 
 /// What the result file keeps of the answer: its document without the list of blocks, and what pages and reports tell beside it.
@@ -56,7 +59,11 @@ void print_page(const Options& options, const std::string& path, const PageFacts
 
 void print_report(const Options& options, const std::string& path, const PrintedFacts& facts);
 
+/// What there is of a run that a limit ended, then the error: on stderr, or as "error" of the document.
 void print_answer(const Answer& answer, Terminal& terminal, const PhaseSeconds& seconds);
+/// What a search for a reduction that did not come to its end knows; `limit` as of an answer.
+void print_search(const Options& options, const Model& model, const Reduction& reduction,
+                  const std::optional<Error>& limit, Terminal& terminal);
 void print_theory(const Options& options, const Model& model, const TheoryReport& report,
                   Terminal& terminal, const PhaseSeconds& seconds);
 /// `estimate`: null where it was not asked for.

@@ -179,26 +179,28 @@ void write_exports(const Options& options, const Model& model, const Cutting& cu
                   path);
 }
 
-/// Throws Error(analysis) where it was a limit that ended the run.
-void require_no_limit_met(const RunResult& run, const Model& model, const Options& options,
-                          const std::string& path) {
-  const auto error = stop_error(
+/// The limit that ended the run, if one did.
+std::optional<Error> limit_met(const RunResult& run, const Model& model, const Options& options,
+                               const std::string& path) {
+  if (!run.interrupted) return {};
+  return stop_error(
       fmt::format("stopped after {} of {} steps, t = {:.6g} s; {}", run.steps,
                   model.analysis->steps(), run.time,
                   options.no_result
                       ? "nothing is stored (--no-result)"
                       : fmt::format("{} holds the states so far, and `rockfold resume {}` goes on",
                                     path, path)));
-  if (error) throw *error;
 }
 
 /// Of a search for a reduction that a signal or a limit ended: what it knows so far, since nothing is stored. Returns the exit status.
-int end_search(const Reduction& reduction, Terminal& terminal) {
+int end_search(const Options& options, const Model& model, const Reduction& reduction,
+               Terminal& terminal) {
   const std::string known = fmt::format(
       "in the search for the factor of [reduction], {}; no result is stored",
       reduction.trials.empty() ? "before its first trial" : "which " + bounds_text(reduction));
-  if (const auto error = stop_error("stopped " + known)) throw *error;
-  terminal.warn("interrupted " + known);
+  const auto limit = stop_error("stopped " + known);
+  if (!limit) terminal.warn("interrupted " + known);
+  print_search(options, model, reduction, limit, terminal);
   return interrupted_status();
 }
 
@@ -300,7 +302,8 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
                     [&] { writer->write_elements(rock->covering.arrays, rock->mesh); });
     auto analysed = analyse(*rock, model, blocks, writer ? &*writer : nullptr, options, resumption,
                             probe, terminal);
-    if (!analysed.run) return end_search(*analysed.reduction, terminal);
+    analysis_is_over();
+    if (!analysed.run) return end_search(options, model, *analysed.reduction, terminal);
     run = std::move(analysed.run);
     reduction = std::move(analysed.reduction);
     journal = std::move(analysed.journal);
@@ -326,7 +329,8 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
                       run ? &*run : nullptr,
                       reduction ? &*reduction : nullptr,
                       path,
-                      unused_keys(options, model)};
+                      unused_keys(options, model),
+                      run ? limit_met(*run, model, options, path) : std::nullopt};
   clock.measure("output", [&] {
     if (!writer) return;
     writer->write_answer(stored_answer(answer, terminal.warnings()));
@@ -344,9 +348,8 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
     clock.measure("output", "writing the report",
                   [&] { write_report(path, report_path(options)); });
 
-  if (run && run->interrupted) require_no_limit_met(*run, model, options, path);
   print_answer(answer, terminal, clock.seconds());
-  return run ? interrupted_status() : 0;
+  return run && run->interrupted ? interrupted_status() : 0;
 }
 
 /// Goes on with an interrupted run, or tells of a finished one.

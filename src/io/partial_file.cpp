@@ -63,11 +63,12 @@ bool settle_partial_files() noexcept {
 }
 
 SignalsWait::SignalsWait() {
-  sigset_t both;
-  sigemptyset(&both);
-  sigaddset(&both, SIGINT);
-  sigaddset(&both, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &both, &before_);
+  sigset_t all;
+  sigemptyset(&all);
+  sigaddset(&all, SIGINT);
+  sigaddset(&all, SIGTERM);
+  sigaddset(&all, SIGALRM);
+  pthread_sigmask(SIG_BLOCK, &all, &before_);
 }
 
 SignalsWait::~SignalsWait() {

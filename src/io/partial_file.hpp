@@ -40,7 +40,7 @@ class PartialFile {
 /// For signal handlers, before _exit(): files worth keeping take their names, others are removed. Whether any took its name.
 bool settle_partial_files() noexcept;
 
-/// While it lives, SIGINT and SIGTERM wait in this thread.
+/// While it lives, SIGINT, SIGTERM and SIGALRM wait in this thread.
 class SignalsWait {
  public:
   SignalsWait();

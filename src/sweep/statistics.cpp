@@ -31,6 +31,50 @@ std::vector<Real> ranks(const std::vector<Real>& values) {
   return rank;
 }
 
+/// 1 + d₁/(1 + d₂/(1 + …)) of I_x(a, b): DLMF 8.17.22, by Lentz's method (Thompson & Barnett, J. Comput. Phys. 64, 1986). Converges in
+/// some √max(a, b) terms for x < (a + 1)/(a + b + 2).
+Real beta_fraction(Real a, Real b, Real x) {
+  constexpr Real tiny = 1e-300, rounding = 1e-15;
+  constexpr int most_terms = 100'000;
+  const auto kept_off_zero = [](Real v) { return std::abs(v) < tiny ? tiny : v; };
+  Real value = 1, above = 1, below = 0;
+  for (int n = 1; n <= most_terms; ++n) {
+    const Real m = n / 2;
+    const Real d = n % 2 == 0 ? m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m))
+                              : -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1));
+    below = 1 / kept_off_zero(1 + d * below);
+    above = kept_off_zero(1 + d / above);
+    value *= above * below;
+    if (std::abs(above * below - 1) < rounding) break;
+  }
+  return value;
+}
+
+/// The x with I_x(a, b) = share. By halving: 60 halvings of [0, 1] are below rounding.
+Real beta_quantile(Real a, Real b, Real share) {
+  Real low = 0, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const Real middle = (low + high) / 2;
+    (incomplete_beta(a, b, middle) < share ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+constexpr Real beyond = 0.025;  // on each side of 95 % bounds
+
+Bounds wilson_bounds(Real met, Real n) {
+  constexpr Real z = 1.959963984540054;  // of the normal distribution, 2.5 % above
+  const Real p = met / n, half = z * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n)),
+             scale = 1 + z * z / n, middle = p + z * z / (2 * n);
+  return {met == 0 ? 0 : (middle - half) / scale, met == n ? 1 : (middle + half) / scale};
+}
+
+/// Of the binomial distribution: P(as many or more | low) = P(as many or fewer | high) = 2.5 %.
+Bounds exact_bounds(Real met, Real n) {
+  return {met == 0 ? 0 : beta_quantile(met, n - met + 1, beyond),
+          met == n ? 1 : beta_quantile(met + 1, n - met, 1 - beyond)};
+}
+
 }  // namespace
 
 Spread spread_of(std::vector<Real> values) {
@@ -59,15 +103,20 @@ Spread spread_of(std::vector<Real> values) {
   return s;
 }
 
+Real incomplete_beta(Real a, Real b, Real x) {
+  if (x <= 0 || x >= 1) return x <= 0 ? 0 : 1;
+  if (x > (a + 1) / (a + b + 2)) return 1 - incomplete_beta(b, a, 1 - x);
+  const Real front = std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) +
+                              a * std::log(x) + b * std::log1p(-x));
+  return front / (a * beta_fraction(a, b, x));
+}
+
 Chance chance_of(Index met, Index count) {
-  Chance c{count, met, 0, 0, 1};
+  Chance c{count, met, 0, {}, {}};
   if (count == 0) return c;
-  constexpr Real z = 1.959963984540054;  // of the normal distribution, 2.5 % above
-  const Real n = count, p = met / n, half = z * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n)),
-             scale = 1 + z * z / n, middle = p + z * z / (2 * n);
-  c.probability = p;
-  c.low = met == 0 ? 0 : (middle - half) / scale;
-  c.high = met == count ? 1 : (middle + half) / scale;
+  c.probability = static_cast<Real>(met) / count;
+  c.wilson = wilson_bounds(met, count);
+  c.exact = exact_bounds(met, count);
   return c;
 }
 

@@ -11,6 +11,7 @@
 #include "src/app/answers.hpp"
 #include "src/app/process/signals.hpp"
 #include "src/base/interrupt.hpp"
+#include "src/report/error_text.hpp"
 #include "src/report/summaries/summary.hpp"
 #include "src/sweep/processes/mpi_link.hpp"
 #include "src/sweep/processes/run_pool.hpp"
@@ -108,6 +109,7 @@ void Sweep::compute_all(const std::vector<Index>& left, SweepRecord& record, Ter
       },
       link);
   compute(*queue);
+  analysis_is_over();
   terminal.end();
 }
 
@@ -132,12 +134,17 @@ int Sweep::compute_part(Terminal& terminal) {
 void Sweep::warn(const SweepTable& table, Terminal& terminal) const {
   for (const Result& result : spec_.results)
     if (count_of(table, "done") > 0 && spread_of(numbers_of(table, result.name)).count == 0)
-      terminal.warn(fmt::format("result '{}': no run's document has a number at {}", result.name,
-                                result.path));
+      terminal.warn(fmt::format("result '{}': {}", result.name,
+                                is_answered(table, result.name)
+                                    ? result.path + " is null in every run"
+                                    : "no run's document has a number at " + result.path));
   const std::size_t all = runs_.values().size();
-  if (interrupt_signal != 0)
-    terminal.warn(fmt::format("interrupted: {} of {} runs have ended; the same command goes on",
-                              table.rows.size(), all));
+  const std::string ended =
+      fmt::format("{} of {} runs have ended; the same command goes on", table.rows.size(), all);
+  if (const auto limit = stop_error(ended))
+    terminal.warn(error_lines(*limit).front());
+  else if (interrupt_signal != 0)
+    terminal.warn("interrupted: " + ended);
   else if (table.rows.size() < all)
     terminal.warn(
         fmt::format("{} of {} runs have ended: submit the others again, or sweep without "

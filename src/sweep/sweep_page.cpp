@@ -8,9 +8,8 @@
 
 #include "src/printed/format.hpp"
 #include "src/printed/html.hpp"
-#include "src/printed/plot.hpp"
 #include "src/printed/print_style.hpp"
-#include "src/report/drawings/svg.hpp"
+#include "src/sweep/sweep_events.hpp"
 
 namespace rockfold::sweep {
 
@@ -18,13 +17,8 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-// px
-constexpr Real width = 680, left = 62, right = 18, top = 34;
-constexpr Real bar_height = 22;
-constexpr const char* low_colour = "#4477aa";
-constexpr const char* high_colour = "#ee7733";
-constexpr std::size_t most_bars = 20;    // of a tornado plot
-constexpr std::size_t most_rows = 2000;  // of the table; what is longer is read in the CSV
+constexpr std::size_t most_failed = 200;  // that are named
+constexpr std::size_t most_rows = 2000;   // of the table; what is longer is read in the CSV
 
 constexpr const char* head =
     "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -32,17 +26,9 @@ constexpr const char* head =
     "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
     "'unsafe-inline'\">\n";
 
-std::vector<Real> numbers_alone(std::vector<Real> values) {
-  std::erase_if(values, [](Real v) { return !std::isfinite(v); });
-  return values;
-}
-
-/// By Freedman & Diaconis (1981): 2 · interquartile range / ∛n wide, 4 to 40 of them.
-std::size_t class_count(const Spread& spread) {
-  const Real range = spread.max - spread.min, quartiles = spread.p75 - spread.p25;
-  if (!(range > 0)) return 1;
-  const Real size = 2 * quartiles / std::cbrt(static_cast<Real>(spread.count));
-  return static_cast<std::size_t>(std::clamp(size > 0 ? std::ceil(range / size) : 4.0, 4.0, 40.0));
+std::string with_unit(const Result& result) {
+  const std::string unit = unit_at(result.path);
+  return result.name + (unit.empty() ? "" : " (" + unit + ")");
 }
 
 void add_results(Html& html, const SweepTable& table) {
@@ -50,7 +36,7 @@ void add_results(Html& html, const SweepTable& table) {
   for (const Result& result : table.spec.results) {
     const Spread s = spread_of(numbers_of(table, result.name));
     if (s.count == 0) continue;
-    rows.push_back({result.name, std::to_string(s.count)});
+    rows.push_back({with_unit(result), std::to_string(s.count)});
     for (const Real v : {s.mean, s.deviation, s.min, s.p5, s.p25, s.p50, s.p75, s.p95, s.max})
       rows.back().push_back(digits(v));
   }
@@ -71,16 +57,20 @@ void add_results(Html& html, const SweepTable& table) {
              rows);
 }
 
+std::string range_text(const Bounds& bounds) {
+  return digits(100 * bounds.low, 3) + " … " + digits(100 * bounds.high, 3);
+}
+
 void add_events(Html& html, const SweepTable& table) {
   Rows rows;
+  std::vector<std::string> notes;
   for (const Event& event : table.spec.events) {
-    const std::vector<int> all = happened(table, event);
-    const auto met = static_cast<Index>(std::count(all.begin(), all.end(), 1));
-    const Chance c =
-        chance_of(met, met + static_cast<Index>(std::count(all.begin(), all.end(), 0)));
+    const Chance c = count_event(table, event).chance;
     rows.push_back({event.name, event.text, fmt::format("{} of {}", c.met, c.count),
-                    c.count > 0 ? digits(100 * c.probability, 3) : "–", digits(100 * c.low, 3),
-                    digits(100 * c.high, 3)});
+                    c.count > 0 ? digits(100 * c.probability, 3) : "–", range_text(c.wilson),
+                    range_text(c.exact)});
+    if (const std::string note = null_note(table, event); !note.empty())
+      notes.push_back(event.name + ": " + note + ".");
   }
   if (rows.empty()) return;
   html.heading(2, "Events");
@@ -89,36 +79,108 @@ void add_events(Html& html, const SweepTable& table) {
               {"When", "", true},
               {"Runs"},
               {"Probability", "%"},
-              {"From", "%, 95 % bounds"},
-              {"To", "%, 95 % bounds"}},
+              {"95 % bounds", "%, Wilson"},
+              {"95 % bounds", "%, Clopper–Pearson"}},
              rows);
+  for (const std::string& note : notes) html.paragraph(note, "note");
+  if (const auto failed = not_done(table).size(); failed > 0)
+    html.paragraph(
+        fmt::format("Counted are the {} runs that are done; {} that failed or met a limit are in "
+                    "no event.",
+                    count_of(table, "done"), failed),
+        "note");
+}
+
+const char* sign(Condition::Operator op) {
+  using Operator = Condition::Operator;
+  switch (op) {
+    case Operator::more:
+      return ">";
+    case Operator::at_least:
+      return "≥";
+    case Operator::less:
+      return "<";
+    case Operator::at_most:
+      return "≤";
+    case Operator::equal:
+      return "=";
+    case Operator::other:
+      return "≠";
+  }
+  return "";
+}
+
+ResultPlot plot_of(const SweepTable& table, const Result& result) {
+  ResultPlot plot{result.name, unit_at(result.path), numbers_of(table, result.name)};
+  for (const Event& event : table.spec.events)
+    for (const auto& comparisons : event.when.any_of_all)
+      for (const auto& comparison : comparisons)
+        if (comparison.name == result.name)
+          plot.marks.push_back({event.name, sign(comparison.op), comparison.number});
+  return plot;
+}
+
+/// "of 132 of 200 runs; 68 have no number": whom a drawing is of.
+std::string runs_text(const SweepTable& table, const Result& result) {
+  const Index done = count_of(table, "done"), none = runs_without(table, result.name);
+  if (none == 0) return fmt::format("of {} runs", done);
+  return fmt::format("of the {} of {} runs that have a number", done - none, done);
+}
+
+void add_tornado(Html& html, const SweepTable& table, const Result& result, Real mean) {
+  const std::string tornado =
+      tornado_svg(result.name, unit_at(result.path), swings(table, result.name), mean);
+  if (tornado.empty()) return;
+  html.figure(
+      tornado,
+      "Means of the result over the runs with the lowest third (blue) and the highest third "
+      "(orange) of each parameter's values, about the mean of all; r: rank correlation "
+      "(Spearman).");
 }
 
 void add_plots(Html& html, const SweepTable& table) {
   for (const Result& result : table.spec.results) {
-    const std::vector<Real> values = numbers_of(table, result.name);
-    const std::string histogram = histogram_svg(result.name, values);
+    const ResultPlot plot = plot_of(table, result);
+    const std::string histogram = histogram_svg(plot);
     if (histogram.empty()) continue;
+    const std::string whose = runs_text(table, result);
     html.heading(2, result.name);
-    html.figure(histogram, "Runs by result; the line is the mean.");
-    const std::vector<Swing> all = swings(table, result.name);
-    const std::string tornado = tornado_svg(result.name, all, spread_of(values).mean);
-    if (!tornado.empty())
-      html.figure(
-          tornado,
-          "Means of the result over the runs with the lowest third (blue) and the highest third "
-          "(orange) of each parameter's values, about the mean of all; r: rank correlation "
-          "(Spearman).");
+    html.figure(histogram, "Histogram " + whose + ". Dashed: the mean; dotted: 5, 50 and 95 %" +
+                               (plot.marks.empty() ? "." : "; red: what events compare it with."));
+    html.figure(cumulated_svg(plot), "Cumulated curve (empirical distribution) " + whose +
+                                         ", with its median, 5 and 95 %.");
+    add_tornado(html, table, result, spread_of(plot.values).mean);
   }
+  const auto& parameters = table.spec.parameters;
+  const auto seeds = std::count_if(parameters.begin(), parameters.end(), is_seed);
+  if (seeds > 0)
+    html.paragraph(
+        "Seeds of random numbers have no size that a result could rise or fall with: "
+        "they stand in no diagram of what results depend on.",
+        "note");
 }
 
 void add_failed(Html& html, const SweepTable& table) {
   Rows rows;
-  for (const RunRecord& row : table.rows)
-    if (row.status != "done") rows.push_back({std::to_string(row.run), row.status, row.error});
+  const std::vector<RunRecord> failed = not_done(table);
+  for (std::size_t i = 0; i < std::min(failed.size(), most_failed); ++i)
+    rows.push_back({std::to_string(failed[i].run), failed[i].status, failed[i].error});
   if (rows.empty()) return;
   html.heading(2, "Runs that failed");
   html.table("", {{"Run"}, {"Status", "", true}, {"Error", "", true}}, rows);
+  if (failed.size() > most_failed)
+    html.paragraph(
+        fmt::format("The first {} of {}; sweep.csv has all.", most_failed, failed.size()), "note");
+}
+
+/// A key that may go on in another line after each of its words: the table has many columns.
+std::string breakable(const std::string& key) {
+  std::string text;
+  for (const char c : key) {
+    text += c;
+    if (c == '.' || c == '_') text += "\u200b";  // a blank of no width
+  }
+  return text;
 }
 
 void add_runs(Html& html, const SweepTable& table) {
@@ -126,7 +188,7 @@ void add_runs(Html& html, const SweepTable& table) {
   std::vector<HtmlColumn> columns{{"Run"}, {"Status", "", true}, {"Time", "s"}};
   std::vector<std::vector<Real>> results;
   std::vector<std::vector<int>> events;
-  for (const Parameter& p : table.spec.parameters) columns.push_back({p.key});
+  for (const Parameter& p : table.spec.parameters) columns.push_back({breakable(p.key)});
   for (const Result& r : table.spec.results) {
     columns.push_back({r.name});
     results.push_back(numbers_of(table, r.name));
@@ -158,51 +220,11 @@ std::string page_path(const std::string& folder) {
   return (std::filesystem::path(folder) / "sweep.html").string();
 }
 
-std::string histogram_svg(const std::string& name, const std::vector<Real>& values) {
-  const Spread spread = spread_of(values);
-  if (spread.count == 0) return "";
-  const std::size_t classes = class_count(spread);
-  const Real half = spread.max > spread.min ? 0 : std::max(std::abs(spread.min), 1.0) / 2;
-  const Real low = spread.min - half, high = spread.max + half;
-  std::vector<Index> count(classes, 0);
-  for (const Real v : numbers_alone(values)) {
-    const auto at = static_cast<std::size_t>((v - low) / (high - low) * static_cast<Real>(classes));
-    ++count[std::min(at, classes - 1)];
-  }
-  const Real most = static_cast<Real>(*std::max_element(count.begin(), count.end()));
-  constexpr Real height = 230, bottom = 40;
-  const auto x = [&](Real v) { return left + (v - low) / (high - low) * (width - left - right); };
-  const auto y = [&](Real n) { return top + (1 - n / most) * (height - top - bottom); };
-  Svg svg(width, height);
-  svg.text({left, 18}, name, {.size = 13, .bold = true});
-  const Pen grid{.stroke = "#dddddd", .width = 0.8}, axis{.stroke = "#333333", .width = 1};
-  for (const Real n : axis_ticks(0, most, 5)) {
-    if (n != std::floor(n)) continue;  // runs are whole
-    svg.line({left, y(n)}, {width - right, y(n)}, grid);
-    svg.text({left - 6, y(n) + 4}, digits(n), {.size = 11, .anchor = "end"});
-  }
-  const Real step = (high - low) / static_cast<Real>(classes);
-  for (std::size_t c = 0; c < classes; ++c) {
-    const Real a = x(low + static_cast<Real>(c) * step),
-               b = x(low + static_cast<Real>(c + 1) * step), up = y(static_cast<Real>(count[c]));
-    if (count[c] > 0)
-      svg.polygon({{{a, y(0)}, {b, y(0)}, {b, up}, {a, up}}},
-                  {.stroke = "#ffffff", .width = 0.8, .fill = low_colour});
-  }
-  svg.line({left, y(0)}, {width - right, y(0)}, axis);
-  for (const Real v : axis_ticks(low, high, 8)) {
-    svg.line({x(v), y(0)}, {x(v), y(0) + 4}, axis);
-    svg.text({x(v), y(0) + 17}, digits(v, 4), {.size = 11, .anchor = "middle"});
-  }
-  svg.line({x(spread.mean), top}, {x(spread.mean), y(0)},
-           {.stroke = "#222222", .width = 1.4, .dash = "5 3"});
-  return svg.document(name);
-}
-
 std::vector<Swing> swings(const SweepTable& table, const std::string& result) {
   const std::vector<Real> value = numbers_of(table, result);
   std::vector<Swing> all;
   for (const Parameter& p : table.spec.parameters) {
+    if (is_seed(p)) continue;
     const std::vector<Real> given = numbers_of(table, p.key);
     std::vector<Real> sorted;
     for (std::size_t i = 0; i < given.size(); ++i)
@@ -223,46 +245,6 @@ std::vector<Swing> swings(const SweepTable& table, const std::string& result) {
     return std::abs(a.high - a.low) > std::abs(b.high - b.low);
   });
   return all;
-}
-
-std::string tornado_svg(const std::string& name, const std::vector<Swing>& swings, Real mean) {
-  if (swings.empty()) return "";
-  const std::size_t bars = std::min(swings.size(), most_bars);
-  Real low = mean, high = mean, names = 0;
-  for (std::size_t i = 0; i < bars; ++i) {
-    low = std::min({low, swings[i].low, swings[i].high});
-    high = std::max({high, swings[i].low, swings[i].high});
-    names = std::max(names, text_width(swings[i].parameter, 11.5));
-  }
-  if (!(high > low)) return "";
-  const Real begin = std::min(names + 16, width / 2), end = width - 70;
-  const Real height = top + static_cast<Real>(bars) * bar_height + 34;
-  const auto x = [&](Real v) { return begin + (v - low) / (high - low) * (end - begin); };
-  Svg svg(width, height);
-  svg.text({begin, 18}, name, {.size = 13, .bold = true});
-  const Real bottom = height - 34;
-  const Pen axis{.stroke = "#333333", .width = 1};
-  for (std::size_t i = 0; i < bars; ++i) {
-    const Swing& s = swings[i];
-    const Real up = top + static_cast<Real>(i) * bar_height + 3, down = up + bar_height - 6;
-    const auto bar = [&](Real to, const char* colour) {
-      svg.polygon({{{x(mean), up}, {x(to), up}, {x(to), down}, {x(mean), down}}},
-                  {.stroke = "none", .fill = colour});
-    };
-    bar(s.low, low_colour);
-    bar(s.high, high_colour);
-    svg.text({begin - 8, down - 3}, s.parameter, {.size = 11.5, .anchor = "end"});
-    if (std::isfinite(s.rank_correlation))
-      svg.text({width - 8, down - 3}, fmt::format("r {:+.2f}", s.rank_correlation),
-               {.size = 11, .anchor = "end"});
-  }
-  svg.line({x(mean), top - 4}, {x(mean), bottom}, axis);
-  svg.line({begin, bottom}, {end, bottom}, axis);
-  for (const Real v : axis_ticks(low, high, 6)) {
-    svg.line({x(v), bottom}, {x(v), bottom + 4}, axis);
-    svg.text({x(v), bottom + 17}, digits(v, 4), {.size = 11, .anchor = "middle"});
-  }
-  return svg.document(name);
 }
 
 void write_page(const SweepTable& table, const std::string& folder) {

@@ -16,7 +16,7 @@ struct RunRecord {
   std::string status;  ///< "done", "failed", "limit"
   Real seconds = 0;
   std::string error;
-  /// [results] as texts of JSON: a number, a word in quotes, true, null.
+  /// [results] as texts of JSON: a number, a word in quotes, true, null; "" where the document has no such place.
   std::vector<std::string> results;
 };
 

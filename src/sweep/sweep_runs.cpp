@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -85,8 +86,8 @@ Identity identity_of(const Options& options, const SweepSpec& spec, const std::s
   return identity;
 }
 
-/// What a path picks; null if there is no such thing.
-Json picked(const Json& document, const std::string& path) {
+/// What a path picks; nothing if there is no such place.
+std::optional<Json> picked(const Json& document, const std::string& path) {
   const Json* at = &document;
   for (std::size_t begin = 0; begin <= path.size();) {
     const std::size_t end = std::min(path.find('.', begin), path.size());
@@ -113,6 +114,11 @@ Json picked(const Json& document, const std::string& path) {
     at = &*found;
   }
   return *at;
+}
+
+/// As a record keeps it. Lists and tables are no result.
+std::string result_text(const std::optional<Json>& value) {
+  return !value || value->is_structured() ? "" : value->dump();
 }
 
 std::string last_line(const std::string& text) {
@@ -189,10 +195,8 @@ RunRecord SweepRuns::outcome(const Ended& end) const {
                     : fmt::format("more than limits.memory, {:g} bytes", spec_.memory_limit);
   } else if (end.exit_status == 0 && document.is_object()) {
     row.status = "done";
-    for (const Result& result : spec_.results) {
-      const Json value = picked(document, result.path);
-      row.results.push_back(value.is_structured() ? "null" : value.dump());
-    }
+    for (const Result& result : spec_.results)
+      row.results.push_back(result_text(picked(document, result.path)));
   } else {
     row.error = why_it_failed(document, end, text_of(stem + ".log"));
   }

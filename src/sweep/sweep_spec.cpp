@@ -105,6 +105,10 @@ void read_list(TableReader& root, const std::string& key, Read read) {
 void read_event(TableReader& in, SweepSpec& spec) {
   Event event;
   in.read("name", event.name);
+  const std::vector<std::string> meanings{null_name(NullMeans::did_not_happen),
+                                          null_name(NullMeans::left_out)};
+  if (const auto means = in.choose("null", {meanings, {}}, Need::optional))
+    event.null = static_cast<NullMeans>(*means);
   if (!in.read("when", event.text)) return;
   std::vector<std::string> known;
   for (const Result& result : spec.results) known.push_back(result.name);
@@ -169,6 +173,14 @@ void read_root(TableReader& root, SweepSpec& spec) {
 }
 
 }  // namespace
+
+bool is_seed(const Parameter& parameter) {
+  return parameter.key == "seed" || parameter.key.ends_with(".seed");
+}
+
+const char* null_name(NullMeans null) {
+  return null == NullMeans::left_out ? "exclude" : "false";
+}
 
 SweepSpec parse_sweep(const std::string& text, const std::string& path) {
   const Value root = parse_toml(text, 0, path);

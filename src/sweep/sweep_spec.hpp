@@ -31,6 +31,9 @@ struct Parameter {
   std::variant<std::vector<std::string>, Variable> values;
 };
 
+/// Whether its values are the seeds of random numbers ("….seed"): names of samples, which have no size.
+bool is_seed(const Parameter& parameter);
+
 /// A number of the command's document.
 struct Result {
   std::string name, path;  ///< "totals.support_force"; lists by number from 0 (−1 the last) or name
@@ -47,9 +50,15 @@ struct Condition {
   std::vector<std::vector<Comparison>> any_of_all;
 };
 
+/// What a run says of an event where a result that would decide it has no number (null: "there is none").
+enum class NullMeans { did_not_happen, left_out };
+/// As in SWEEP.toml: "false", "exclude".
+const char* null_name(NullMeans null);
+
 struct Event {
   std::string name, text;
   Condition when;
+  NullMeans null = NullMeans::did_not_happen;
 };
 
 enum class Sampling { all, latin_hypercube, monte_carlo };

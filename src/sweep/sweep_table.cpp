@@ -11,6 +11,7 @@
 
 #include "src/io/hdf5/hdf5_file.hpp"
 #include "src/io/partial_file.hpp"
+#include "src/sweep/sweep_events.hpp"
 
 namespace rockfold::sweep {
 
@@ -38,25 +39,6 @@ Real number_in(const std::string& text) {
   if (value.is_number()) return value.get<Real>();
   if (value.is_boolean()) return value.get<bool>() ? 1 : 0;
   return nothing;
-}
-
-bool holds(const Condition::Comparison& comparison, Real value) {
-  using Operator = Condition::Operator;
-  switch (comparison.op) {
-    case Operator::more:
-      return value > comparison.number;
-    case Operator::at_least:
-      return value >= comparison.number;
-    case Operator::less:
-      return value < comparison.number;
-    case Operator::at_most:
-      return value <= comparison.number;
-    case Operator::equal:
-      return value == comparison.number;
-    case Operator::other:
-      return value != comparison.number;
-  }
-  return false;
 }
 
 template <typename List>
@@ -134,23 +116,25 @@ std::vector<Real> numbers_of(const SweepTable& table, const std::string& column)
   return numbers;
 }
 
-std::vector<int> happened(const SweepTable& table, const Event& event) {
-  std::vector<int> any(table.rows.size(), 0);
-  for (const auto& comparisons : event.when.any_of_all) {
-    std::vector<int> all(table.rows.size(), 1);
-    for (const auto& comparison : comparisons) {
-      const std::vector<Real> value = numbers_of(table, comparison.name);
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        if (std::isnan(value[i])) any[i] = -1;
-        if (!holds(comparison, value[i])) all[i] = 0;
-      }
-    }
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (any[i] == 0) any[i] = all[i];
+bool is_answered(const SweepTable& table, const std::string& column) {
+  const std::vector<Real> numbers = numbers_of(table, column);
+  const auto& results = table.spec.results;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const RunRecord& row = table.rows[i];
+    if (row.status != "done") continue;
+    if (!std::isnan(numbers[i])) return true;
+    for (std::size_t r = 0; r < std::min(results.size(), row.results.size()); ++r)
+      if (results[r].name == column && row.results[r] == "null") return true;
   }
-  for (std::size_t i = 0; i < any.size(); ++i)
-    if (table.rows[i].status != "done") any[i] = -1;
-  return any;
+  return false;
+}
+
+Index runs_without(const SweepTable& table, const std::string& column) {
+  const std::vector<Real> numbers = numbers_of(table, column);
+  Index count = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    count += table.rows[i].status == "done" && std::isnan(numbers[i]);
+  return count;
 }
 
 std::string csv_text(const SweepTable& table) {

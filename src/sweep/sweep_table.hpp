@@ -17,12 +17,16 @@ struct SweepTable {
   std::vector<RunRecord> rows;
 };
 
+/// Failed ones and those beyond a limit, by number.
+std::vector<RunRecord> not_done(const SweepTable& table);
 /// `status` is that of a run.
 Index count_of(const SweepTable& table, const std::string& status);
 /// [rows] A column as numbers: a parameter's key or a result's name; NaN where there is none.
 std::vector<Real> numbers_of(const SweepTable& table, const std::string& column);
-/// [rows] 1 it happened, 0 it did not, −1 unknown: the run failed or has no such number.
-std::vector<int> happened(const SweepTable& table, const Event& event);
+/// Whether `column` has a number, or a null that says that there is none, in any run that is done. If not, its path leads nowhere.
+bool is_answered(const SweepTable& table, const std::string& column);
+/// Runs that are done and have no number in `column`.
+Index runs_without(const SweepTable& table, const std::string& column);
 
 /// The columns: run,status,seconds,error, then parameters, results, events.
 std::string csv_text(const SweepTable& table);

@@ -139,6 +139,35 @@ class Sweep(ProgramTest):
             self.assertEqual(list(file["parameters/value"][0]), [0.5, 1, 2])
             self.assertEqual(list(file["events/value"][0]), [1, 1, 0])
 
+    def test_runs_without_a_number_count_as_the_event_says(self):
+        # Joints 0.5, 1 and 2 m apart leave 8, 5 and 3 blocks: the last run has no fifth one.
+        event = '[[event]]\nname = "{}"\nwhen = "fifth > 0.2"\nnull = "{}"\n'
+        sweep = SWEEP.replace("2000, -1", "2000").replace('path = "blocks.-1.volume"', 'path = "blocks.4.volume"').replace('"last volume"', '"fifth"')
+        self.write("sweep.toml", sweep + event.format("of all", "false") + event.format("given one", "exclude"))
+        done = self.run_program("sweep", "sweep.toml", "--report")
+        rows = self.table()
+        self.assertEqual([(row["fifth"] != "", row["of all"], row["given one"]) for row in rows],
+                         [(True, "true", "true"), (True, "true", "true"), (False, "false", "")])
+        note = "1 of 3 runs have no number there (null): "
+        for text in (done.stdout, (self.folder / "sweep" / "sweep.html").read_text(encoding="utf-8").replace("&quot;", '"')):
+            self.assertIn(note + 'counted as not happened (null = "false")', text)
+            self.assertIn(note + 'left out (null = "exclude")', text)
+        self.assertRegex(done.stdout, r"of all +fifth > 0.2 +2 of 3 +66.7 %")
+        self.assertRegex(done.stdout, r"given one +fifth > 0.2 +2 of 2 +100 %")
+        events = self.json_of("sweep", "sweep.toml")["events"]
+        self.assertEqual([(e["met"], e["count"], e["null"], e["null_runs"]) for e in events],
+                         [(2, 3, "false", 0), (2, 3, "false", 1), (2, 2, "exclude", 1)])
+        self.assertAlmostEqual(events[2]["clopper_pearson"]["low"], 0.025 ** 0.5)
+        with h5py.File(self.folder / "sweep" / "sweep.h5") as file:
+            self.assertEqual([list(column) for column in file["events/value"][1:]], [[1, 1, 0], [1, 1, -1]])
+
+    def test_an_event_on_a_misspelt_path_is_not_counted(self):
+        self.write("sweep.toml", SWEEP.replace("2000, -1", "2000").replace('"totals.blocks"', '"totals.block"'))
+        done = self.run_program("sweep", "sweep.toml")
+        self.assertIn("no run's document has a number at totals.block", done.stderr)
+        self.assertRegex(done.stdout, r"many +blocks > 4 +0 of 0 +-")
+        self.assertEqual({row["many"] for row in self.table()}, {""})
+
     def test_samples_depend_on_the_seed_alone(self):
         tables = []
         for sampling, workers in (("latin_hypercube", 1), ("latin_hypercube", 3), ("monte_carlo", 2)):

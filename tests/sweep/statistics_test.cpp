@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -28,11 +30,59 @@ TEST(Spread, OfFiveValuesIsAsByHand) {
 TEST(Chance, HasWilsonsBounds) {
   const Chance c = chance_of(2, 10);
   EXPECT_DOUBLE_EQ(c.probability, 0.2);
-  EXPECT_NEAR(c.low, 0.05668, 1e-5);
-  EXPECT_NEAR(c.high, 0.50984, 1e-5);
-  EXPECT_EQ(chance_of(0, 10).low, 0);
-  EXPECT_EQ(chance_of(10, 10).high, 1);
-  EXPECT_EQ(chance_of(0, 0).high, 1);
+  EXPECT_NEAR(c.wilson.low, 0.05668, 1e-5);
+  EXPECT_NEAR(c.wilson.high, 0.50984, 1e-5);
+}
+
+/// Of no success in n the upper bounds are z²/(n + z²) and 1 − (0.025)^(1/n); of n in n the lower ones lie as far below 1.
+TEST(Chance, OfNoneAndOfAllHasOneBoundThatIsSure) {
+  constexpr Real z = 1.959963984540054;
+  for (const Index n : {1, 10, 200, 100000}) {
+    const Chance none = chance_of(0, n), all = chance_of(n, n);
+    EXPECT_EQ(none.wilson.low, 0);
+    EXPECT_EQ(none.exact.low, 0);
+    EXPECT_NEAR(none.wilson.high, z * z / (n + z * z), 1e-14) << n;
+    EXPECT_NEAR(none.exact.high, -std::expm1(std::log(0.025) / n), 1e-11) << n;
+    EXPECT_EQ(all.wilson.high, 1);
+    EXPECT_EQ(all.exact.high, 1);
+    EXPECT_NEAR(all.wilson.low, 1 - none.wilson.high, 1e-14) << n;
+    EXPECT_NEAR(all.exact.low, 1 - none.exact.high, 1e-11) << n;
+  }
+  EXPECT_EQ(chance_of(0, 0).wilson.low, 0);
+  EXPECT_EQ(chance_of(0, 0).exact.high, 1);
+}
+
+/// P(X ≥ met) of a binomial variable, term by term.
+Real tail(Index met, Index n, Real p) {
+  Real sum = 0;
+  for (Index k = met; k <= n; ++k)
+    sum += std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) +
+                    k * std::log(p) + (n - k) * std::log1p(-p));
+  return sum;
+}
+
+/// Clopper & Pearson: so many or more have 2.5 % at the lower bound, so many or fewer at the upper one.
+TEST(Chance, HasClopperAndPearsonsBounds) {
+  for (const auto& [met, n] : {std::pair<Index, Index>{2, 10}, {47, 200}, {1, 3}, {122, 2000}}) {
+    const Chance c = chance_of(met, n);
+    EXPECT_NEAR(tail(met, n, c.exact.low), 0.025, 1e-10) << met << " of " << n;
+    EXPECT_NEAR(1 - tail(met + 1, n, c.exact.high), 0.025, 1e-10) << met << " of " << n;
+    EXPECT_LT(c.exact.low, c.wilson.low);
+  }
+  EXPECT_NEAR(chance_of(2, 10).exact.low, 0.02521, 1e-5);
+  EXPECT_NEAR(chance_of(2, 10).exact.high, 0.55610, 1e-5);
+}
+
+TEST(IncompleteBeta, EqualsItsClosedForms) {
+  for (const Real x : {0.01, 0.3, 0.5, 0.77, 0.999}) {
+    EXPECT_NEAR(incomplete_beta(1, 1, x), x, 1e-14);
+    EXPECT_NEAR(incomplete_beta(3.5, 1, x), std::pow(x, 3.5), 1e-13);
+    EXPECT_NEAR(incomplete_beta(1, 4, x), 1 - std::pow(1 - x, 4), 1e-13);
+    EXPECT_NEAR(incomplete_beta(0.5, 0.5, x), 2 / std::numbers::pi * std::asin(std::sqrt(x)),
+                1e-13);
+  }
+  EXPECT_EQ(incomplete_beta(2, 3, 0), 0);
+  EXPECT_EQ(incomplete_beta(2, 3, 1), 1);
 }
 
 TEST(RankCorrelation, SeesOrderNotSize) {

@@ -22,6 +22,10 @@ constexpr std::string_view json_text =
 constexpr std::string_view plain_text = "\r\033[Kinterrupted before there was anything to store\n";
 constexpr std::string_view kept_text =
     "\r\033[Kinterrupted again: the result ends with the last state that was stored\n";
+constexpr std::string_view kept_json_text =
+    "{\n\"schema\": \"rockfold/1\",\n\"error\": {\"kind\":\"analysis\",\"message\":\"interrupted: "
+    "the result ends with the last state that was "
+    "stored\",\"file\":\"\",\"line\":0,\"column\":0,\"key\":\"\"}\n}\n";
 constexpr std::size_t wipe_length = 4;  // the texts' "\r\033[K", for terminals alone
 
 /// Why the program was asked to stop where no signal from outside did; made before the signal, so that a handler need only write it.
@@ -31,6 +35,13 @@ struct Stop {
 };
 std::atomic<const Stop*> stop{nullptr};
 bool json_asked = false;
+volatile std::sig_atomic_t answering = 0;    // stdout holds what is no error document
+volatile std::sig_atomic_t asked_again = 0;  // a second signal came
+volatile std::sig_atomic_t at_once = 0;      // nothing is waited for
+
+/// What the analysis has after a second signal. GNU timeout sends its signal to the process and then to its group: two in a row are
+/// no user who has lost patience.
+constexpr unsigned seconds_of_grace = 1;
 
 constexpr int failed_status = 1;
 
@@ -49,31 +60,47 @@ void put_on_stderr(std::string_view text) {
   _exit(stop.load() ? failed_status : 128 + signal);
 }
 
+void put_document(std::string_view text) {
+  if (json_asked && answering == 0) put(STDOUT_FILENO, text);
+}
+
 void tell_stop(const Stop& why) {
-  if (json_asked) put(STDOUT_FILENO, why.json);
+  put_document(why.json);
   put_on_stderr(why.plain);
 }
 
-/// Once: the analysis stops after its step. Twice: the user does not want to wait for that. While a state is written the main
-/// thread lets signals wait; others hand theirs to it.
+[[noreturn]] void end_now() {
+  const bool kept = settle_partial_files();
+  if (kept) put_on_stderr(kept_text);
+  if (const Stop* why = stop.load())
+    tell_stop(*why);
+  else
+    put_document(kept ? kept_json_text : json_text);
+  leave(interrupt_signal);
+}
+
+/// Once: the analysis stops after its step. Twice: it has another second for that. While a state is written the main thread lets signals
+/// wait; others hand theirs to it.
 void remember(int signal) {
   if (pthread_equal(pthread_self(), main_thread) == 0) {
     pthread_kill(main_thread, signal);
     return;
   }
-  if (interrupt_signal) {
-    if (settle_partial_files()) put_on_stderr(kept_text);
-    if (const Stop* why = stop.load()) tell_stop(*why);
-    leave(signal);
+  if (interrupt_signal == 0) {
+    interrupt_signal = signal;
+  } else if (asked_again != 0 || at_once != 0) {
+    end_now();
+  } else if (signal != SIGALRM) {
+    asked_again = 1;
+    alarm(seconds_of_grace);
   }
-  interrupt_signal = signal;
 }
 
 void exit_at_once(int signal) {
   if (const Stop* why = stop.load()) {
     tell_stop(*why);
   } else {
-    if (json_asked) put(STDOUT_FILENO, json_text);
+    put_document(json_text);
     put_on_stderr(plain_text);
   }
   leave(signal);
@@ -92,7 +119,16 @@ void exit_at_once_when_interrupted(bool json) {
 
 void remember_interrupts() {
   main_thread = pthread_self();
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, remember);
+  for (const int signal : {SIGINT, SIGTERM, SIGALRM}) std::signal(signal, remember);
+}
+
+void analysis_is_over() {
+  alarm(0);
+  asked_again = 0;
+}
+
+void answer_begins() {
+  answering = 1;
 }
 
 void request_stop(const std::string& key, const std::string& why) {
@@ -104,6 +140,8 @@ void request_stop(const std::string& key, const std::string& why) {
     made.plain = "\r\033[K" + error_lines(error).front() + "\n";
     made.json = error_document_text(error);
     stop = &made;
+  } else {
+    at_once = 1;
   }
   std::raise(SIGTERM);
 }

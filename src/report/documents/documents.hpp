@@ -71,6 +71,8 @@ Json theory_document(const DocumentHead& head, const TheoryReport& report);
 /// With "support", as support_document has it, where there are key blocks to tell of.
 Json run_document(const DocumentHead& head, const RunReport& report,
                   BlockList list = BlockList::whole);
+/// Of a search for a reduction that did not come to its end: its trials, and between which of them the factor lies.
+Json search_document(const DocumentHead& head, const Reduction& reduction);
 /// What was computed, for reports: materials, joints, analyses; of `support` and of a run only where they were done.
 Json setup_json(const Model& model, bool with_support, bool with_run);
 Json check_document(const DocumentHead& head, const Model& model,

@@ -184,24 +184,30 @@ Json energy_history_json(const RunResult& run) {
   return history;
 }
 
-Json reduction_json(const RunReport& report) {
-  const Reduction& reduction = *report.reduction;
-  Json trials = Json::array(), blocks = Json::array();
+Json trials_json(const Reduction& reduction) {
+  Json trials = Json::array();
   for (const ReductionTrial& t : reduction.trials)
     trials.push_back(
         {{"factor", t.factor}, {"stands", t.stands}, {"time", t.time}, {"speed", t.speed}});
+  return trials;
+}
+
+Json or_null(const std::optional<Real>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json reduction_json(const RunReport& report) {
+  const Reduction& reduction = *report.reduction;
+  Json blocks = Json::array();
   if (reduction.fails())
     for (const Index b : failing_blocks(report.model, report.blocks, report.run))
       blocks.push_back(b + 1);
-  const auto or_null = [](const std::optional<Real>& value) {
-    return value ? Json(*value) : Json();
-  };
   return {{"factor", or_null(reduction.factor())},
           {"stands", or_null(reduction.stands())},
           {"fails", or_null(reduction.fails())},
           {"blocks", blocks},
           {"shown", reduction.shown()},
-          {"trials", trials}};
+          {"trials", trials_json(reduction)}};
 }
 
 Json reactions_json(const std::vector<Reaction>& conditions) {
@@ -255,6 +261,16 @@ Json run_document(const DocumentHead& head, const RunReport& report, BlockList l
                             {"open_close", report.run.iterations.open_close},
                             {"fallbacks", report.run.iterations.fallbacks},
                             {"preconditioner", preconditioner_name(report.run.preconditioner)}};
+  return document;
+}
+
+Json search_document(const DocumentHead& head, const Reduction& reduction) {
+  Json document = head_json(head);
+  document["totals"] = {{"interrupted", true}};
+  document["reduction"] = {{"factor", nullptr},
+                           {"stands", or_null(reduction.stands())},
+                           {"fails", or_null(reduction.fails())},
+                           {"trials", trials_json(reduction)}};
   return document;
 }
 

@@ -33,6 +33,14 @@ std::string bounds_text(const Reduction& reduction) {
   return text;
 }
 
+std::string search_summary(const Reduction& reduction) {
+  const std::size_t trials = reduction.trials.size();
+  return fact("factor of safety",
+              trials == 0 ? "not known: the search ended before its first trial"
+                          : fmt::format("the search was not finished: it {} ({} trial{})",
+                                        bounds_text(reduction), trials, trials == 1 ? "" : "s"));
+}
+
 std::string reduction_summary(const RunReport& report) {
   const Reduction& reduction = *report.reduction;
   const auto factor = reduction.factor();

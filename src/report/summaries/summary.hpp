@@ -29,6 +29,8 @@ std::string theory_summary(const TheoryReport& report);
 std::string run_summary(const RunReport& report);
 /// The factor of a strength reduction, and which blocks fail.
 std::string reduction_summary(const RunReport& report);
+/// Of a search that did not come to its end.
+std::string search_summary(const Reduction& reduction);
 /// "is at least 1.2 and below 1.3": what trials, of which there is one at least, say of the factor.
 std::string bounds_text(const Reduction& reduction);
 /// What block theory says of each key block, `most` of them, and what it did, and what else moved; with contact and key blocks.
