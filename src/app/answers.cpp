@@ -15,6 +15,7 @@
 #include "src/report/documents/documents.hpp"
 #include "src/report/documents/marks.hpp"
 #include "src/report/error_text.hpp"
+#include "src/report/shaken_blocks.hpp"
 #include "src/report/summaries/design_summary.hpp"
 #include "src/report/summaries/summary.hpp"
 #include "src/report/summaries/table.hpp"
@@ -96,6 +97,8 @@ std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
   if (answer.run) text.append("\n").append(run_summary(run_report(answer)));
   if (answer.run && has_confirmed(run_report(answer)))
     text.append("\n").append(confirmed_summary(run_report(answer)));
+  if (answer.run && is_shaken(run_report(answer)))
+    text.append("\n").append(shaken_summary(run_report(answer)));
   text += "\n";
   if (!answer.options.no_result) {
     text += fact("result", answer.path + "  (rockfold info, or ParaView 5.13)");

@@ -272,6 +272,28 @@ void add_confirmed(Html& html, const Json& confirmed) {
              rows);
 }
 
+/// Blocks under a record of the ground, and Newmark's sliding block beside them.
+void add_shaken(Html& html, const Json& shaken) {
+  Rows rows;
+  for (const Json& s : shaken) {
+    if (rows.size() == most_rows) break;
+    const bool slides = !s.at("newmark").is_null();
+    rows.push_back(
+        {fmt::format("{}", s.at("block").get<Index>()),
+         s.at("planes").empty()
+             ? "–"
+             : fmt::format("{}", fmt::join(s.at("planes").get<std::vector<std::string>>(), ", ")),
+         digits(s.at("moved")), slides ? digits(s.at("newmark")) : "–"});
+  }
+  if (rows.empty()) return;
+  html.heading(3, "Blocks under the record");
+  html.table(shaken.size() > most_rows
+                 ? fmt::format("The {} of {} that move furthest", most_rows, shaken.size())
+                 : "",
+             {{"block"}, {"slides on", "", true}, {"moved", "m"}, {"Newmark's rigid block", "m"}},
+             rows);
+}
+
 }  // namespace
 
 void add_analysis(Html& html, const ReportSource& source) {
@@ -294,6 +316,7 @@ void add_analysis(Html& html, const ReportSource& source) {
   }
   if (answer.contains("reduction")) add_reduction(html, answer.at("reduction"));
   if (answer.contains("confirmed")) add_confirmed(html, answer.at("confirmed"));
+  if (answer.contains("shaken")) add_shaken(html, answer.at("shaken"));
   html.heading(3, answer.contains("rest") ? "Energies and contact" : "Energies");
   add_energy_plot(html, answer.at("energy_history"));
   if (answer.contains("contacts_history")) add_contact_plot(html, answer.at("contacts_history"));

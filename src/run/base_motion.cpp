@@ -5,6 +5,43 @@
 #include "src/base/vector.hpp"
 
 namespace rockfold {
+namespace {
+
+/// The record of a base that is at rest until `start`, s; it comes up within the first step, whose loads are those of its ends.
+TimeTable begun_at(Real start, Real first_step, const TimeTable& record) {
+  TimeTable table{{start, start + first_step}, {{}, record.at(first_step)}};
+  for (std::size_t row = 0; row < record.time.size(); ++row) {
+    if (!(record.time[row] > first_step)) continue;
+    table.time.push_back(start + record.time[row]);
+    table.value.push_back(record.value[row]);
+  }
+  return table;
+}
+
+}  // namespace
+
+Real duration(const AnalysisStage& stage) {
+  if (stage.type == AnalysisType::static_) return 1;
+  return (stage.steps - 1) * stage.time_step + stage.last_time_step.value_or(stage.time_step);
+}
+
+Real start_of_stage(const Analysis& analysis, Index stage) {
+  Real start = 0;
+  for (Index s = 0; s < stage; ++s) start += duration(analysis.stages[s]);
+  return start;
+}
+
+TimeTable base_acceleration(const Model& model) {
+  TimeTable table;
+  if (!model.base_acceleration) return table;
+  const BaseAcceleration& base = *model.base_acceleration;
+  table = base.table;
+  for (Vec3& a : table.value) a = base.scale * a;
+  if (base.stage == 0 || table.empty()) return table;
+  const Analysis& analysis = *model.analysis;
+  return begun_at(start_of_stage(analysis, base.stage), analysis.stages[base.stage].time_step,
+                  table);
+}
 
 BaseRecord::BaseRecord(TimeTable acceleration) : acceleration_(std::move(acceleration)) {
   motion_.acceleration = acceleration_.at(0);

@@ -2,9 +2,19 @@
 #pragma once
 
 #include "src/arrays/time_table.hpp"
+#include "src/model/model.hpp"
 #include "src/run/run_result.hpp"
 
 namespace rockfold {
+
+/// s, how long a stage takes; a static one is one step of a second.
+Real duration(const AnalysisStage& stage);
+/// s, at which a stage begins: those before it are over.
+Real start_of_stage(const Analysis& analysis, Index stage);
+
+/// m/s², the record as it acts over the time of the analysis, whose stages it may leave at rest before its own (BaseAcceleration::stage);
+/// empty if the base is at rest.
+TimeTable base_acceleration(const Model& model);
 
 /// At rest in place at t = 0; velocity and displacement are the exact integrals of the record, which is linear between its rows.
 class BaseRecord {

@@ -14,6 +14,7 @@
 #include "src/base/interrupt.hpp"
 #include "src/base/timer.hpp"
 #include "src/base/vector.hpp"
+#include "src/run/base_motion.hpp"
 #include "src/run/contact_setup.hpp"
 #include "src/run/gone_rock.hpp"
 #include "src/run/loose_parts.hpp"

@@ -27,6 +27,28 @@ TEST(LoadsInTime, AreRefusedWhereNothingMoves) {
   EXPECT_TRUE(errors_of(model_of("quasi_static", base), {}, Purpose::run).empty());
 }
 
+TEST(BaseAcceleration, BeginsWithTheStepThatItNames) {
+  const std::string base =
+      "[base_acceleration]\ntable = [[0, 0, 0, 0], [1, 1, 0, 0]]\nstep = 'shaking'\n";
+  const std::string steps =
+      "[[step]]\ntype = 'quasi_static'\nname = 'gravity'\n[[step]]\nname = 'shaking'\n";
+  const Model model = parse_model(model_of("dynamic", base + steps), "m.toml", {}, Purpose::run);
+  EXPECT_EQ(model.base_acceleration->stage, 1);
+  const Model none_named = parse_model(
+      model_of("dynamic", base.substr(0, base.find("step")) + steps), "m.toml", {}, Purpose::run);
+  EXPECT_EQ(none_named.base_acceleration->stage, 0);
+  const std::pair<std::string, const char*> wrong[] = {
+      {"", "found \"shaking\", but there is no [[step]]"},
+      {"[[step]]\nname = 'quake'\n[[step]]\n",
+       "found \"shaking\", must be the name of a [[step]]: \"quake\", \"step 2\""},
+      {steps + "[[step]]\nname = 'shaking'\n", "the name of 2 steps"},
+      {"[[step]]\ntype = 'static'\nname = 'shaking'\n[[step]]\n", "a static step"}};
+  for (const auto& [rest, message] : wrong)
+    expect_error(
+        {model_of("dynamic", base + rest).c_str(), 20, 8, "base_acceleration.step", message},
+        Purpose::run);
+}
+
 /// A damping ratio of 5 % at 1 and 10 Hz.
 TEST(Rayleigh, FollowsFromADampingRatioAtTwoFrequencies) {
   const Model model =

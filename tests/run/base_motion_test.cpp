@@ -74,5 +74,57 @@ steps = 5
   }
 }
 
+/// What nothing holds or touches stays where it is, while the ground goes away under it from the step on that the record names.
+TEST(BaseAcceleration, IsNoneBeforeItsStep) {
+  const RunResult run = run_model(R"(
+gravity = [0, 0, 0]
+[[material]]
+density = 2000
+young_modulus = 1e9
+poisson_ratio = 0.25
+[[solid]]
+name = "b"
+shape = "box"
+min = [0, 0, 0]
+max = [1, 1, 1]
+[cover]
+lattice = "tet6"
+spacing = 0.7
+[[monitor]]
+point = [0.5, 0.5, 0]
+[base_acceleration]
+table = [[-1, 9, 0, 0], [0.1, 5, 0, 0], [0.2, -4, 2, 0]]
+step = "shaking"
+[[step]]
+type = "quasi_static"
+time_step = 0.1
+end_time = 0.25
+[[step]]
+name = "rest"
+time_step = 0.01
+steps = 7
+[[step]]
+name = "shaking"
+time_step = 0.01
+steps = 20
+)")
+                            .result;
+  const MonitorHistory& foot = run.monitors[0];
+  const BaseMotion& end = run.base.back();
+  ASSERT_EQ(foot.time.size(), 31u);
+  for (std::size_t i = 0; i < foot.time.size(); ++i) {
+    const Vec3 absolute = foot.displacement[i] + run.base[i].displacement;
+    for (int d = 0; d < 3; ++d) EXPECT_NEAR(absolute[d], 0, i <= 10 ? 1e-15 : 2e-4) << i;
+    if (i <= 10) {
+      EXPECT_NEAR(norm(run.base[i].velocity), 0, 1e-15) << i;
+    }
+  }
+  // Up to the 5.32727 m/s² of its first step's end, then as recorded:
+  // v = 0.01 · 5.32727/2 + 0.09 (5.32727 + 5)/2 + 0.1 (5 − 4)/2.
+  EXPECT_NEAR(end.velocity[0], 0.5413636, 1e-6);
+  EXPECT_NEAR(end.velocity[1], 0.1, 1e-8);
+  EXPECT_NEAR(foot.velocity.back()[1], -0.1, 1e-8);
+}
+
 }  // namespace
 }  // namespace rockfold

@@ -2,6 +2,8 @@
 import math
 import re
 
+import elastic_wedge
+import newmark_wedge
 import numpy as np
 
 from dynamics import crossing, history
@@ -239,6 +241,64 @@ def sliding_wedge(program, full):
                       "closed form")
             panel.lines.append(Line(f"ours, {name}", time.tolist(), (u @ line).tolist(), "curve"))
             panel.lines.append(Line("_", time.tolist(), (0.5 * a * time**2).tolist(), "reference"))
+    found.panels.append(panel)
+    return found
+
+
+STEEP = ((64, 40), (70, 140))    # joints of a narrow wedge, its friction and a normal stiffness of the joints
+FRICTION, NORMAL = 54.0, 2.6e9   # deg, Pa/m
+SHAKEN = 2.5                     # s
+LINE = newmark_wedge.line_of(*(newmark_wedge.upward(*plane) for plane in STEEP))
+
+
+def pulses(largest, period, count):
+    """A record along the line of the wedge, rows [t, ax, ay, az]: sines that begin by throwing the slope back."""
+    trend = math.atan2(LINE[0], LINE[1])
+    rows = []
+    for t in np.linspace(0, count * period, round(100 * count * period) + 1):
+        a = -largest * math.sin(2 * math.pi * t / period)
+        rows.append([float(f"{x:.6f}") for x in (t, a * math.sin(trend), a * math.cos(trend), 0)])
+    return rows
+
+
+def shaken(rows):
+    return lambda model: settled(model) + f'\n[base_acceleration]\nstep = "step 2"\ntable = {rows}\n'
+
+
+def shaken_wedge(program, full):
+    """A wedge under a record slides as far as Newmark's rigid block where its joints are softer in shear than in compression; as stiff in shear,
+    they keep it jammed between pulses, as a rigid wedge on elastic joints is."""
+    found = Findings("shaken_wedge", "Wedge under a record")
+    rows = pulses(2.0, 0.5, 4)
+    rigid = newmark_wedge.Sliding(STEEP, FRICTION, rows, SHAKEN)
+    planes = {f"joint.{i + 1}.{key}": value for i, plane in enumerate(STEEP) for key, value in zip(("dip", "dip_direction"), plane)}
+    held = ((-2.9, -2.9, -4.9), (-2.9, -2.9, 0), (-2.9, 2.9, 0))
+    places = {f"fixed.{i + 1}.where.block_at": point for i, point in enumerate(held)}
+
+    def run(ratio, normal, young, step):
+        changes = {**planes, **places, "solid.1.min": [-3, -3, -5], "material.1.young_modulus": young,
+                   "joint_material.1.friction_angle": FRICTION, "joint_material.1.normal_stiffness": normal,
+                   "joint_material.1.shear_stiffness": ratio * normal, "step.2.time_step": step, "step.2.end_time": SHAKEN}
+        document = program.run("sliding_wedge", changes, shaken(rows))
+        time, u = from_there(document, "wedge")
+        wedge, = document["shaken"]
+        return time, u @ np.array(LINE), wedge["newmark"]
+
+    of_newmark, stiff = "Newmark 1965, Hoek & Bray 1981", 10 * NORMAL
+    _, way, own = run(0.1, stiff, 1e11, 0.005)
+    found.row("way of Newmark's block", "m", rigid.way[-1], own, 2e-3, of_newmark)
+    found.row("way, kₛ/kₙ = 0.1, kₙ = 26 GPa/m, steps of 5 ms", "m", rigid.way[-1], float(way[-1]), 0.02, of_newmark)
+    if not full:
+        return found
+    _, way, _ = run(0.1, stiff, 1e11, 0.002)
+    found.row("way, kₛ/kₙ = 0.1, kₙ = 26 GPa/m, steps of 2 ms", "m", rigid.way[-1], float(way[-1]), 0.02, of_newmark)
+    panel, elastic = Panel("Rigid rock, kₙ = 2.6 GPa/m", "time, s", "way, mm"), elastic_wedge.Wedge(STEEP, (-3, -3, -5), (3, 3, 3))
+    for ratio in (0.1, 0.3, 1.0):
+        time, way, _ = run(ratio, NORMAL, 1e13, 0.002)
+        found.row(f"way, kₛ/kₙ = {ratio:g}, kₙ = 2.6 GPa/m, steps of 2 ms", "m", elastic.slide(FRICTION, rows, SHAKEN, NORMAL, ratio), float(way[-1]),
+                  0.06, "rigid wedge, elastic joints")
+        panel.lines.append(Line(f"ours, kₛ/kₙ = {ratio:g}", time.tolist(), (1e3 * way).tolist(), "curve"))
+    panel.lines.append(Line("Newmark", rigid.time, [1e3 * w for w in rigid.way], "reference"))
     found.panels.append(panel)
     return found
 

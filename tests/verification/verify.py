@@ -33,7 +33,7 @@ CASES = {case.__name__: case for case in (
     statics.patch, statics.bending_patch, statics.column, statics.cantilever, statics.cook, statics.le10, statics.kirsch,
     statics.hollow_cylinder, statics.hollow_sphere, statics.spherical_cavity, statics.plate, statics.plate_large,
     dynamics.plate_peak, dynamics.wave, dynamics.vibration, dynamics.simply_supported, dynamics.oscillator, dynamics.quasi_static,
-    contact.sliding_block, contact.cohesive_block, contact.sliding_wedge, contact.stacked_blocks, contact.overhang, contact.rocking_block,
+    contact.sliding_block, contact.cohesive_block, contact.sliding_wedge, contact.shaken_wedge, contact.stacked_blocks, contact.overhang, contact.rocking_block,
     contact.falling_block, contact.colliding_bars, contact.rolling_prism, contact.spinning_box, jointed.jointed_bar, jointed.block_pile,
     random_blocks.random_prisms, random_blocks.random_wedges, rest.brick_wall, rest.jointed_slope, impacts.crossing_beams, impacts.dropped_cube,
     limits.toppling_slope, limits.voussoir_arch, limits.random_arches, supports.stressed_tunnel, supports.stressed_wedge, supports.anchored_block)}

@@ -55,10 +55,10 @@ void read_quiet_boundaries(Draft& draft);  // likewise
 void read_point_loads(Draft& draft);
 void read_initial_velocities(Draft& draft);
 void read_initial_stress(Draft& draft);
-void read_base_acceleration(Draft& draft);
 void read_monitors(Draft& draft);  // needs joints of all kinds and solids
 void read_analysis(Draft& draft);
-void read_contact(Draft& draft);  // needs joint materials
+void read_base_acceleration(Draft& draft);  // needs the steps of the analysis
+void read_contact(Draft& draft);            // needs joint materials
 void read_solver(Draft& draft);
 void read_output(Draft& draft);
 void read_reduction(Draft& draft);

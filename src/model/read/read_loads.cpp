@@ -55,6 +55,35 @@ void read_record(TableReader& in, const std::string& model_path, BaseAcceleratio
   if (auto file = read_file_name(in, model_path)) base.file = std::move(*file);
 }
 
+/// "step": the [[step]] at whose start the record begins.
+void read_start(TableReader& in, const Draft& draft, BaseAcceleration& base) {
+  std::string name;
+  if (!in.read("step", name, Need::optional)) return;
+  const std::string found = "found \"" + name + "\"";
+  if (!draft.root.find("step")) {
+    in.wrong("step", found + ", but there is no [[step]]");
+    return;
+  }
+  std::string known;
+  std::vector<Index> matching;
+  if (draft.model.analysis)
+    for (const AnalysisStage& stage : draft.model.analysis->stages) {
+      if (stage.name == name)
+        matching.push_back(static_cast<Index>(&stage - draft.model.analysis->stages.data()));
+      known += (known.empty() ? "\"" : ", \"") + stage.name + "\"";
+    }
+  if (matching.empty()) {
+    in.wrong("step", found + ", must be the name of a [[step]]: " + known);
+    return;
+  }
+  if (matching.size() > 1)
+    in.wrong("step", found + ", the name of " + std::to_string(matching.size()) +
+                         " steps: give them different names");
+  base.stage = matching.front();
+  if (draft.model.analysis->stages[base.stage].type == AnalysisType::static_)
+    in.wrong("step", found + ", a static step, in which nothing moves; must be a dynamic one");
+}
+
 }  // namespace
 
 void read_time_table(TableReader& in, const std::string& key, int width, const Range& range,
@@ -146,6 +175,7 @@ void read_base_acceleration(Draft& draft) {
     base.place = in.place();
     read_record(in, draft.model.path, base);
     in.read("scale", base.scale, any_number(""), Need::optional);
+    read_start(in, draft, base);
     draft.model.base_acceleration = std::move(base);
   });
 }

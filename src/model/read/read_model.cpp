@@ -121,9 +121,9 @@ void read_sections(Draft& draft) {
   read_quiet_boundaries(draft);
   read_initial_velocities(draft);
   read_initial_stress(draft);
-  read_base_acceleration(draft);
   read_monitors(draft);
   read_analysis(draft);
+  read_base_acceleration(draft);
   read_contact(draft);
   read_solver(draft);
   read_output(draft);

@@ -14,6 +14,8 @@ void add_support(Json& document, const Model& model, const BlockArrays& blocks,
 
 /// What block theory says of each key block and what it did, and what else moved; with contact and key blocks.
 Json confirmed_json(const RunReport& report);
+/// Blocks under a record of the ground, and Newmark's rigid block beside each; with contact.
+Json shaken_json(const RunReport& report);
 /// "bolts", "mobilisation" and what else its bolts and shotcrete mean for a key block.
 void add_block_support(Json& keyblock, const BoltingReport& bolting, const BlockSupport& support);
 /// How many bolts of each type in the catalogue the force on a key block asks for.

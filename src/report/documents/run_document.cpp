@@ -2,6 +2,7 @@
 #include "src/io/viewers/stress_measures.hpp"
 #include "src/report/documents/document_parts.hpp"
 #include "src/report/names.hpp"
+#include "src/report/shaken_blocks.hpp"
 
 namespace rockfold {
 
@@ -256,6 +257,7 @@ Json run_document(const DocumentHead& head, const RunReport& report, BlockList l
     add_support(document["support"] = Json::object(), report.model, report.blocks,
                 *report.keyblocks, *report.design, list);
   if (has_confirmed(report)) document["confirmed"] = confirmed_json(report);
+  if (is_shaken(report)) document["shaken"] = shaken_json(report);
   if (report.reduction) document["reduction"] = reduction_json(report);
   document["iterations"] = {{"pcg", report.run.iterations.pcg},
                             {"open_close", report.run.iterations.open_close},

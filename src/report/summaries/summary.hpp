@@ -35,6 +35,9 @@ std::string search_summary(const Reduction& reduction);
 std::string bounds_text(const Reduction& reduction);
 /// What block theory says of each key block, `most` of them, and what it did, and what else moved; with contact and key blocks.
 std::string confirmed_summary(const RunReport& report, std::size_t most = most_keyblocks);
+/// How far each block that nothing holds has come under a record of the ground, and Newmark's rigid block beside it, `most` of them; with
+/// contact and a record.
+std::string shaken_summary(const RunReport& report, std::size_t most = most_keyblocks);
 std::string info_summary(const ResultInfo& info, const std::string& path);
 
 /// "  blocks        512  …": a fact and its value, aligned with the others.

@@ -10,14 +10,6 @@
 
 namespace rockfold {
 
-TimeTable base_acceleration(const Model& model) {
-  TimeTable table;
-  if (!model.base_acceleration) return table;
-  table = model.base_acceleration->table;
-  for (Vec3& a : table.value) a = model.base_acceleration->scale * a;
-  return table;
-}
-
 Recorder::Recorder(const RunInput& input, const PieceMoments& moments, const StoreState& store,
                    RunResult& result)
     : input_(input),

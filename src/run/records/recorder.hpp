@@ -13,9 +13,6 @@
 
 namespace rockfold {
 
-/// m/s², the record as it acts; empty if the base is at rest.
-TimeTable base_acceleration(const Model& model);
-
 class Recorder {
  public:
   Recorder(const RunInput& input, const PieceMoments& moments, const StoreState& store,
