@@ -315,8 +315,9 @@ Cutting cut_blocks(const Model& model, Progress& progress) {
   complex->beams = find_beams(*complex, rock_count, gaps);
   complex->cells.truncate(rock_count);
   const std::vector<Index> doubtful_glue = mark_narrow_glue(*complex);
-  find_blocks(*complex, model);
+  std::optional<SpeckReport> specks = find_blocks(*complex, model);
   cutting.totals = totals_of(*complex, rock);
+  cutting.totals.specks = std::move(specks);
   cutting.totals.intent = intent_report(*complex, uncut.intent, measures, doubtful_glue);
   cutting.complex = complex;
   return cutting;

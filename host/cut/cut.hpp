@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,12 +35,33 @@ struct IntentReport {
   Vec3 doubt_at{};       ///< m: where it is
 };
 
+/// Of the mean block's volume: smaller blocks are specks where no cut.min_volume is given. A hundredth of its size: less than the
+/// roughness of a joint of that length, so that whether such a block is there is more than a survey of joints says.
+constexpr Real speck_share = 1e-6;
+
+/// A block far smaller than the others that [cut] joined to a neighbour.
+struct Speck {
+  Index id = none;     ///< number of the block that it was, as with specks = "keep"
+  Real volume = 0;     ///< m³
+  Vec3 centroid{};     ///< m
+  Index block = none;  ///< into which it went
+};
+
+/// What became of blocks below a volume, where [cut] says specks = "merge".
+struct SpeckReport {
+  Real limit = 0;               ///< m³: smaller blocks are specks
+  bool limit_is_given = false;  ///< as cut.min_volume; else from the mean block
+  std::vector<Speck> merged;    ///< by id
+  std::vector<Index> left;      ///< blocks still below the limit: no neighbour may take them
+};
+
 struct CutTotals {
   Index cells = 0;
   Real solid_volume = 0;         ///< m³, of the solids before any joint cuts them
   Real joint_area = 0;           ///< m², joints inside the rock, each counted once
   Real dangling_joint_area = 0;  ///< m², of these with one block on both sides
   IntentReport intent;
+  std::optional<SpeckReport> specks;  ///< none: specks are blocks as all others
 };
 
 struct Cutting {

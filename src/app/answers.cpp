@@ -34,11 +34,13 @@ RunReport run_report(const Answer& answer) {
 Json answer_document(const Answer& answer, BlockList list = BlockList::whole) {
   const DocumentHead head{command_name(answer.options.command), answer.model.title,
                           answer.options.seed};
-  if (answer.run) return run_document(head, run_report(answer), list);
-  if (answer.keyblocks)
-    return support_document(head, answer.model, answer.blocks, *answer.keyblocks, *answer.design,
-                            list);
-  return cut_document_without_blocks(head, answer.totals, answer.blocks, *answer.measures);
+  if (!answer.run && !answer.keyblocks)
+    return cut_document_without_blocks(head, answer.totals, answer.blocks, *answer.measures);
+  Json document = answer.run ? run_document(head, run_report(answer), list)
+                             : support_document(head, answer.model, answer.blocks,
+                                                *answer.keyblocks, *answer.design, list);
+  add_specks(document, answer.totals);
+  return document;
 }
 
 LongList long_list(const Answer& answer) {
@@ -72,7 +74,13 @@ std::string estimate_facts(const Estimate& estimate, bool contact) {
                           size_text(estimate.memory),
                           estimate.seconds < 120 ? fmt::format("{:.2g} s", estimate.seconds)
                                                  : fmt::format("{:.2g} min", estimate.seconds / 60),
-                          contact ? " or more: contact costs more once blocks slide" : "", tried));
+                          contact ? " or more: contact costs more once blocks slide" : "", tried)) +
+         (estimate.not_tried_from
+              ? fact("",
+                     fmt::format("supports or loads that begin to move at t = {:.4g} s are not in "
+                                 "it: steps from there on may take longer",
+                                 *estimate.not_tried_from))
+              : "");
 }
 
 std::string page_summary(const std::string& path, const PageFacts& facts) {
@@ -307,6 +315,8 @@ void print_check(const Options& options, const Model& model,
                           {"seconds", estimate->seconds},
                           {"steps", estimate->steps},
                           {"steps_tried", estimate->tried}};
+    if (estimate && estimate->not_tried_from)
+      made["estimate"]["not_tried_from"] = *estimate->not_tried_from;
     return made;
   };
   deliver(options, terminal.warnings(), {}, {}, document, [&] {

@@ -30,6 +30,7 @@
 #include "src/app/support_design.hpp"
 #include "src/check/contact_needs.hpp"
 #include "src/check/contact_steps.hpp"
+#include "src/check/held_rock.hpp"
 #include "src/check/key_use.hpp"
 #include "src/check/needs.hpp"
 #include "src/check/rock_check.hpp"
@@ -209,7 +210,9 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
                  Probe* probe = nullptr) {
   PhaseClock clock(terminal);
   std::optional<DeviceScope> device;
-  const Model model = load_model(options, terminal);
+  Model read = load_model(options, terminal);
+  if (probe) probe->shorten(read);
+  const Model model = std::move(read);
   if (resumption) require_same_inputs(resumption->journal.origin, model);
   const std::string path = result_path(options);
   check_output_paths(options, model);
@@ -263,6 +266,7 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
     rock = clock.measure("cover", [&] { return cover_rock(cutting, model, blocks, terminal); });
     warn_of_long_contact_steps(model, blocks, rock->covering.arrays, rock->fixed, rock->velocities,
                                terminal);
+    warn_of_held_rock(model, blocks, rock->covering.arrays, rock->fixed, terminal);
   }
 
   // From here on the flat arrays say all, but for those exports.
@@ -390,6 +394,16 @@ Estimate estimate_model(const Options& options, const Model& model, Terminal& te
   return probe.estimate(command_name(trial.command));
 }
 
+/// What can only be told of rock that has been cut. What stops the cutting is for the commands that cut to tell.
+void warn_of_uncut_held_rock(const Model& model, Terminal& terminal) try {
+  Progress silent;
+  const Cutting cutting = cut_blocks(model, silent);
+  const Covering covering = build_covers(cutting, model, silent);
+  warn_of_held_rock(model, flatten_blocks(cutting, model), covering.arrays,
+                    fixed_points(cutting, covering, model), terminal);
+} catch (const Error&) {
+}
+
 int check_model(const Options& options, Terminal& terminal) {
   const Model model = read_whole_model(options.input, options.overrides, Purpose::check);
   check_output_names(options, model);
@@ -398,6 +412,7 @@ int check_model(const Options& options, Terminal& terminal) {
   if (!model.solids.empty()) warn_of_joints_beside_rock(model, terminal);
   if (model.support) warn_of_free_rock(model, terminal);
   warn_of_unbalanced_start(model, has_joints(model), terminal);
+  if (may_hold_all(model) && !options.estimate) warn_of_uncut_held_rock(model, terminal);
   std::optional<Estimate> estimate;
   if (options.estimate) estimate = estimate_model(options, model, terminal);
   print_check(options, model, named_extents(model), estimate ? &*estimate : nullptr, terminal);

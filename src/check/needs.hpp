@@ -44,7 +44,7 @@ void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& mode
 void warn_of_immobile_blocks(const BlockArrays& blocks, Terminal& terminal);
 /// Whether the model has joints, known before the rock is cut.
 bool has_joints(const Model& model);
-/// Strains are linear in the displacement yet, which is right for small rotations only.
+/// Under small kinematics strains are linear in the displacement, which is right for small rotations only.
 void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal);
 /// Average acceleration keeps the energy: where it does not, the solver has not found the motion.
 void warn_of_lost_energy(const Model& model, const RunResult& run, Terminal& terminal);

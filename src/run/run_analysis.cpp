@@ -24,6 +24,7 @@
 #include "src/run/records/recorder.hpp"
 #include "src/run/records/rest.hpp"
 #include "src/run/rigid_motion.hpp"
+#include "src/run/speck_advice.hpp"
 #include "src/space/shape_functions.hpp"
 
 namespace rockfold {
@@ -157,7 +158,8 @@ std::string contact_trouble(const SolveReport& report, const Trouble& trouble) {
               std::to_string(report.iterations) + " iterations, tolerance " +
               number(solver.tolerance) + " (solver.tolerance, solver.max_iterations)";
   }
-  throw Error(ErrorKind::analysis, what);
+  throw Error(ErrorKind::analysis,
+              what + speck_advice(input.blocks, input.model.cut, trouble.block[0]));
 }
 
 /// The analysis under way: what its three kinds share.
@@ -316,7 +318,8 @@ bool Run::take_step(Index step, Real dt) {
                   "step " + std::to_string(step) + ", time " + number(at.end - dt) + " s: even " +
                       std::to_string(most_substeps) + " substeps move a block vertex by " +
                       number(motion_.largest_increment()) + " m each, more than " + number(limit_) +
-                      " m (analysis.max_displacement_ratio)");
+                      " m (analysis.max_displacement_ratio)" +
+                      speck_advice(input_.blocks, input_.model.cut, none));
     }
   }
   if (!result_.interrupted) at.under_way = 0;

@@ -1,10 +1,26 @@
 """The demo: what it prints, what it writes, and what slides."""
+import importlib.util
 import json
+import re
 import unittest
 
-from program import ProgramTest
+from program import SOURCE, ProgramTest
 
 TIME, STEP, STEPS = 0.8, 0.02, 10  # s of motion; quasi-static steps before
+
+
+def guide_quotes():
+    """What docs/quote_demo.py has written into the guide."""
+    found = importlib.util.spec_from_file_location("quote_demo", SOURCE / "docs" / "quote_demo.py")
+    module = importlib.util.module_from_spec(found)
+    found.loader.exec_module(module)
+    return module.quoted(module.GUIDE.read_text(encoding="utf-8"))[0]
+
+
+def words(text):
+    """Without what another compiler, or machine, may have otherwise: numbers of motion, seconds, folders."""
+    kept = [line for line in text.splitlines() if line.split()[:1] not in ([], ["time"], ["page"], ["energy"])]
+    return [re.sub(r" +", " ", re.sub(r"-?\d[\d,.e+-]*", "#", line)) for line in kept]
 
 
 class Demo(ProgramTest):
@@ -18,6 +34,9 @@ class Demo(ProgramTest):
         self.assertEqual(len(rows), 7 + 6 + 8)  # the first batch, what stays, and key blocks beside their motion
         self.assertIn("rockfold_demo.vtkhdf", text)
         self.assertIn("rockfold_demo.vtkhdf", self.files())
+        self.assertEqual(words(text), words(guide_quotes()))
+        before_motion = [part.split("\n  covers ")[0] for part in (text, guide_quotes())]
+        self.assertEqual(*before_motion)
         self.slide_as_by_hand(json.loads((self.folder / "demo.json").read_text(encoding="utf-8")))
 
     def slide_as_by_hand(self, document):

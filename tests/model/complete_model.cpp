@@ -244,6 +244,7 @@ sides = 16
 [cut]
 max_cells = 1000000
 min_volume = 1e-3
+specks = "merge"
 max_aspect_ratio = 12.5
 
 [[scanline]]

@@ -162,6 +162,7 @@ TEST_F(CompleteCutting, HasItsLimitsAndScanlines) {
   EXPECT_EQ(model.cut.place_of_max_cells.key, "cut.max_cells");
   EXPECT_GT(model.cut.place_of_max_cells.line, 0);
   EXPECT_EQ(model.cut.min_volume, 1e-3);
+  EXPECT_EQ(model.cut.specks, Specks::merge);
   EXPECT_EQ(model.cut.max_aspect_ratio, 12.5);
   ASSERT_EQ(model.scanlines.size(), 1u);
   EXPECT_EQ(model.scanlines[0].name, "bore");
@@ -185,6 +186,7 @@ TEST(SmallCutting, HasDefaults) {
   EXPECT_EQ(model.cut.max_cells, 20'000'000);
   EXPECT_TRUE(model.cut.place_of_max_cells.file.empty());
   EXPECT_FALSE(model.cut.min_volume || model.cut.max_aspect_ratio);
+  EXPECT_EQ(model.cut.specks, Specks::keep);
 }
 
 /// The opening of an arched tunnel given by its radius: half the width, and the height of a circle.

@@ -160,6 +160,7 @@ TEST(WrongCutting, OfMergesExcavationsAndLimits) {
       {ROCK "[cut]\nmax_cells = 0", 7, 13, "cut.max_cells", "found 0, must be an integer, 1 to 2000000000"},
       {ROCK "[cut]\nmax_cells = 1e6", 7, 13, "cut.max_cells", "must be an integer, 1 to 2000000000"},
       {ROCK "[cut]\nmin_volume = 0", 7, 14, "cut.min_volume", "found 0, must be > 0 (m3)"},
+      {ROCK "[cut]\nspecks = 'delete'", 7, 10, "cut.specks", "found \"delete\", must be \"keep\" or \"merge\""},
       {ROCK "[cut]\nmax_aspect_ratio = 0.5", 7, 20, "cut.max_aspect_ratio", "found 0.5, must be >= 1"},
       {ROCK "[[scanline]]\nfrom = [0, 0, 0]", 6, 1, "scanline[1].to", "is missing"},
       {ROCK "[[scanline]]\nfrom = [0, 0, 0]\nto = [0, 0, 0]", 8, 6, "scanline[1].to", "is the point from"},

@@ -1,13 +1,13 @@
 #include "host/cut/bodies/blocks.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "host/cut/bodies/connectivity.hpp"
+#include "host/cut/bodies/numbering.hpp"
+#include "host/cut/bodies/specks.hpp"
 #include "host/cut/bodies/union_find.hpp"
 #include "host/refuse.hpp"
 #include "src/base/vector.hpp"
@@ -89,42 +89,12 @@ void keep_lone_slivers(Complex& complex, std::vector<Index>& part) {
     }
 }
 
-// Coordinates are compared in units of 1e-9 of the model's size, so that rounding does not shuffle a regular pattern.
-void number_blocks(Complex& complex, const std::vector<Index>& part) {
-  const Index n = complex.cells.size();
-  std::vector<Index> number(n, none);  // [parts]
-  complex.cell_block.resize(n);
-  complex.block_count = 0;
-  for (Index c = 0; c < n; ++c) {
-    Index& block = number[part[c]];
-    if (block == none) block = complex.block_count++;
-    complex.cell_block[c] = block;
-  }
-  std::vector<CellMoments> sum(complex.block_count);
-  for (Index c = 0; c < n; ++c) {
-    sum[complex.cell_block[c]].volume += complex.moments[c].volume;
-    sum[complex.cell_block[c]].first += complex.moments[c].first;
-  }
-  const Real unit = complex.planes.width_tolerance();
-  struct Placed {
-    std::array<Real, 3> key;
-    Index block;
-    bool operator<(const Placed& o) const {
-      return std::tie(key, block) < std::tie(o.key, o.block);
-    }
-  };
-  std::vector<Placed> order(sum.size());
-  for (std::size_t b = 0; b < sum.size(); ++b) {
-    order[b].block = static_cast<Index>(b);
-    for (int d = 0; d < 3; ++d)
-      order[b].key[d] = std::round(sum[b].first[2 - d] / sum[b].volume / unit);
-  }
-  std::sort(order.begin(), order.end());
-  std::vector<Index> rank(sum.size());
-  for (std::size_t i = 0; i < order.size(); ++i) rank[order[i].block] = static_cast<Index>(i);
-  for (Index& b : complex.cell_block) b = rank[b];
+// Takes the blocks that cells were numbered by.
+void take_blocks(Complex& complex, NumberedBlocks numbered) {
+  complex.cell_block = std::move(numbered.of_cell);
+  complex.block_count = static_cast<Index>(numbered.moments.size());
   complex.block_stage.assign(complex.block_count, 0);
-  for (Index c = 0; c < n; ++c)
+  for (Index c = 0; c < complex.cells.size(); ++c)
     if (complex.is_sliver[c] == 0)
       complex.block_stage[complex.cell_block[c]] = complex.zone(c).stage;
 }
@@ -169,18 +139,22 @@ void check_merge_points(const CellStore& cells, const PlaneTable& planes, const 
       for (const Vec3& point : blocks->points) cell_at(cells, planes, point, merge.place);
 }
 
-void find_blocks(Complex& complex, const Model& model) {
+std::optional<SpeckReport> find_blocks(Complex& complex, const Model& model) {
   std::vector<Index> part = wide_parts(complex);
   give_slivers(complex, part);
   keep_lone_slivers(complex, part);
   for (const Merge& merge : model.merges)
     if (const auto* blocks = std::get_if<Merge::Blocks>(&merge.region))
       merge_parts(complex, *blocks, merge.place, part);
-  number_blocks(complex, part);
+  NumberedBlocks numbered = number_blocks(complex, part);
+  std::optional<SpeckReport> specks;
+  if (model.cut.specks == Specks::merge) specks = merge_specks(complex, model.cut, numbered);
+  take_blocks(complex, std::move(numbered));
   for (const Index stage : complex.block_stage)
     complex.block_is_analysed.push_back(is_there_at_first(model, stage) ? 1 : 0);
   find_dead_ends(complex);
   find_hidden(complex);
+  return specks;
 }
 
 }  // namespace rockfold

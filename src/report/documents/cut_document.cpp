@@ -46,7 +46,28 @@ Json material_name(const Model& model, Index material) {
   return material == none ? Json() : Json(model.materials[material].name);
 }
 
+Json specks_json(const SpeckReport& specks) {
+  Json merged = Json::array();
+  Real volume = 0;
+  for (const Speck& speck : specks.merged) {
+    volume += speck.volume;
+    merged.push_back({{"id", speck.id + 1},
+                      {"volume", speck.volume},
+                      {"centroid", speck.centroid},
+                      {"block", speck.block + 1}});
+  }
+  return {{"limit", specks.limit},
+          {"count", specks.merged.size()},
+          {"volume", volume},
+          {"merged", std::move(merged)},
+          {"left", ids_json(specks.left)}};
+}
+
 }  // namespace
+
+void add_specks(Json& document, const CutTotals& totals) {
+  if (totals.specks) document["specks"] = specks_json(*totals.specks);
+}
 
 Json block_json(const Model& model, const BlockArrays& blocks, const BlockStatistics& statistics,
                 Index b) {
@@ -77,6 +98,7 @@ Json cut_document_without_blocks(const DocumentHead& head, const CutTotals& tota
   Json document = head_json(head);
   document["totals"] = totals_json(totals, blocks);
   document["intent"] = intent_json(totals.intent, blocks.vertices_identified);
+  add_specks(document, totals);
   add_measures(document, measures);
   document["blocks"] = Json::array();
   return document;

@@ -64,6 +64,8 @@ Json cut_document_without_blocks(const DocumentHead& head, const CutTotals& tota
                                  const BlockArrays& blocks, const RockMeasures& measures);
 Json block_json(const Model& model, const BlockArrays& blocks, const BlockStatistics& statistics,
                 Index b);
+/// "specks", where the cutting merged any that it could.
+void add_specks(Json& document, const CutTotals& totals);
 Json support_document(const DocumentHead& head, const Model& model, const BlockArrays& blocks,
                       const KeyblockReport& report, const SupportDesign& design,
                       BlockList list = BlockList::whole);

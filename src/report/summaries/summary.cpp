@@ -127,6 +127,40 @@ std::string dead_end_fact(const CutTotals& totals) {
                           area));
 }
 
+std::string block_list(const std::vector<Index>& blocks) {
+  constexpr std::size_t most = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, blocks.size()); ++i)
+    text += fmt::format("{}{}", i == 0 ? "" : ", ", blocks[i] + 1);
+  return text + (blocks.size() > most ? ", …" : "");
+}
+
+/// How many specks went to their neighbours; the largest of them, each with the block that it is part of now.
+std::string speck_facts(const SpeckReport& specks) {
+  constexpr std::size_t most = 5;
+  std::vector<Speck> largest = specks.merged;
+  std::stable_sort(largest.begin(), largest.end(),
+                   [](const Speck& a, const Speck& b) { return a.volume > b.volume; });
+  Real volume = 0;
+  for (const Speck& speck : largest) volume += speck.volume;
+  std::string text =
+      fact("specks",
+           fmt::format("{} of less than {:.3g} m3{} merged with a neighbour: {:.3g} m3 in all",
+                       grouped(static_cast<std::int64_t>(largest.size())), specks.limit,
+                       specks.limit_is_given ? "" : ", a millionth of the mean block,", volume));
+  for (std::size_t i = 0; i < std::min(most, largest.size()); ++i)
+    text += fact("", fmt::format("{:.3g} m3 near {} into block {}", largest[i].volume,
+                                 point_text(largest[i].centroid), largest[i].block + 1));
+  if (largest.size() > most)
+    text += fact("", fmt::format("… and {} smaller ones",
+                                 grouped(static_cast<std::int64_t>(largest.size() - most))));
+  if (!specks.left.empty())
+    text += fact("", fmt::format("{} left, with no neighbour that may take them: blocks {}",
+                                 grouped(static_cast<std::int64_t>(specks.left.size())),
+                                 block_list(specks.left)));
+  return text;
+}
+
 }  // namespace
 
 std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks) {
@@ -138,6 +172,7 @@ std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks) {
   text += fact("volume", fmt::format("{:.6g} m3 of rock", total_volume(blocks)));
   if (smallest != blocks.volume.end())
     text += fact("smallest, largest", fmt::format("{:.4g} m3, {:.4g} m3", *smallest, *largest));
+  if (totals.specks) text += speck_facts(*totals.specks);
   text += fact("joint area", fmt::format("{:.6g} m2", totals.joint_area));
   text += dead_end_fact(totals);
   text += fact("faces, vertices",

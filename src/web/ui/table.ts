@@ -122,7 +122,7 @@ export class KeyblockTable {
       ...this.columns.map((c) => {
         const v = c.value(k);
         const text = c.key === 'batch' && v === 0 ? '–' : c.show ? c.show(k) : typeof v === 'number' ? digits(v, c.key === 'block' ? 9 : 4) : (v ?? '–');
-        return h('td', { class: typeof v === 'number' ? 'number' : undefined }, text);
+        return h('td', { class: typeof v === 'number' ? 'number' : typeof v === 'string' ? 'words' : undefined }, text);
       }));
   }
 

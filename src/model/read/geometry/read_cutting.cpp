@@ -82,6 +82,8 @@ void read_cut(Draft& draft) {
         cut.place_of_max_cells = in.out().place(given->spot, in.path_of("max_cells"));
     }
     in.read("min_volume", cut.min_volume, positive("m3"));
+    if (in.choose("specks", {{"keep", "merge"}, {}}, Need::optional) == 1)
+      cut.specks = Specks::merge;
     in.read("max_aspect_ratio", cut.max_aspect_ratio, Range{.low = 1});
   });
 }
