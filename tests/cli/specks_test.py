@@ -1,4 +1,4 @@
-"""[cut] specks = "merge": what `cut`, `support` and `run` tell of it, and that a run goes where it does not without."""
+"""[cut] specks = "merge": what `cut`, `support` and `run` tell of it."""
 import unittest
 
 from program import ProgramTest
