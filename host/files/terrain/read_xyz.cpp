@@ -201,15 +201,15 @@ class PostReader {
     is_of_comment_ = false;
     line_of_heading_ = number;
     if (columns_) return;
+    if (!missing.starts_with("names")) faults_.fail(number, 1, std::move(missing));
     std::string found;
     for (std::size_t i = 0; i < std::min<std::size_t>(fields.size(), 8); ++i)
       found += (i == 0 ? "" : ", ") + quoted(fields[i].text);
     faults_.fail(number, 1,
-                 fmt::format("{}{} (the heading is {}). Name them x, y, z or easting, northing, "
+                 fmt::format("the heading {} (it is {}). Name them x, y, z or easting, northing, "
                              "elevation, or say in the model what the columns are, as {} (a title "
                              "stands behind '#')",
-                             missing.starts_with("names") ? "the heading " : "", missing, found,
-                             suggested_columns(fields.size())));
+                             missing, found, suggested_columns(fields.size())));
   }
 
   /// Decides by the first row how rows are read.
