@@ -8,6 +8,7 @@
 
 #include "host/cut/bodies/union_find.hpp"
 #include "src/base/error.hpp"
+#include "src/base/place_text.hpp"
 #include "src/space/shape_functions.hpp"
 
 namespace rockfold {
@@ -51,10 +52,10 @@ void refuse_halved_blocks(const CoverSpec& cover, const CoverArrays& covers) {
     throw Error(
         ErrorKind::model,
         fmt::format(
-            "block {} lies in the middle of the lattice cell about ({:.6g}, {:.6g}, "
-            "{:.6g}), where the two forms of \"tet5\" have no node in common: each would "
+            "block {} lies in the middle of the lattice cell about {}, "
+            "where the two forms of \"tet5\" have no node in common: each would "
             "move half of the block; use mixed = false, another lattice or a smaller spacing",
-            block + 1, at[0], at[1], at[2]),
+            block + 1, place_text(at)),
         Place{cover.place.file, cover.place.line, cover.place.column, "cover.mixed"});
   }
 }
@@ -72,11 +73,11 @@ void refuse_parted_blocks(const CoverSpec& cover, const CoverArrays& covers) {
     const Vec3 at = covers.lattice.cell_centre(nodes.cell);
     throw Error(
         ErrorKind::model,
-        fmt::format("block {} would come apart in its covers about ({:.6g}, {:.6g}, {:.6g}): "
+        fmt::format("block {} would come apart in its covers about {}: "
                     "joints that all but coincide, or surfaces that miss each other by next to "
                     "nothing, leave rock of no width between its parts; move one of them, or leave "
                     "it out",
-                    block + 1, at[0], at[1], at[2]),
+                    block + 1, place_text(at)),
         Place{cover.place.file, cover.place.line, cover.place.column, "cover"});
   }
 }

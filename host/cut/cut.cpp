@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
 #include <set>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "host/cut/adjacency.hpp"
+#include "host/cut/ask_about_blocks.hpp"
+#include "host/cut/block_forecast.hpp"
 #include "host/cut/bodies/beams.hpp"
 #include "host/cut/bodies/blocks.hpp"
 #include "host/cut/bodies/connectivity.hpp"
@@ -222,6 +225,42 @@ void refuse_hopeless(const CuttingInput& input, const Rock& rock, const Complex&
     check_merge_points(CellStore::join({&rock.cells}, {rock.of_rock}), complex.planes, model);
 }
 
+// The regions of the model's joints: all rock, then the solids that joints stay within; their numbers in `of_solid`.
+std::vector<ForecastRegion> forecast_regions(const Rock& rock, const Complex& complex,
+                                             std::map<Index, std::size_t>& of_solid) {
+  for (const JointPatch& joint : complex.joints) of_solid.try_emplace(joint.within, 0);
+  std::size_t count = 0;
+  for (auto& [solid, number] : of_solid) number = count++;
+  std::vector<ForecastRegion> regions(count);
+  for (std::size_t i = 0; i < rock.of_rock.size(); ++i) {
+    const Index cell = rock.of_rock[i];
+    Box box;
+    for (const Vertex& v : rock.cells[cell].vertices) box.add(v.x);
+    const auto& within = complex.zones[rock.zone[cell]].within;
+    for (const auto& [solid, number] : of_solid) {
+      if (solid != none && !std::binary_search(within.begin(), within.end(), solid)) continue;
+      regions[number].box.add(box);
+      regions[number].volume += rock.measures[i].moments.volume;
+    }
+  }
+  return regions;
+}
+
+// Planes and discs; other polygons cut off little.
+Real forecast(const Rock& rock, const Complex& complex) {
+  std::map<Index, std::size_t> of_solid;
+  const auto regions = forecast_regions(rock, complex, of_solid);
+  std::vector<ForecastJoint> joints;
+  for (const JointPatch& joint : complex.joints) {
+    const std::size_t region = of_solid.at(joint.within);
+    if (regions[region].volume > 0)
+      joints.push_back({complex.planes.normal(joint.patch.plane),
+                        complex.planes.offset(joint.patch.plane), joint.patch.middle,
+                        joint.patch.bounded() ? joint.patch.inner : Box::infinity, region});
+  }
+  return forecast_blocks(joints, regions);
+}
+
 // The rock before joints cut it.
 struct Uncut {
   std::shared_ptr<Complex> complex;
@@ -229,7 +268,8 @@ struct Uncut {
   GivenIntent intent;
 };
 
-Uncut shape_rock(const Model& model) {
+// `most_blocks` as of cut_blocks().
+Uncut shape_rock(const Model& model, Real most_blocks) {
   CuttingInput input = make_surfaces(model);
   Uncut uncut;
   uncut.intent = std::move(input.intent);
@@ -237,6 +277,9 @@ Uncut shape_rock(const Model& model) {
   uncut.complex = std::make_shared<Complex>(std::move(input.complex));
   uncut.rock = find_rock(std::move(cells), *uncut.complex, model);
   refuse_hopeless(input, uncut.rock, *uncut.complex, model);
+  if (std::isfinite(most_blocks))
+    if (const Real blocks = forecast(uncut.rock, *uncut.complex); blocks > most_blocks)
+      ask_about_blocks(model, *uncut.complex, blocks);
   return uncut;
 }
 
@@ -267,8 +310,8 @@ CutTotals totals_of(const Complex& complex, const Rock& rock) {
 
 }  // namespace
 
-UncutRock check_cutting(const Model& model, const std::vector<Vec3>& points) {
-  const Uncut uncut = shape_rock(model);
+UncutRock check_cutting(const Model& model, const std::vector<Vec3>& points, Real most_blocks) {
+  const Uncut uncut = shape_rock(model, most_blocks);
   const Rock& rock = uncut.rock;
   const PlaneTable& planes = uncut.complex->planes;
   UncutRock found;
@@ -300,9 +343,9 @@ StageKeys keys_of_cutting() {
            "joint_mesh.within", "joint_table", "merge", "excavation", "cut"}};
 }
 
-Cutting cut_blocks(const Model& model, Progress& progress) {
+Cutting cut_blocks(const Model& model, Progress& progress, Real most_blocks) {
   Cutting cutting;
-  Uncut uncut = shape_rock(model);
+  Uncut uncut = shape_rock(model, most_blocks);
   const auto complex = std::move(uncut.complex);
   const Rock rock = std::move(uncut.rock);
   const std::vector<CellMeasure> measures = cut_by_joints(rock, model, *complex, progress);

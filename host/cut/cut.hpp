@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -79,12 +80,19 @@ struct UncutRock {
 
 StageKeys keys_of_cutting();
 
-/// Throws what cut_blocks would throw before joints cut the rock: of shapes, the placing of joints, merges, estimated cells.
-UncutRock check_cutting(const Model& model, const std::vector<Vec3>& points);
+/// A model that joints would cut into more blocks than this is asked about: hardly any site is meant so.
+constexpr Real blocks_without_asking = 100'000;
+/// Of a model that is not asked about.
+constexpr Real any_number_of_blocks = std::numeric_limits<Real>::infinity();
 
-/// Cuts the model's solids by its joints. Throws Error(model) if no rock remains or the joints would make too many cells.
+/// Throws what cut_blocks would throw before joints cut the rock: of shapes, the placing of joints, merges, estimated cells and blocks.
+UncutRock check_cutting(const Model& model, const std::vector<Vec3>& points,
+                        Real most_blocks = any_number_of_blocks);
+
+/// Cuts the model's solids by its joints. Throws Error(model) if no rock remains or the joints would make too many cells, or by an estimate
+/// (block_forecast.hpp) more than `most_blocks`, with what to do about it.
 /// Independent of the number of threads, bit for bit, and of the order of joints but for the last digits of areas: where
 /// polygons of one plane overlap, the first listed is taken away from the others.
-Cutting cut_blocks(const Model& model, Progress& progress);
+Cutting cut_blocks(const Model& model, Progress& progress, Real most_blocks = any_number_of_blocks);
 
 }  // namespace rockfold

@@ -40,8 +40,9 @@ class Loader {
                                         model_.joint_materials, place, &model_.warnings);
         });
     if (auto& base = model_.base_acceleration; base && !base->file.empty() && base->table.empty())
-      attempt(base->file, base->place,
-              [&](const Place& place) { base->table = read_record(read_data_file(place), place); });
+      attempt(base->file, base->place, [&](const Place& place) {
+        base->table = read_record(read_data_file(place), *base, place, &model_.warnings);
+      });
     if (!found_.empty())
       throw Error(any_in_content_ ? ErrorKind::model : ErrorKind::io, std::move(found_));
   }
@@ -53,7 +54,10 @@ class Loader {
               [&](const Place& place) { mesh->surface = load_mesh(MeshUse::solid, place); });
     if (auto* terrain = std::get_if<TerrainShape>(&shape); terrain && !terrain->ground)
       attempt(terrain->file, entry, [&](const Place& place) {
-        auto ground = load_terrain(place);
+        if (auto fault = columns_fault(terrain->columns); !fault.empty())
+          Faults({entry.file, entry.line, entry.column, entry.key + ".columns"})
+              .fail(entry.line, entry.column, std::move(fault));
+        auto ground = load_terrain(place, terrain->columns);
         check_above(*ground, terrain->base, place);
         check_fine_posts(*ground, terrain->base, place);
         if (auto found = geographic_coordinates(*ground, terrain->base, place))
@@ -98,17 +102,17 @@ class Loader {
     return surface;
   }
 
-  SharedSurface load_terrain(const Place& place) {
-    auto& ground = terrains_[place.file];
+  SharedSurface load_terrain(const Place& place, const std::vector<std::string>& columns) {
+    auto& ground = terrains_[{place.file, columns}];
     if (!ground)
       ground = std::make_shared<const TriangleSurface>(
-          read_terrain(read_file(place, FileUse::ground), place, &model_.warnings));
+          read_terrain(read_file(place, FileUse::ground), place, &model_.warnings, columns));
     return ground;
   }
 
   Model& model_;
   std::map<std::pair<std::string, MeshUse>, SharedSurface> meshes_;  ///< each file is read once
-  std::map<std::string, SharedSurface> terrains_;
+  std::map<std::pair<std::string, std::vector<std::string>>, SharedSurface> terrains_;
   std::vector<Diagnostic> found_;
   bool any_in_content_ = false;
 };

@@ -1,15 +1,20 @@
 #include "host/files/read_joint_table.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "host/files/columns.hpp"
+#include "host/files/compass.hpp"
+#include "host/files/joint_heading.hpp"
 #include "host/files/text.hpp"
+#include "src/base/vector.hpp"
 #include "src/model/strike.hpp"
 #include "src/model/text/nearest.hpp"
 #include "src/model/text/numbers/decimal_comma.hpp"
@@ -19,85 +24,35 @@ namespace rockfold {
 
 namespace {
 
-enum Column { dip, dip_direction, x, y, z, radius, material, strike, diameter, column_count };
-constexpr std::array<const char*, column_count> column_names = {
-    "dip", "dip_direction", "x", "y", "z", "radius", "material", "strike", "diameter"};
-constexpr const char* heading = "dip, dip_direction, x, y, z[, radius, material]";
+using Column = JointColumn;
 
-/// What other programs call them, as bare_name() has it.
-const std::array<std::vector<std::string_view>, column_count> other_names = {{
-    {"dipangle"},
-    {"dipdir", "dipdirn", "dipazimuth", "azimuth", "dd"},
-    {"centerx", "centrex", "xcenter", "xcentre", "easting", "east"},
-    {"centery", "centrey", "ycenter", "ycentre", "northing", "north"},
-    {"centerz", "centrez", "zcenter", "zcentre", "elevation", "altitude"},
-}};
-
-/// "dipdir" of "Dip dir. (deg)"
-std::string bare_name(std::string_view name) {
-  std::string bare;
-  for (const char c : lower_case(name.substr(0, name.find_first_of("([{"))))
-    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) bare += c;
-  return bare;
-}
-
-bool is_called(std::string_view name, std::size_t column) {
-  const auto& others = other_names[column];
-  const std::string bare = bare_name(name);
-  return bare == bare_name(column_names[column]) ||
-         std::find(others.begin(), others.end(), bare) != others.end();
-}
-
-Range range_of(Column column) {
-  if (column == dip) return between(0, 90, "deg");
-  if (column == dip_direction || column == strike) return between(0, 360, "deg");
-  return column == radius || column == diameter ? length() : coordinate();
-}
-
-struct Field {
-  std::string text;
-  int column = 0;  ///< in the line, from 1
-};
-
-/// The fields of a line; none after a fault, which is added.
-std::vector<Field> split(std::string_view line, char separator, int number, Faults& faults) {
-  std::vector<Field> fields;
-  std::size_t at = 0;
-  while (true) {
-    while (at < line.size() && line[at] != separator && (line[at] == ' ' || line[at] == '\t')) ++at;
-    Field field{"", static_cast<int>(at) + 1};
-    std::size_t end = std::min(line.find(separator, at), line.size());
-    if (at < line.size() && line[at] == '"') {
-      bool closed = false;
-      for (++at; at < line.size() && !closed; ++at) {
-        closed = line[at] == '"' && line.substr(at + 1, 1) != "\"";
-        if (closed) continue;
-        if (line[at] == '"') ++at;
-        field.text += line[at];
-      }
-      end = std::min(line.find(separator, at), line.size());
-      if (!closed || !trimmed(line.substr(at, end - at)).empty()) {
-        faults.add(number, field.column, "a quoted field must end with its quote");
-        return {};
-      }
-    } else {
-      field.text = trimmed(line.substr(at, end - at));
-    }
-    fields.push_back(std::move(field));
-    if (end == line.size()) return fields;
-    at = end + 1;
-  }
-}
-
-/// What stands between the fields of a heading.
-char separator_of(std::string_view line) {
-  for (const char c : {';', ','})
-    if (line.find(c) != std::string_view::npos) return c;
-  return '\t';
-}
+constexpr Real infinite = std::numeric_limits<Real>::infinity();
+/// Normals of unit length in a table without a heading are rounded to three decimals at least.
+constexpr Real unit_normal_tolerance = 2e-3;
 
 bool is_number(const Field& field) {
   return parse_number(field.text) || has_decimal_comma(field.text);
+}
+
+/// Of an upward normal, which may point down and have any length > 0.
+DipOrientation orientation_of(Vec3 n) {
+  if (n[2] < 0) n = -n;
+  constexpr Real degree = std::numbers::pi / 180;
+  const Real across = std::hypot(n[0], n[1]);
+  return {std::clamp(std::atan2(across, n[2]) / degree, 0.0, 90.0),
+          across > 0 ? turned(std::atan2(n[0], n[1]) / degree) : 0};
+}
+
+/// "A B C D" of a plane A x + B y + C z + D = 0, in a line without a heading.
+bool is_plane_equation(const std::vector<Field>& fields) {
+  if (fields.size() != 4) return false;
+  Vec3 n{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto value = parse_number(fields[k].text);
+    if (!value) return false;
+    if (k < 3) n[k] = *value;
+  }
+  return std::abs(norm(n) - 1) < unit_normal_tolerance;
 }
 
 class TableReader {
@@ -118,8 +73,13 @@ class TableReader {
       else
         read_row(lines.line());
     }
-    if (fields_in_line_ == 0) faults_.fail("must begin with a heading: " + std::string(heading));
+    if (fields_in_line_ == 0)
+      faults_.fail("must begin with a heading: " + std::string(joint_heading_text));
+    if (!rows_begun_) begin_rows();
     if (rows_.empty() && faults_.empty()) faults_.add(0, 0, "holds no joints below its heading");
+    if (heading_.may_be_share() && largest_extent_ > 0 && largest_extent_ <= 1)
+      faults_.add(heading_.line(), 0, heading_.share_fault());
+    tell_of_columns();
     tell_of_commas();
     faults_.throw_if_any();
     return std::move(rows_);
@@ -128,106 +88,179 @@ class TableReader {
  private:
   void read_heading(std::string_view line) {
     separator_ = separator_of(line);
-    const auto fields = split(line, separator_, line_, faults_);
-    if (std::any_of(fields.begin(), fields.end(), is_number))
-      faults_.fail(line_, 0, "holds numbers, must be a heading: " + std::string(heading));
-    for (std::size_t c = 0; c < column_count; ++c) {
-      find_column(fields, c,
-                  [&](const Field& field) { return lower_case(field.text) == column_names[c]; });
-      if (!place_[c])
-        find_column(fields, c, [&](const Field& field) { return is_called(field.text, c); });
-    }
-    if (place_[dip_direction]) place_[strike].reset();
-    if (place_[radius]) place_[diameter].reset();
-    require_columns(fields);
-    faults_.throw_if_any();
-    tell_of_columns(fields);
+    auto fields = split_fields(line, separator_, line_, faults_);
     fields_in_line_ = fields.size();
-  }
-
-  template <typename Wanted>
-  void find_column(const std::vector<Field>& fields, std::size_t column, const Wanted& wanted) {
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      if (!wanted(fields[i])) continue;
-      if (place_[column])
-        faults_.add(line_, fields[i].column, fmt::format("two columns {}", column_names[column]));
-      else
-        place_[column] = i;
+    if (is_plane_equation(fields)) {
+      heading_.take_for_planes();
+      without_heading_ = true;
+      return read_row(line);
     }
+    if (std::any_of(fields.begin(), fields.end(), is_number))
+      faults_.fail(line_, 0,
+                   "holds numbers, must be a heading: " + std::string(joint_heading_text));
+    heading_.read(std::move(fields), line_, faults_);
+    faults_.throw_if_any();
   }
 
-  bool is_read(std::size_t field) const {
-    return std::find(place_.begin(), place_.end(), field) != place_.end();
-  }
-
-  /// A name near to one that is missing is a slip.
-  void require_columns(const std::vector<Field>& fields) {
-    std::vector<std::string> missing;
-    for (const Column c : {dip, dip_direction, x, y, z})
-      if (!place_[c] && !(c == dip_direction && place_[strike]))
-        missing.emplace_back(column_names[c]);
-    auto wanted = missing;
-    if (!place_[radius] && !place_[diameter]) wanted.emplace_back(column_names[radius]);
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      const auto nearest = nearest_word(fields[i].text, wanted);
-      if (!is_read(i) && !nearest.empty())
-        faults_.add(line_, fields[i].column,
-                    fmt::format("unknown column {}, did you mean \"{}\"?", quoted(fields[i].text),
-                                nearest));
-    }
-    if (!missing.empty())
-      faults_.add(line_, 0, fmt::format("the heading has no column {}", fmt::join(missing, ", ")));
+  /// Once all that stands before the rows is read.
+  void begin_rows() {
+    rows_begun_ = true;
+    heading_.choose_extent(table_.extent, faults_);
+    faults_.throw_if_any();
   }
 
   /// One line for all that is not as it stands.
-  void tell_of_columns(const std::vector<Field>& fields) {
-    std::vector<std::string> passed_over, notes;
+  void tell_of_columns() {
+    std::vector<std::string> notes;
     Place place = place_of_file_;
-    place.line = line_;
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      if (is_read(i) || fields[i].text.empty()) continue;
-      if (passed_over.empty()) place.column = fields[i].column;
-      passed_over.push_back(fields[i].text);
-    }
-    if (!passed_over.empty())
-      notes.push_back(fmt::format(
-          "{} passed over: {}",
-          passed_over.size() == 1 ? "a column is" : counted(passed_over.size(), "column") + " are",
-          fmt::join(passed_over, ", ")));
-    if (place_[dip_direction] && bare_name(fields[*place_[dip_direction]].text) == "azimuth")
+    place.line = std::max(heading_.line(), 1);
+    if (auto columns = heading_.passed_over(place.column); !columns.empty())
+      notes.push_back(std::move(columns));
+    if (heading_.has(Column::dip_direction) &&
+        bare_name(heading_.name_of(Column::dip_direction)) == "azimuth")
       notes.emplace_back("azimuth is taken for dip_direction");
-    if (place_[strike])
+    if (by_rule_)
       notes.push_back(fmt::format("planes dip to the {} of their strike (rule)",
                                   table_.left_hand ? "left" : "right"));
-    if (place_[diameter]) notes.emplace_back("half of diameter is taken for radius");
-    if (!place_[radius] && !place_[diameter])
-      notes.emplace_back("without a column radius or diameter all joints are through-going");
+    if (without_heading_)
+      notes.emplace_back(
+          "rows of four numbers without a heading, the first three of length 1, are taken for "
+          "planes A x + B y + C z + D = 0");
+    tell_of_extents(notes);
     if (warnings_ && !notes.empty())
       warnings_->push_back({place, fmt::format("{}", fmt::join(notes, "; "))});
   }
 
+  void tell_of_extents(std::vector<std::string>& notes) const {
+    if (table_.extent == JointTable::Extent::through_going) return;  // the model says so
+    const auto& extent = heading_.extent();
+    if (!extent)
+      notes.emplace_back("without a column radius or diameter all joints are through-going");
+    else if (*extent == Column::diameter)
+      notes.emplace_back("half of diameter is taken for radius");
+    else if (*extent != Column::radius)
+      notes.push_back(fmt::format(
+          "{} is taken for the diameter of discs (m); extents = \"through_going\" takes all joints "
+          "as through-going",
+          heading_.name_of(*extent)));
+    if (extent && *extent != Column::radius && *extent != Column::diameter && without_extent_ > 0)
+      notes.push_back(fmt::format("{} without it {} through-going", counted(without_extent_, "row"),
+                                  without_extent_ == 1 ? "is" : "are"));
+  }
+
   void read_row(std::string_view line) {
-    const auto fields = split(line, separator_, line_, faults_);
+    auto fields = split_fields(line, separator_, line_, faults_);
     if (fields.empty()) return;
+    if (!rows_begun_ && !without_heading_ && are_units(fields)) {
+      heading_.read_units(heading_.expanded(std::move(fields), line_, faults_));
+      return begin_rows();
+    }
+    if (!rows_begun_) begin_rows();
     if (fields.size() != fields_in_line_) {
-      faults_.add(
-          line_, 0,
-          fmt::format("has {}, the heading {}", counted(fields.size(), "field"), fields_in_line_));
+      faults_.add(line_, 0,
+                  fmt::format("has {}, the {} {}", counted(fields.size(), "field"),
+                              without_heading_ ? "first row" : "heading", fields_in_line_));
       return;
     }
+    fields = heading_.expanded(std::move(fields), line_, faults_);
+    if (fields.empty()) return;
     JointTable::Row row;
-    row.orientation.dip = number(fields, dip);
-    row.orientation.dip_direction = place_[strike]
-                                        ? dip_direction_of(number(fields, strike), table_.left_hand)
-                                        : number(fields, dip_direction);
-    row.center = {number(fields, x), number(fields, y), number(fields, z)};
+    if (heading_.has(Column::nx))
+      read_normal(fields, row);
+    else
+      row.orientation = orientation(fields);
+    if (!heading_.is_planes())
+      row.center = {number(fields, Column::x), number(fields, Column::y),
+                    number(fields, Column::z)};
     row.radius = radius_of(fields);
     row.material = material_of(fields);
-    rows_.push_back(row);
+    if (const auto& name = heading_.name_column()) row.name = fields[*name].text;
+    rows_.push_back(std::move(row));
+  }
+
+  /// The normal, and of an equation the point of the plane nearest to the origin.
+  void read_normal(const std::vector<Field>& fields, JointTable::Row& row) {
+    const Vec3 n{number(fields, Column::nx), number(fields, Column::ny),
+                 number(fields, Column::nz)};
+    const Real size = norm(n);
+    if (!(size > 0) || !std::isfinite(size) ||
+        (without_heading_ && std::abs(size - 1) > unit_normal_tolerance)) {
+      const Field& first = fields[*heading_.at(Column::nx)];
+      faults_.add(line_, first.column,
+                  without_heading_
+                      ? fmt::format("the first three numbers must be a normal of length 1, have "
+                                    "length {:.4g}: a table without a heading holds planes A x + B "
+                                    "y + C z + D = 0",
+                                    size)
+                      : fmt::format("the normal must have a length > 0, has {:g}", size));
+      return;
+    }
+    row.orientation = orientation_of(n);
+    if (!heading_.is_planes()) return;
+    const Vec3 foot = (-number(fields, Column::d) / (size * size)) * n;
+    row.center = foot + Vec3{};  // no negative zeros
+    const Range range = coordinate();
+    for (const Real c : foot)
+      if (!range.holds(c))
+        return faults_.add(
+            line_, 0,
+            fmt::format("the plane lies {:g} m from the origin: {}", norm(foot), range.refusal(c)));
+  }
+
+  /// By angles, or as geologists write them: strike N60E, dip 35SE.
+  DipOrientation orientation(const std::vector<Field>& fields) {
+    const Field& dip_field = fields[*heading_.at(Column::dip)];
+    const auto sided = sided_dip(dip_field.text);
+    DipOrientation result;
+    result.dip = sided ? in_range(dip_field, Column::dip, sided->dip * heading_.factor(Column::dip))
+                       : number(fields, Column::dip);
+    if (heading_.has(Column::strike)) {
+      result.dip_direction =
+          direction_of_strike(fields[*heading_.at(Column::strike)], fields, sided);
+      return result;
+    }
+    const Field& field = fields[*heading_.at(Column::dip_direction)];
+    const auto bearing = quadrant_bearing(field.text);
+    result.dip_direction = bearing ? *bearing : number(fields, Column::dip_direction);
+    if (sided && turn_between(result.dip_direction, sided->side) > widest_side)
+      faults_.add(line_, dip_field.column,
+                  fmt::format("the dip {} and the dip direction {} name two sides",
+                              quoted(dip_field.text), quoted(field.text)));
+    return result;
+  }
+
+  /// The side that the dip's letters name, or that of the rule for strikes in degrees.
+  Real direction_of_strike(const Field& field, const std::vector<Field>& fields,
+                           const std::optional<SidedDip>& sided) {
+    auto bearing = quadrant_bearing(field.text);
+    if (!bearing) bearing = compass_point(field.text);
+    const bool by_letters = bearing.has_value();
+    const Real strike = by_letters ? *bearing : number(fields, Column::strike);
+    if (!sided && by_letters) {
+      faults_.add(line_, field.column,
+                  fmt::format("the strike {} does not say to which side the plane dips: write the "
+                              "dip with its side, as 35SE, the strike in degrees by the right-hand "
+                              "rule, or a column dip_direction",
+                              quoted(field.text)));
+      return 0;
+    }
+    by_rule_ |= !sided;
+    if (!sided) return dip_direction_of(strike, table_.left_hand);
+    const Real right = dip_direction_of(strike, false), left = dip_direction_of(strike, true);
+    const Real direction =
+        turn_between(right, sided->side) < turn_between(left, sided->side) ? right : left;
+    if (turn_between(direction, sided->side) > widest_side)
+      faults_.add(line_, fields[*heading_.at(Column::dip)].column,
+                  fmt::format("the dip {} lies along the strike {}: planes dip across it, to {:g} "
+                              "or {:g} deg",
+                              quoted(fields[*heading_.at(Column::dip)].text), quoted(field.text),
+                              right, left));
+    return direction;
   }
 
   /// Where fields are parted by something else, commas are those of decimals, if all of the table's numbers have them.
   std::optional<Real> value_of(const Field& field) {
+    if (const auto grouped = grouped_number(field.text)) return grouped;
     if (field.text.find('.') != std::string::npos && point_.line == 0)
       point_ = {line_, field.column, field.text};
     if (separator_ == ',' || !has_decimal_comma(field.text)) return parse_number(field.text);
@@ -252,29 +285,42 @@ class TableReader {
           {place, "decimals are taken to stand behind commas, as in " + comma_.text});
   }
 
-  Real number(const std::vector<Field>& fields, Column column) {
-    const Field& field = fields[*place_[column]];
-    if ((column == radius || column == diameter) && field.text.empty())
-      return std::numeric_limits<Real>::infinity();
-    const auto value = value_of(field);
+  Real in_range(const Field& field, Column column, Real value) {
     const Range range = range_of(column);
-    if (value && range.holds(*value)) return *value + 0.0;
-    faults_.add(
-        line_, field.column,
-        value ? fmt::format("{} {}, is {:g}", column_names[column], range.refusal(*value), *value)
-              : fmt::format("{} {}, is {}{}", column_names[column], range.text(),
+    if (range.holds(value)) return value + 0.0;
+    faults_.add(line_, field.column,
+                fmt::format("{} {}, is {:g}", called(column), range.refusal(value), value));
+    return 0;
+  }
+
+  /// In degrees or metres.
+  Real number(const std::vector<Field>& fields, Column column) {
+    const Field& field = fields[*heading_.at(column)];
+    if (const auto value = value_of(field))
+      return in_range(field, column, *value * heading_.factor(column));
+    faults_.add(line_, field.column,
+                fmt::format("{} {}, is {}{}", called(column), range_of(column).text(),
                             quoted(field.text), decimal_comma_hint(field.text)));
     return 0;
   }
 
+  static std::string called(Column column) { return JointHeading().name_of(column); }
+
   Real radius_of(const std::vector<Field>& fields) {
-    if (place_[diameter]) return number(fields, diameter) / 2;
-    return place_[radius] ? number(fields, radius) : std::numeric_limits<Real>::infinity();
+    if (!heading_.extent()) return infinite;
+    const Column column = *heading_.extent();
+    if (fields[*heading_.at(column)].text.empty()) {
+      ++without_extent_;
+      return infinite;
+    }
+    const Real value = number(fields, column);
+    largest_extent_ = std::max(largest_extent_, value);
+    return column == Column::radius ? value : value / 2;
   }
 
   Index material_of(const std::vector<Field>& fields) {
-    if (!place_[material]) return table_.material;
-    const Field& field = fields[*place_[material]];
+    if (!heading_.has(Column::material)) return table_.material;
+    const Field& field = fields[*heading_.at(Column::material)];
     if (field.text.empty()) return table_.material;
     const auto found = std::find(material_names_.begin(), material_names_.end(), field.text);
     if (found != material_names_.end()) return static_cast<Index>(found - material_names_.begin());
@@ -289,10 +335,14 @@ class TableReader {
   const Place& place_of_file_;
   std::vector<Diagnostic>* warnings_;
   std::vector<std::string> material_names_;
-  std::array<std::optional<std::size_t>, column_count> place_;  ///< of each column in a line
+  JointHeading heading_;
   char separator_ = ',';
   std::size_t fields_in_line_ = 0;  ///< 0 = the heading has not been read
+  bool without_heading_ = false, rows_begun_ = false;
   int line_ = 0;
+  bool by_rule_ = false;            ///< a strike's dip direction is that of the rule
+  std::size_t without_extent_ = 0;  ///< rows
+  Real largest_extent_ = 0;         ///< m
   struct Seen {
     int line = 0, column = 0;  ///< 0 = none
     std::string text;

@@ -8,11 +8,15 @@
 
 namespace rockfold {
 
-/// Values separated by commas, semicolons or tabs under a heading with the names dip, dip_direction or strike (deg), x, y, z
-/// and, if it likes, radius (m; none = through-going) and material (a joint material's name; empty = that of
-/// the table), in any order and case, or names that other programs give them. Fields may be quoted ("…", "" for a quote); blank lines and lines that
-/// begin with '#' are passed over, and so are other columns: `warnings` says so, unless it is null.
-/// `table` has the material and rule of its rows; `place` names the file and the key that names it. Throws Error(model) with all that is wrong.
+/// Values separated by commas, semicolons, tabs or blanks under a heading, in any order and case, with the names that other
+/// programs give them: an orientation (dip and dip_direction or strike in degrees or quadrants, both in one as "Dip/DipDir", or
+/// a normal nx, ny, nz), a place x, y, z (m), and if it likes what tells how far the joint reaches (radius, or as the diameter of a
+/// disc diameter, persistence, extent, trace length, length; m; none = through-going), material (a joint material's name; empty =
+/// that of the table) and a name of the set or joint. Or planes A x + B y + C z + D = 0: A, B, C, D, of unit normals without a heading too.
+/// A row of units may follow the heading. Fields may be quoted ("…", "" for a quote); blank lines and lines that
+/// begin with '#' are passed over, and so are other columns. `warnings`, unless it is null, says so, and what is taken for what.
+/// `table` has the material, rule and extents of its rows; `place` names the file and the key that names it.
+/// Throws Error(model) with all that is wrong.
 std::vector<JointTable::Row> read_joint_table(std::string_view text, const JointTable& table,
                                               const std::vector<JointMaterial>& materials,
                                               const Place& place,

@@ -1,5 +1,7 @@
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
@@ -55,17 +57,40 @@ void refuse_tiny_disc(Real radius, const PlacingRegion& region, const Place& pla
                        radius, size, least_radius_share * size));
 }
 
-// The origin for a table's rows of `material`, made when it is first asked for.
-Index origin_for(Index material, std::vector<Index>& origin_of_material, PlacedJoints& placed,
-                 const std::string& name) {
-  const std::size_t i = material + 1;  // `none` is -1
-  if (origin_of_material.size() <= i) origin_of_material.resize(i + 1, none);
-  if (origin_of_material[i] == none) {
-    origin_of_material[i] = static_cast<Index>(placed.origins.size());
-    placed.origins.push_back({name, material});
+// The origins of a table: one for each name and material that its rows have, in the order of the rows. Names of several: "table.name",
+// "table.material", "table.name.material" where rows of one name differ in material.
+class TableOrigins {
+ public:
+  TableOrigins(const JointTable& table, const std::vector<JointMaterial>& materials,
+               PlacedJoints& placed)
+      : table_(table), materials_(materials), placed_(placed) {}
+
+  Index of(const JointTable::Row& row) {
+    const auto [at, is_new] = number_.try_emplace(std::pair(row.name, row.material),
+                                                  static_cast<Index>(placed_.origins.size()));
+    if (is_new) placed_.origins.push_back({table_.name, row.material});
+    return at->second;
   }
-  return origin_of_material[i];
-}
+
+  // Once all rows are placed.
+  void name() {
+    if (number_.empty()) placed_.origins.push_back({table_.name, table_.material});
+    std::map<std::string, int> materials_of_name;
+    for (const auto& [key, origin] : number_) ++materials_of_name[key.first];
+    for (const auto& [key, origin] : number_) {
+      std::string& name = placed_.origins[origin].name;
+      if (!key.first.empty()) name += "." + key.first;
+      if (key.second != none && materials_of_name[key.first] > 1)
+        name += "." + materials_[key.second].name;
+    }
+  }
+
+ private:
+  const JointTable& table_;
+  const std::vector<JointMaterial>& materials_;
+  PlacedJoints& placed_;
+  std::map<std::pair<std::string, Index>, Index> number_;
+};
 
 }  // namespace
 
@@ -120,12 +145,11 @@ void place_mesh(const JointMesh& mesh, const RockBounds& rock, PlacedJoints& pla
 void place_table(const JointTable& table, const std::vector<JointMaterial>& materials,
                  const RockBounds& rock, const std::string& key, PlacedJoints& placed) {
   const PlacingRegion region = placing_region(rock, table.within);
-  const std::size_t first_origin = placed.origins.size();
   const DiscOutline outline = disc_outline(table.sides);
-  std::vector<Index> origin_of_material;
+  TableOrigins origins(table, materials, placed);
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     const JointTable::Row& row = table.rows[r];
-    const Index origin = origin_for(row.material, origin_of_material, placed, table.name);
+    const Index origin = origins.of(row);
     const ExactPlane plane = plane_through(normal_of(row.orientation), row.center);
     const PlacedJoint one{plane, {}, origin, table.within};
     if (std::isinf(row.radius)) {
@@ -136,11 +160,7 @@ void place_table(const JointTable& table, const std::vector<JointMaterial>& mate
     place_disc(plane, plane_frame(row.orientation), row.center, {}, row.radius, outline, region,
                one, placed.joints);
   }
-  if (placed.origins.size() == first_origin) placed.origins.push_back({table.name, table.material});
-  if (placed.origins.size() - first_origin > 1)
-    for (std::size_t i = first_origin; i < placed.origins.size(); ++i)
-      if (const Index m = placed.origins[i].material; m != none)
-        placed.origins[i].name += "." + materials[m].name;
+  origins.name();
 }
 
 }  // namespace rockfold

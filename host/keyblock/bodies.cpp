@@ -10,6 +10,7 @@
 
 #include "host/keyblock/water.hpp"
 #include "host/refuse.hpp"
+#include "src/base/place_text.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -66,8 +67,7 @@ Bodies::Bodies(const BlockArrays& blocks, const Model& model, const SupportSpec&
     const Index block = block_at(blocks, load.point);
     if (block == none)
       refuse(load.place, load.place.key + ".point",
-             fmt::format("({:g}, {:g}, {:g}) is not in the rock", load.point[0], load.point[1],
-                         load.point[2]));
+             fmt::format("{} is not in the rock", place_text(load.point)));
     forces_.push_back(
         {block, load.point, load.table.empty() ? load.force : load.table.at(time_of_statics)});
   }

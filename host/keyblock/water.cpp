@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "src/base/vector.hpp"
+#include "src/model/joint_name.hpp"
 
 namespace rockfold {
 
@@ -11,7 +12,8 @@ const Water* water_of(const std::vector<Water>& waters, const std::string& joint
   const Water* for_all = nullptr;
   for (const Water& water : waters) {
     if (water.joints.empty()) for_all = &water;
-    if (std::find(water.joints.begin(), water.joints.end(), joint) != water.joints.end())
+    if (std::any_of(water.joints.begin(), water.joints.end(),
+                    [&](const std::string& given) { return is_joint_of(joint, given); }))
       return &water;
   }
   return for_all;

@@ -52,6 +52,7 @@ void add_common_options(CLI::App& app, Options& options) {
   app.set_help_flag("--help,-h");
   app.add_flag("--json", options.json);
   app.add_flag("--quiet,-q", options.quiet);
+  app.add_flag("--yes,-y", options.yes);
   app.add_option_function<std::string>("--threads", [&options](const std::string& text) {
     if (options.threads > 0) reject("--threads is given twice");  // before and after the command
     options.threads = static_cast<int>(whole_number("--threads", text, 1, most_threads));

@@ -45,6 +45,7 @@ struct Options {
   std::string log_file;                ///< --log; empty = none
   bool report = false;                 ///< --report: of support and run, the printable report too
   bool no_result = false;              ///< --no-result: no result file, the answer alone
+  bool yes = false;                    ///< --yes: as many blocks as the model makes are meant
   bool force = false;                  ///< replace a result that holds states of a run
   Real max_time = 0;                   ///< --max-time, s of wall time; 0: no limit
   Real max_memory = 0;                 ///< --max-memory, bytes in memory; 0: no limit

@@ -129,6 +129,7 @@ constexpr const char* common_options =
     "  --log FILE             phases with their times, warnings and errors in a file too\n"
     "  --set KEY.PATH=VALUE   override a value of the model, e.g. cover.spacing=0.5 (repeatable);\n"
     "                         without a value, take the key or entry out: bolt_pattern.roof=\n"
+    "  -y, --yes              cut a model into more than 100,000 blocks, knowingly\n"
     "  --ignore LOAD          a load that the command does not use, knowingly: traction, water, …\n"
     "  -h, --help             this text\n";
 

@@ -205,6 +205,12 @@ int end_search(const Options& options, const Model& model, const Reduction& redu
   return interrupted_status();
 }
 
+/// How many blocks a model may have without a question: any where the user has said that they are meant.
+Real most_blocks(const Options& options, const Model& model) {
+  const bool given = !model.cut.place_of_max_cells.file.empty();
+  return options.yes || given ? any_number_of_blocks : blocks_without_asking;
+}
+
 /// demo, cut, support, run: each is the same way, left earlier or later.
 int analyse_rock(const Options& options, Terminal& terminal, const Resumption* resumption = nullptr,
                  Probe* probe = nullptr) {
@@ -220,7 +226,10 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
   if (!options.no_result && !resumption && wants_run(options))
     if (const std::string lost = unfinished_run(path); !lost.empty()) terminal.warn(lost);
 
-  Cutting cutting = clock.measure("cut", [&] { return cut_blocks(model, terminal); });
+  Cutting cutting = clock.measure("cut", [&] {
+    return cut_blocks(model, terminal,
+                      resumption ? any_number_of_blocks : most_blocks(options, model));
+  });
   return_free_memory();
   const BlockArrays blocks =
       clock.measure("cut", "joining blocks", [&] { return flatten_blocks(cutting, model); });
@@ -407,7 +416,7 @@ void warn_of_uncut_held_rock(const Model& model, Terminal& terminal) try {
 int check_model(const Options& options, Terminal& terminal) {
   const Model model = read_whole_model(options.input, options.overrides, Purpose::check);
   check_output_names(options, model);
-  if (!model.solids.empty()) check_rock(model);
+  if (!model.solids.empty()) check_rock(model, most_blocks(options, model));
   warn_of_model(model, terminal);
   if (!model.solids.empty()) warn_of_joints_beside_rock(model, terminal);
   if (model.support) warn_of_free_rock(model, terminal);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "src/base/place_text.hpp"
 #include "src/base/vector.hpp"
 #include "src/report/design_names.hpp"
 
@@ -49,8 +50,8 @@ void warn_of_collars_in_air(const BoltingReport& bolting, Terminal& terminal) {
     const Vec3 face = bolt.collar + bolt.rock.front().from * bolt.direction;
     terminal.warn(fmt::format(
         "{}: its collar is {:.3g} m off the rock, so that its plate holds nothing; on the face it "
-        "is at ({:.6g}, {:.6g}, {:.6g})",
-        group.name, bolt.rock.front().from, face[0], face[1], face[2]));
+        "is at {}",
+        group.name, bolt.rock.front().from, place_text(face)));
   }
 }
 

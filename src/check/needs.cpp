@@ -13,6 +13,7 @@
 #include "src/app/examples.hpp"
 #include "src/app/process/signals.hpp"
 #include "src/base/error.hpp"
+#include "src/base/place_text.hpp"
 #include "src/base/vector.hpp"
 #include "src/check/key_use.hpp"
 #include "src/check/whole_model.hpp"
@@ -52,8 +53,7 @@ void find_outside(const std::string& what, const Vec3& point, Index element, con
   if (element != none) return;
   Place of_point = place;
   of_point.key += ".point";
-  outside.push_back({of_point, fmt::format("({}, {}, {}){} is not in the rock", point[0], point[1],
-                                           point[2], what)});
+  outside.push_back({of_point, fmt::format("{}{} is not in the rock", place_text(point), what)});
 }
 
 /// Each random set gets a seed of its own: equal ones would draw alike.
@@ -222,13 +222,13 @@ void warn_of_cutting(const IntentReport& intent, Terminal& terminal) {
   const std::string what = intent.doubts == 1
                                ? "a cell or opening of the rock is"
                                : fmt::format("{} cells or openings of the rock are", intent.doubts);
-  terminal.warn(fmt::format(
-      "{} about as wide as 1e-9 of the model's size, and blocks depend on it: what is "
-      "narrower is no block and no connection. They lie between: {}; the narrowest, "
-      "{:.2g} m wide, lies at ({:.6g}, {:.6g}, {:.6g}). A joint that ends on another surface "
-      "should "
-      "reach past it",
-      what, names, intent.least_doubt, intent.doubt_at[0], intent.doubt_at[1], intent.doubt_at[2]));
+  terminal.warn(
+      fmt::format("{} about as wide as 1e-9 of the model's size, and blocks depend on it: what is "
+                  "narrower is no block and no connection. They lie between: {}; the narrowest, "
+                  "{:.2g} m wide, lies at {}. A joint that ends on another surface "
+                  "should "
+                  "reach past it",
+                  what, names, intent.least_doubt, place_text(intent.doubt_at)));
 }
 
 void warn_of_lost_contact(const BlockArrays& blocks, Terminal& terminal) {
@@ -239,9 +239,9 @@ void warn_of_lost_contact(const BlockArrays& blocks, Terminal& terminal) {
                         [](const LostContact& a, const LostContact& b) { return a.lost < b.lost; });
   terminal.warn(fmt::format(
       "{:.4g} of {:.4g} m2 of joint {} on block {} are in contact with no other block, near "
-      "({:.6g}, {:.6g}, {:.6g}){}: factors of safety there are wrong. Please report the model",
-      worst.lost, worst.area, blocks.origins[worst.origin].name, worst.block + 1, worst.place[0],
-      worst.place[1], worst.place[2],
+      "{}{}: factors of safety there are wrong. Please report the model",
+      worst.lost, worst.area, blocks.origins[worst.origin].name, worst.block + 1,
+      place_text(worst.place),
       list.size() > 1 ? fmt::format(", and so in {} other places", list.size() - 1) : ""));
 }
 

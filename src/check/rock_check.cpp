@@ -4,6 +4,7 @@
 
 #include "host/cover/cover.hpp"
 #include "host/cut/cut.hpp"
+#include "src/base/place_text.hpp"
 
 namespace rockfold {
 
@@ -55,10 +56,9 @@ void require_in_rock(const std::vector<GivenPoint>& points, const std::vector<At
   for (std::size_t p = 0; p < points.size(); ++p) {
     const GivenPoint& given = points[p];
     if (at[p] == At::stays || (at[p] == At::excavated && given.may_be_excavated)) continue;
-    const Vec3& x = given.point;
     outside.push_back(
         {given.place,
-         fmt::format("({}, {}, {}){}{}", x[0], x[1], x[2], given.rest,
+         fmt::format("{}{}{}", place_text(given.point), given.rest,
                      at[p] == At::excavated ? ": an [[excavation]] removes it there" : "")});
   }
   if (!outside.empty()) throw Error(ErrorKind::model, std::move(outside));
@@ -66,11 +66,11 @@ void require_in_rock(const std::vector<GivenPoint>& points, const std::vector<At
 
 }  // namespace
 
-void check_rock(const Model& model) {
+void check_rock(const Model& model, Real most_blocks) {
   const std::vector<GivenPoint> given = given_points(model);
   std::vector<Vec3> points;
   for (const GivenPoint& one : given) points.push_back(one.point);
-  const UncutRock rock = check_cutting(model, points);
+  const UncutRock rock = check_cutting(model, points, most_blocks);
   require_in_rock(given, rock.of_point);
   if (model.cover) check_cover_size(*model.cover, rock.volume);
 }

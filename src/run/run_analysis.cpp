@@ -12,6 +12,7 @@
 #include "kernels/time/motion.hpp"
 #include "src/base/error.hpp"
 #include "src/base/interrupt.hpp"
+#include "src/base/place_text.hpp"
 #include "src/base/timer.hpp"
 #include "src/base/vector.hpp"
 #include "src/run/base_motion.hpp"
@@ -119,8 +120,7 @@ std::string contact_trouble(const SolveReport& report, const Trouble& trouble) {
   std::string what = "contact does not settle";
   if (trouble.block[0] != none)
     what += " between blocks " + std::to_string(trouble.block[0] + 1) + " and " +
-            std::to_string(trouble.block[1] + 1) + " near (" + number(trouble.place[0]) + ", " +
-            number(trouble.place[1]) + ", " + number(trouble.place[2]) + ")";
+            std::to_string(trouble.block[1] + 1) + " near " + place_text(trouble.place);
   return what + ", in " + std::to_string(most_substeps) + " parts of the step too: residual " +
          number(report.residual) +
          " (analysis.time_step, contact.max_iterations, solver.max_iterations, "
@@ -134,9 +134,8 @@ std::string contact_trouble(const SolveReport& report, const Trouble& trouble) {
     const Vec3 at =
         input.covers.lattice.cell_centre(element_nodes(input.covers, report.inverted).cell);
     what += "block " + std::to_string(block_of(input.covers, report.inverted) + 1) +
-            " is turned inside out near (" + number(at[0]) + ", " + number(at[1]) + ", " +
-            number(at[2]) +
-            "): loads or velocities are too large for its stiffness (material.young_modulus)";
+            " is turned inside out near " + place_text(at) +
+            ": loads or velocities are too large for its stiffness (material.young_modulus)";
   } else if (!std::isfinite(report.residual)) {
     what += !input.model.analysis->has(AnalysisType::dynamic)
                 ? "the solver broke down (solver.preconditioner), or nothing resists the loads"

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "host/files/read_joint_table.hpp"
+#include "src/base/vector.hpp"
 #include "tests/files/sample_files.hpp"
 
 namespace rockfold {
@@ -16,6 +17,42 @@ std::vector<JointTable::Row> rows_of(std::string_view text,
   table.material = 2;
   table.left_hand = left_hand;
   return read_joint_table(text, table, materials, sample_place, warnings);
+}
+
+std::vector<JointTable::Row> through_going(std::string_view text) {
+  JointTable table;
+  table.extent = JointTable::Extent::through_going;
+  return read_joint_table(text, table, materials, sample_place);
+}
+
+/// What the one warning of reading the text says; "" if there is none.
+std::string told(std::string_view text) {
+  std::vector<Diagnostic> warnings;
+  rows_of(text, &warnings);
+  EXPECT_LE(warnings.size(), 1u);
+  return warnings.empty() ? "" : warnings[0].message;
+}
+
+std::string fault(std::string_view text) {
+  const auto errors = errors_of_reading([&] { rows_of(text); });
+  return errors.empty() ? "" : errors[0].message;
+}
+
+/// Two joints as planes: dip 60 towards 135 through (5, 5, 5), dip 30 towards 240 through (4, 5, 6).
+void expect_two_joints(const std::vector<JointTable::Row>& rows, Real tolerance) {
+  ASSERT_EQ(rows.size(), 2u);
+  const DipOrientation wanted[] = {{60, 135}, {30, 240}};
+  const Vec3 through[] = {{5, 5, 5}, {4, 5, 6}};
+  constexpr Real degree = 0.017453292519943295;
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(rows[i].orientation.dip, wanted[i].dip, tolerance);
+    EXPECT_NEAR(rows[i].orientation.dip_direction, wanted[i].dip_direction, tolerance);
+    const Real dip = wanted[i].dip * degree, direction = wanted[i].dip_direction * degree;
+    const Vec3 normal{std::sin(dip) * std::sin(direction), std::sin(dip) * std::cos(direction),
+                      std::cos(dip)};
+    EXPECT_NEAR(dot(normal, rows[i].center - through[i]), 0, 20 * tolerance);
+    EXPECT_TRUE(std::isinf(rows[i].radius));
+  }
 }
 
 }  // namespace
@@ -80,7 +117,7 @@ TEST(JointTables, MayHaveTheColumnsOfOtherPrograms) {
             "without a column radius or diameter all joints are through-going");
   EXPECT_EQ(warnings[1].message,
             "a column is passed over: polarity; azimuth is taken for dip_direction");
-  EXPECT_EQ(warnings[2].message, "2 columns are passed over: id, strike");
+  EXPECT_EQ(warnings[2].message, "a column is passed over: strike");  // id names the joint
 }
 
 TEST(JointTables, MayHaveDiameters) {
@@ -106,6 +143,134 @@ TEST(JointTables, MayHaveStrikes) {
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_EQ(warnings[0].message, "planes dip to the right of their strike (rule)");
   EXPECT_EQ(warnings[1].message, "planes dip to the left of their strike (rule)");
+}
+
+TEST(JointTables, ReadPersistencesTraceLengthsAndExtentsAsDiametersOfDiscs) {
+  const std::string head = "Dip,DipDir,X,Y,Z,";
+  for (const char* name : {"Persistence (m)", "Trace length", "Trace Length [m]", "Length (m)",
+                           "extent", "Persistence", "Spurl\xC3\xA4nge (m)"}) {
+    const std::string text = head + name + "\n60,135,5,5,5,4\n30,240,4,5,6,\n";
+    EXPECT_EQ(rows_of(text)[0].radius, 2) << name;
+    EXPECT_TRUE(std::isinf(rows_of(text)[1].radius)) << name;
+    EXPECT_EQ(told(text), std::string(name) +
+                              " is taken for the diameter of discs (m); extents = "
+                              "\"through_going\" takes all joints as through-going; 1 row without "
+                              "it is through-going");
+    EXPECT_TRUE(std::isinf(through_going(text)[0].radius)) << name;
+  }
+  EXPECT_EQ(rows_of(head + "Trace length (cm)\n60,135,5,5,5,400\n")[0].radius, 2);
+  EXPECT_EQ(rows_of(head + "Persistence\n(deg),(deg),(m),(m),(m),(m)\n60,135,5,5,5,4\n")[0].radius,
+            2);
+  EXPECT_TRUE(std::isinf(through_going(head + "radius\n60,135,5,5,5,1\n")[0].radius));
+}
+
+TEST(JointTables, TakeOneOfSeveralExtentsAndNameTheOthers) {
+  const std::string text =
+      "Set,Dip,DipDir,X,Y,Z,Persistence (m),Trace length\nJ1,60,135,5,5,5,4,3\n";
+  EXPECT_EQ(rows_of(text)[0].radius, 2);
+  EXPECT_EQ(told(text).substr(0, 68),
+            "a column is passed over: Trace length; Persistence (m) is taken for ");
+  const std::string share = "Dip,DipDir,X,Y,Z,Persistence (%),Trace length\n60,135,5,5,5,80,3\n";
+  EXPECT_EQ(rows_of(share)[0].radius, 1.5) << "a share is no extent beside a length";
+}
+
+TEST(JointTables, AskWhereAPersistenceIsAShare) {
+  for (const char* column :
+       {"Persistence (%)\n60,135,5,5,5,80\n", "Persistence [%]\n60,135,5,5,5,0.8\n",
+        "Persistence\n60,135,5,5,5,0.8\n30,135,5,5,5,1\n",
+        "Persistence\n,,,,,%\n60,135,5,5,5,80\n"}) {
+    const std::string text = std::string("Dip,DipDir,X,Y,Z,") + column;
+    EXPECT_NE(fault(text).find("is a share of the plane, not an extent in metres"),
+              std::string::npos)
+        << column << fault(text);
+    EXPECT_NE(fault(text).find("extents = \"through_going\""), std::string::npos);
+    EXPECT_TRUE(std::isinf(through_going(text)[0].radius));
+  }
+}
+
+TEST(JointTables, NameTheirJoints) {
+  const std::string text =
+      "ID,Set,dip,dip_direction,x,y,z,radius\n7,J1,30,90,5,5,5,1\n8,,30,90,5,5,5,1\n";
+  EXPECT_EQ(rows_of(text)[0].name, "J1");
+  EXPECT_EQ(rows_of(text)[1].name, "");
+  EXPECT_EQ(told(text), "a column is passed over: ID");
+  for (const char* column : {"Set", "ID", "Type", "Joint", "Name"}) {
+    const std::string one =
+        std::string(column) + ",dip,dip_direction,x,y,z,radius\nA,30,90,5,5,5,1\n";
+    EXPECT_EQ(rows_of(one)[0].name, "A") << column;
+    EXPECT_EQ(told(one), "") << column;
+  }
+}
+
+TEST(JointTables, MayGiveQuadrants) {
+  expect_two_joints(rows_of("x,y,z,strike,dip\n5,5,5,N45E,60SE\n4,5,6,S30E,30SW\n"), 0);
+  expect_two_joints(rows_of("x,y,z,Strike/Dip\n5,5,5,N 45\xC2\xB0 E/60 SE\n4,5,6,150/30SW\n"), 0);
+  expect_two_joints(rows_of("x,y,z,dip dir,dip\n5,5,5,S45E,60\n4,5,6,S60W,30W\n"), 0);
+  EXPECT_EQ(told("x,y,z,radius,strike,dip\n5,5,5,1,N45E,60SE\n"), "") << "no rule is used";
+  const std::string head = "x,y,z,strike,dip\n5,5,5,";
+  EXPECT_NE(fault(head + "N45E,60\n").find("'N45E' does not say to which side"), std::string::npos);
+  EXPECT_NE(fault(head + "N45E,60NE\n").find("lies along the strike"), std::string::npos);
+  EXPECT_NE(fault(head + "N95E,60SE\n").find("is 'N95E'"), std::string::npos);
+  EXPECT_NE(fault("x,y,z,dip dir,dip\n5,5,5,90,60W\n").find("name two sides"), std::string::npos);
+}
+
+TEST(JointTables, MayGiveBothAnglesInOneColumn) {
+  expect_two_joints(rows_of("ID,X,Y,Z,Dip/DipDir\n1,5,5,5,60/135\n2,4,5,6,30/240\n"), 0);
+  expect_two_joints(rows_of("X,Y,Z,Dip direction / Dip (deg)\n5,5,5,135/60\n4,5,6,240/30\n"), 0);
+  EXPECT_NE(fault("X,Y,Z,Dip/DipDir\n5,5,5,60\n").find("two values parted by '/'"),
+            std::string::npos);
+}
+
+TEST(JointTables, MayGiveNormals) {
+  const std::string text =
+      "cx,cy,cz,nx,ny,nz\n5,5,5,0.612372,-0.612372,0.500000\n4,5,6,0.866026,0.5,-1.732050\n";
+  expect_two_joints(rows_of(text), 1e-4);  // deg: six digits
+  const auto upright = rows_of("cx,cy,cz,nx,ny,nz\n0,0,0,-2,0,0\n0,0,0,0,0,3\n0,0,0,1,1,0\n");
+  EXPECT_EQ(upright[0].orientation.dip, 90);
+  EXPECT_EQ(upright[0].orientation.dip_direction, 270);
+  EXPECT_EQ(upright[1].orientation.dip, 0);
+  EXPECT_EQ(upright[2].orientation.dip_direction, 45);
+  EXPECT_NE(fault("x,y,z,nx,ny,nz\n0,0,0,0,0,0\n").find("length > 0"), std::string::npos);
+}
+
+TEST(JointTables, MayGiveUnitsInARow) {
+  expect_two_joints(
+      rows_of("Dip,DipDir,X,Y,Z\n(deg),(deg),(m),(m),(m)\n60,135,5,5,5\n30,240,4,5,6\n"), 0);
+  expect_two_joints(rows_of("Dip;DipDir;X;Y;Z\n\xC2\xB0;\xC2\xB0;cm;cm;cm\n60;135;500;500;500\n"
+                            "30;240;400;500;600\n"),
+                    1e-12);
+}
+
+/// A x + B y + C z + D = 0: the plane of the first line is 0.612372·(x − y) + 0.5·z = 2.5, through (5, 5, 5).
+TEST(JointTables, MayGivePlanesByTheirEquations) {
+  const std::string rows =
+      "0.612372 -0.612372 0.500000 -2.500000\n-0.433013 -0.250000 0.866025 -2.214102\n";
+  expect_two_joints(rows_of(rows), 1e-4);
+  expect_two_joints(rows_of("A B C D\n" + rows), 1e-4);
+  EXPECT_NE(told(rows).find("planes A x + B y + C z + D = 0"), std::string::npos);
+  EXPECT_NE(fault("1 0 0 -2\n3 0 0 -2\n").find("a normal of length 1, have length 3"),
+            std::string::npos);
+  EXPECT_NE(fault("45 120 10 20\n").find("must be a heading"), std::string::npos);
+  const auto tall = rows_of("A;B;C;D\n0;0;2;-10\n");
+  EXPECT_EQ(tall[0].center, (Vec3{0, 0, 5}));
+}
+
+TEST(JointTables, KnowOtherLanguagesAndRefuseDegreesAsPlaces) {
+  const auto rows =
+      rows_of("Fallrichtung;Fallwinkel;Rechtswert;Hochwert;H\xC3\xB6he;radius\n135;60;5;6;7;1\n");
+  EXPECT_EQ(rows[0].center, (Vec3{5, 6, 7}));
+  EXPECT_EQ(rows[0].orientation.dip, 60);
+  EXPECT_EQ(rows_of("Buzamiento,Direcci\xC3\xB3n de buzamiento,Este,Norte,Cota,radio\n"
+                    "60,135,5,6,7,1\n")[0]
+                .center,
+            (Vec3{5, 6, 7}));
+  EXPECT_NE(fault("dip,dip dir,lat,lon,elevation\n60,135,47.1,8.2,500\n").find("reproject"),
+            std::string::npos);
+}
+
+TEST(JointTables, MayPartThousands) {
+  EXPECT_EQ(rows_of("dip;dip dir;x;y;z;radius\n60;135;412,345.5;5,802,117;1'200;1\n")[0].center,
+            (Vec3{412345.5, 5802117, 1200}));
 }
 
 TEST(JointTables, MayHaveDecimalCommasWhereNoCommaPartsTheirFields) {

@@ -228,6 +228,101 @@ TEST(XyzPosts, MayHaveMoreColumnsThatArePassedOver) {
   EXPECT_EQ(ground_of("0.5,0,1,7\n1,0,1,7\n0,1,2,7\n").vertices.size(), 3u);
 }
 
+/// The same four posts, x 0 and 2 east, y 0 and 5 north, z 1 to 4, under many headings.
+TEST(XyzPosts, AreReadByTheirHeading) {
+  const auto ground = ground_of("0 0 1\n2 0 2\n0 5 3\n2 5 4\n");
+  for (const char* text :
+       {"Northing,Easting,Elevation\n0,0,1\n0,2,2\n5,0,3\n5,2,4\n",
+        "N E Z\n0 0 1\n0 2 2\n5 0 3\n5 2 4\n", "Z;Y;X\n1;0;0\n2;0;2\n3;5;0\n4;5;2\n",
+        "Hochwert;Rechtswert;H\xC3\xB6he\n0;0;1\n0;2;2\n5;0;3\n5;2;4\n",
+        "Hochwert;Rechtswert;H\xF6he\n0;0;1\n0;2;2\n5;0;3\n5;2;4\n",
+        "Point,Northing,Easting,Elevation,Code\n7,0,0,1,EP\n9,0,2,2,\nA1,5,0,3,\"edge, "
+        "top\"\n4,5,2,4,EP\n",
+        "Pt No.\tCota\tNorte\tEste\n1\t1\t0\t0\n2\t2\t0\t2\n3\t3\t5\t0\n4\t4\t5\t2\n",
+        "# N, E, Z\n0,0,1\n0,2,2\n5,0,3\n5,2,4\n",
+        "# x y z of the survey of 2019\nN,E,Z\n0,0,1\n0,2,2\n5,0,3\n5,2,4\n",
+        "//X Y Z R G B\n4\n0 0 1 9 9 9\n2 0 2 9 9 9\n0 5 3 9 9 9\n2 5 4 9 9 9\n",
+        "4\n//Z Y X R G B\n1 0 0 9 9 9\n2 0 2 9 9 9\n3 5 0 9 9 9\n4 5 2 9 9 9\n",
+        "Northing,Easting,Elevation\n(m),(cm),m\n0,0,1\n0,200,2\n5,0,3\n5,200,4\n"})
+    EXPECT_EQ(ground_of(text).vertices, ground.vertices) << text;
+}
+
+TEST(XyzPosts, MayBeInFeetIfTheHeadingSaysSo) {
+  std::vector<Diagnostic> warnings;
+  const auto ground =
+      read_terrain("E (m),N (m),Z (ft)\n0,0,10\n2,0,20\n0,5,30\n", sample_place, &warnings);
+  EXPECT_EQ(ground.vertices[0][2], 10 * 0.3048);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].message, "Z (ft) is converted to metres, times 0.3048");
+}
+
+TEST(XyzPosts, OfOtherColumnsTell) {
+  std::vector<Diagnostic> warnings;
+  read_terrain("Point,Northing,Easting,Elevation,Code\n7,0,0,1,a\n9,0,2,2,b\n8,5,0,3,c\n",
+               sample_place, &warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].message, "2 columns are passed over: Point, Code");
+}
+
+TEST(XyzPosts, AreReadAsTheModelSays) {
+  const std::vector<std::string> columns = {"point", "northing", "easting", "elevation", "code"};
+  const auto ground = ground_of("0 0 1\n2 0 2\n0 5 3\n");
+  std::vector<Diagnostic> warnings;
+  for (const char* text :
+       {"1,0,0,1,EP\n2,0,2,2,EP\n3,5,0,3,\n", "P1,0,0,1,EP\nP2,0,2,2,EP\nP3,5,0,3,EP\n",
+        "a,b,c,d,e\n1,0,0,1,EP\n2,0,2,2,EP\n3,5,0,3,EP\n"})
+    EXPECT_EQ(read_terrain(text, sample_place, &warnings, columns).vertices, ground.vertices)
+        << text;
+  EXPECT_TRUE(warnings.empty());
+  EXPECT_EQ(columns_fault(columns), "");
+  EXPECT_EQ(columns_fault({}), "");
+  EXPECT_NE(columns_fault({"point", "x", "y"}).find("names no column for z (up)"),
+            std::string::npos);
+  EXPECT_NE(columns_fault({"x", "x", "z"}).find("two columns for x (east)"), std::string::npos);
+}
+
+TEST(XyzPosts, MayPartThousandsWhereThatIsSure) {
+  const std::vector<Vec3> wanted = {
+      {412345.5, 5802117, 980}, {412345.5, 5802118, 1020}, {412400, 5802117, 1000}};
+  for (const char* text :
+       {"412,345.5;5,802,117;980\n412,345.5;5,802,118;1,020\n412,400;5,802,117;1,000\n",
+        "X;Y;Z\n412,345.5;5,802,117;980\n412,345.5;5,802,118;1,020\n412,400;5,802,117;1,000\n",
+        "412'345.5 5'802'117 980\n412'345.5 5'802'118 1'020\n412'400 5'802'117 1'000\n",
+        "\"412,345.5\",\"5,802,117\",980\n\"412,345.5\",\"5,802,118\",\"1,020\"\n\"412,400\",\"5,"
+        "802,117\",\"1,000\"\n"})
+    EXPECT_EQ(ground_of(text).vertices, wanted) << text;
+  EXPECT_EQ(
+      errors_of_reading([] { ground_of("X;Y;Z\n1;2;412,345\n2;3;412,346\n2;4;412,346\n"); }).size(),
+      3u)
+      << "a comma that may be that of decimals";
+}
+
+TEST(XyzPosts, AskWhatTheColumnsAre) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"1,5000,2000,100,EP\n2,5010,2000,101,EP\n3,5000,2010,102,EP\n",
+       "the first column runs 1, 2, 3 …, as numbers of points do"},
+      {"101 5000 2000 100\n102 5010 2000 101\n205 5000 2010 102\n", "runs 101, 102, 205 …"},
+      {"P1,5000,2000,100,EP\nP2,5010,2000,101,EP\n", "begins with 'P1', a name"},
+      {"Survey of the hill\n0 0 1\n1 0 1\n0 1 1\n", "a title stands behind '#'"},
+      {"a,b,c\n0,0,1\n", "names no column for x (east) and y (north) and z (up)"},
+      {"Easting,East,Northing,Z\n0,0,1,1\n", "two columns for x (east), 'Easting' and 'East'"},
+      {"Easting,Northing,Depth\n0,0,1\n", "a depth counts downwards"},
+      {"Lat,Lon,Elevation\n47,8,500\n", "reproject the table"},
+      {"# N E Z\n0 0 1 7 7\n1 0 1 7 7\n0 1 1 7 7\n",
+       "this comment names N, E, Z, the rows have 5 columns"},
+      {"//X Y Z\n5\n0 0 1\n1 0 1\n0 1 1\n", "says that there are 5 posts, but 3 follow"},
+      {"Code,N,E,Z\na,b,0,0,1\n", "has 5 fields, must have 4: Code, N, E, Z"},
+      {"Code,N,E,Z\na,0,0\n", "has 3 fields, must have 4"},
+  };
+  for (const auto& [text, says] : cases) {
+    const auto errors = errors_of_reading([&, t = text] { ground_of(t); });
+    ASSERT_FALSE(errors.empty()) << text;
+    EXPECT_NE(errors[0].message.find(says), std::string::npos) << errors[0].message;
+  }
+  EXPECT_EQ(ground_of("1 0 1 9\n1 1 1 9\n2 0 1 9\n").vertices.size(), 3u)
+      << "whole x that do not rise";
+}
+
 TEST(XyzPosts, ScatteredAreJoinedByDelaunaysTriangulation) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<Real> coordinate(0, 100);
@@ -359,7 +454,7 @@ TEST(WrongTerrains, SayWhatAndWhere) {
        5,
        0,
        {"(0, 1, 8) lies over the post of line 3", "z is 7"}},
-      {std::string("\0\x01\xff\xfe 1 2\n1 2 3", 14), 2, 1, {"three posts"}},
+      {std::string("\0\x01\xff\xfe 1 2\n1 2 3", 14), 2, 1, {"names no column for x"}},
   };
   for (const auto& wrong : cases) {
     const auto errors = errors_of_reading([&] { ground_of(wrong.text); });

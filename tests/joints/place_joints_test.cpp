@@ -268,6 +268,29 @@ TEST(JointTables, HaveAnOriginForEachMaterialAndRowsWithoutRadiusGoThrough) {
   expect_refusal(model, cube, "too small", "joint_table[1].file row 3");
 }
 
+TEST(JointTables, HaveAnOriginForEachNameOfTheirRows) {
+  Model model;
+  for (const char* name : {"clean", "clay"}) {
+    model.joint_materials.emplace_back();
+    model.joint_materials.back().name = name;
+  }
+  JointTable table;
+  table.name = "T";
+  table.rows = {{{45, 90}, {5, 5, 5}, 2, 0, "J2"},
+                {{45, 90}, {5, 5, 6}, 2, 0, "J1"},
+                {{10, 30}, {5, 5, 6}, 1, 1, "J2"},
+                {{10, 30}, {5, 5, 7}, 1, 0, "J1"},
+                {{10, 30}, {5, 5, 8}, 1, 0, ""}};
+  model.joint_tables = {table};
+  const PlacedJoints placed = place_joints(model, cube);
+  std::string names;
+  for (const JointOrigin& origin : placed.origins) names += origin.name + " ";
+  EXPECT_EQ(names, "T.J2.clean T.J1 T.J2.clay T ");
+  std::vector<Index> origins;
+  for (const PlacedJoint& joint : placed.joints) origins.push_back(joint.origin);
+  EXPECT_EQ(origins, (std::vector<Index>{0, 1, 2, 1, 3}));
+}
+
 TEST(PlacedJoints, ListSetsThenJointsThenMeshesThenTables) {
   Model model;
   model.joint_sets = {level_discs(1)};

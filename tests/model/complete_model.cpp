@@ -125,6 +125,7 @@ name = "ground"
 shape = "terrain"
 file = ")" ROCKFOLD_SOURCE_DIR R"(/tests/../LICENSE"
 base = -50
+columns = ["code", "northing", "easting", "elevation"]
 continues = ["top"]
 
 [[joint_set]]
@@ -216,6 +217,7 @@ flatness = 7.5
 name = "mapped"
 file = ")" ROCKFOLD_SOURCE_DIR R"(/LICENSE"
 material = "filled"
+extents = "through_going"
 sides = 6
 within = "beam"
 
@@ -312,6 +314,8 @@ reference_z = 20
 [base_acceleration]
 file = ")" ROCKFOLD_SOURCE_DIR R"(/LICENSE"
 scale = 0.5
+unit = "cm/s2"
+direction = [0, 0, -2]
 
 [[point_load]]
 point = [5, 5, 10]

@@ -49,6 +49,20 @@ TEST(BaseAcceleration, BeginsWithTheStepThatItNames) {
         Purpose::run);
 }
 
+/// 3, 0, 4 has length 5; 1 g is 9.81 m/s².
+TEST(BaseAcceleration, MayBeOneComponentInADirectionAndInG) {
+  const Model model = parse_model(
+      model_of("dynamic",
+               "[base_acceleration]\ntable = [[0, 0], [1, 0.5]]\ndirection = [3, 0, 4]\nunit = "
+               "'g'\n"),
+      "m.toml", {}, Purpose::run);
+  const BaseAcceleration& base = *model.base_acceleration;
+  EXPECT_EQ(base.unit, 9.81);
+  EXPECT_NEAR(base.table.value[1][0], 0.6 * 0.5 * 9.81, 1e-12);
+  EXPECT_EQ(base.table.value[1][1], 0);
+  EXPECT_NEAR(base.table.value[1][2], 0.8 * 0.5 * 9.81, 1e-12);
+}
+
 /// A damping ratio of 5 % at 1 and 10 Hz.
 TEST(Rayleigh, FollowsFromADampingRatioAtTwoFrequencies) {
   const Model model =

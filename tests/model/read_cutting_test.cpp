@@ -68,6 +68,8 @@ TEST_F(CompleteCutting, HasItsShapesFromFiles) {
   EXPECT_EQ(model.solids[9].continues, std::vector<bool>{true});
   EXPECT_EQ(shape<TerrainShape>(10).file, ROCKFOLD_SOURCE_DIR "/tests/../LICENSE");
   EXPECT_EQ(shape<TerrainShape>(10).base, -50);
+  EXPECT_EQ(shape<TerrainShape>(10).columns,
+            (std::vector<std::string>{"code", "northing", "easting", "elevation"}));
   EXPECT_TRUE(model.solids[10].continues[5]);
 }
 
@@ -139,6 +141,7 @@ TEST_F(CompleteCutting, HasItsJointsFromFiles) {
   EXPECT_EQ(model.joint_tables[0].name, "mapped");
   EXPECT_EQ(model.joint_tables[0].file, ROCKFOLD_SOURCE_DIR "/LICENSE");
   EXPECT_EQ(model.joint_tables[0].material, 1);
+  EXPECT_EQ(model.joint_tables[0].extent, JointTable::Extent::through_going);
   EXPECT_EQ(model.joint_tables[0].sides, 6);
   EXPECT_EQ(model.joint_tables[0].within, 2);
 }

@@ -212,6 +212,8 @@ TEST_F(CompleteModel, HasItsLoads) {
   EXPECT_EQ(model.initial_stress.reference_z, 20);
   ASSERT_TRUE(model.base_acceleration);
   EXPECT_EQ(model.base_acceleration->scale, 0.5);
+  EXPECT_EQ(model.base_acceleration->unit, 0.01);
+  EXPECT_EQ(model.base_acceleration->direction, (Vec3{0, 0, -1}));
 }
 
 TEST_F(CompleteModel, HasItsStrengths) {

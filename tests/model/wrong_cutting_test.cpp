@@ -75,6 +75,8 @@ TEST(WrongCutting, OfRoundShapes) {
       {SOLID "shape = 'mesh'", 6, 1, "solid[2].file", "is missing, must be a text in quotes"},
       {SOLID "shape = 'mesh'\nfile = 'no.stl'", 8, 8, "solid[2].file", "there is no file \"no.stl\"; names are relative to the model's folder"},
       {SOLID "shape = 'terrain'\nfile = '" ROCKFOLD_SOURCE_DIR "/LICENSE'", 6, 1, "solid[2].base", "is missing, must be a number (m)"},
+      {SOLID "shape = 'terrain'\nbase = 0\nfile = '" ROCKFOLD_SOURCE_DIR "/LICENSE'\ncolumns = ['x', 'y']", 10, 11, "solid[2].columns", "3 names of columns"},
+      {SOLID "shape = 'terrain'\nbase = 0\nfile = '" ROCKFOLD_SOURCE_DIR "/LICENSE'\ncolumns = ['x', 'y', 3]", 10, 22, "solid[2].columns[3]", ""},
   };
   for (const auto& wrong : cases) expect_error(wrong);
 }
@@ -101,6 +103,7 @@ TEST(WrongCutting, OfFiniteJoints) {
       {ROCK "[[joint_mesh]]\nname = 'f'\nfile = 'f.obj'", 8, 8, "joint_mesh[1].file", "there is no file \"f.obj\"; names are relative to the model's folder (in \"f\")"},
       {ROCK "[[joint_mesh]]\nflatness = 45\nfile = '" ROCKFOLD_SOURCE_DIR "/LICENSE'", 7, 12, "joint_mesh[1].flatness", "found 45, must be >= 0 and < 45 (deg)"},
       {ROCK "[[joint_mesh]]\nflatness = -1\nfile = '" ROCKFOLD_SOURCE_DIR "/LICENSE'", 7, 12, "joint_mesh[1].flatness", "found -1, must be >= 0 and < 45 (deg)"},
+      {ROCK "[[joint_table]]\nfile = '" ROCKFOLD_SOURCE_DIR "/LICENSE'\nextents = 'none'\n", 8, 11, "joint_table[1].extents", "must be \"from_columns\" or \"through_going\""},
       {ROCK "[[joint_table]]\nfile = '.'\n", 7, 8, "joint_table[1].file", "is a folder, must be a file"},
       {ROCK "[[joint_table]]\nfile = \"a\\u0000b\"\n", 7, 8, "joint_table[1].file", "must be the name of a file"},
       {JOINT "name = 'F'\n[[joint_mesh]]\nname = 'F'\nfile = '" ROCKFOLD_SOURCE_DIR "/LICENSE'", 11, 8, "joint_mesh[1].name", "already the name of joint[1] (line 6)"},

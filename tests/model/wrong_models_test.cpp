@@ -323,6 +323,10 @@ TEST(WrongModel, OfLoads) {
       {ROCK "[initial_stress]\nvalue = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\ngradient = [[0, 0, 0], [0, 0, 0], [0, 0, -1]]", 6, 1, "initial_stress.reference_z", "is missing"},
       {ROCK "[base_acceleration]", 6, 1, "base_acceleration.table", "must have one of table or file (m/s2)"},
       {ROCK "[base_acceleration]\ntable = [[0, 0, 0, 0], [-1, 0, 0, 0]]", 7, 24, "base_acceleration.table[2]", "times must ascend"},
+      {ROCK "[base_acceleration]\ntable = [[0, 0], [1, 2]]", 7, 9, "base_acceleration.table", "give direction = [x, y, z]"},
+      {ROCK "[base_acceleration]\ntable = [[0, 0, 0, 0]]\ndirection = [1, 0, 0]", 7, 10, "base_acceleration.table[1]", "must be a row [t, value]"},
+      {ROCK "[base_acceleration]\ntable = [[0, 0]]\ndirection = [0, 0, 0]", 8, 13, "base_acceleration.direction", ""},
+      {ROCK "[base_acceleration]\ntable = [[0, 0, 0, 0]]\nunit = 'ft'", 8, 8, "base_acceleration.unit", "\"gal\" or \"g\""},
       {ROCK "[base_acceleration]\nfile = 'no such.csv'", 7, 8, "base_acceleration.file", "there is no file"},
   };
   for (const auto& wrong : cases) expect_error(wrong);

@@ -10,6 +10,7 @@
 #include "host/cut/bodies/specks.hpp"
 #include "host/cut/bodies/union_find.hpp"
 #include "host/refuse.hpp"
+#include "src/base/place_text.hpp"
 #include "src/base/vector.hpp"
 #include "src/model/openings.hpp"
 
@@ -34,8 +35,7 @@ Index cell_at(const CellStore& cells, const PlaneTable& planes, const Vec3& poin
     if (depth > deepest) best = c, deepest = depth;
   }
   if (best == none)
-    refuse(place, place.key + ".points",
-           fmt::format("({:g}, {:g}, {:g}) is not in the rock", point[0], point[1], point[2]));
+    refuse(place, place.key + ".points", fmt::format("{} is not in the rock", place_text(point)));
   return best;
 }
 
@@ -66,10 +66,9 @@ void merge_parts(Complex& complex, const Merge::Blocks& merge, const Place& plac
     if (parts.find(part_of_point[i]) != parts.find(part_of_point[0])) {
       const Vec3 &a = merge.points[0], &b = merge.points[i];
       refuse(place, place.key + ".points",
-             fmt::format(
-                 "the blocks at ({:g}, {:g}, {:g}) and ({:g}, {:g}, {:g}) cannot become one: no "
-                 "joint between the blocks of the points leads from one to the other",
-                 a[0], a[1], a[2], b[0], b[1], b[2]));
+             fmt::format("the blocks at {} and {} cannot become one: no "
+                         "joint between the blocks of the points leads from one to the other",
+                         place_text(a), place_text(b)));
     }
   for (Index& p : part) p = parts.find(p);
 }

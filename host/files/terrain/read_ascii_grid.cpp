@@ -248,16 +248,19 @@ TriangleSurface read_ascii_grid(std::string_view text, const Place& place) {
 }
 
 TriangleSurface read_terrain(std::string_view text, const Place& place,
-                             std::vector<Diagnostic>* warnings) {
+                             std::vector<Diagnostic>* warnings,
+                             const std::vector<std::string>& columns) {
   Lines lines(text);
   while (lines.next()) {
     const auto word = lower_case(Words(lines.line()).next());
     if (word.empty()) continue;
     // Keys of the grid's header: none of them is the name of a column.
-    return word == "ncols" || word == "nrows" || word.rfind("xll", 0) == 0 ||
-                   word.rfind("yll", 0) == 0 || word == "cellsize" || word == "nodata_value"
-               ? read_ascii_grid(text, place)
-               : read_xyz(text, place, warnings);
+    const bool is_grid = word == "ncols" || word == "nrows" || word.rfind("xll", 0) == 0 ||
+                         word.rfind("yll", 0) == 0 || word == "cellsize" || word == "nodata_value";
+    if (!is_grid) return read_xyz(text, place, warnings, columns);
+    if (!columns.empty())
+      Faults(place).fail("is an ESRI ASCII grid: `columns` belongs to tables of posts");
+    return read_ascii_grid(text, place);
   }
   Faults(place).fail("holds nothing but blanks");
 }

@@ -1,10 +1,12 @@
 // [[traction]], [[point_load]], [[quiet_boundary]], [[initial_velocity]], [initial_stress] and [base_acceleration].
 #include "src/model/read/read_loads.hpp"
 
+#include "src/base/vector.hpp"
 #include "src/model/read/draft.hpp"
 #include "src/model/read/geometry/read_region.hpp"
 #include "src/model/read/geometry/read_shapes.hpp"
 #include "src/model/read/read_value.hpp"
+#include "src/model/text/numbers/units.hpp"
 
 namespace rockfold {
 
@@ -48,9 +50,39 @@ void read_traction_value(TableReader& in, const Vec3& gravity, Traction& tractio
     in.wrong("follows", "only a pressure can follow the face: a value is fixed in space");
 }
 
+/// m/s²: one of the units that records are written in.
+void read_unit(TableReader& in, std::optional<Real>& target) {
+  const Choice units{{"m/s2", "cm/s2", "gal", "g"}, {}};
+  const auto chosen = in.choose("unit", units, Need::optional);
+  if (!chosen) return;
+  const std::string& unit = units.words[*chosen];
+  target = number_with_unit("1 " + (unit == "gal" ? "cm/s2" : unit), "m/s2");
+}
+
+/// Whether the rows of the table are [t, a].
+bool has_one_component(const Value* table) {
+  const auto* rows = table ? std::get_if<Array>(&table->data) : nullptr;
+  const auto* row = rows && !rows->empty() ? std::get_if<Array>(&rows->front().data) : nullptr;
+  return row && row->size() == 2;
+}
+
+/// Three components, or one and its direction.
 void read_record(TableReader& in, const std::string& model_path, BaseAcceleration& base) {
   require_one(in, {"table", "file"}, "m/s2");
-  read_time_table(in, "table", 3, any_number("m/s2"), base.table);
+  Vec3 direction{};
+  if (in.has("direction") && in.read_direction("direction", direction))
+    base.direction = normalized(direction);
+  read_unit(in, base.unit);
+  if (!in.has("direction") && has_one_component(in.find("table"))) {
+    in.wrong("table",
+             "has rows [t, a] of one component: give direction = [x, y, z], in which it acts");
+    return;
+  }
+  read_time_table(in, "table", in.has("direction") ? 1 : 3, any_number("m/s2"), base.table);
+  for (Vec3& a : base.table.value) {
+    if (base.direction) a = a[0] * *base.direction;
+    a = base.unit.value_or(1) * a;
+  }
   if (!in.has("file")) return;
   if (auto file = read_file_name(in, model_path)) base.file = std::move(*file);
 }

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
 #include "host/bolting/wall.hpp"
 #include "host/keyblock/mesh_planes.hpp"
 #include "src/base/vector.hpp"
+#include "src/model/joint_name.hpp"
 
 namespace rockfold {
 
@@ -15,13 +17,30 @@ namespace {
 
 constexpr Real degree = std::numbers::pi / 180;
 
-/// Joint sets, then single joints.
+/// The mean planes of a table's named sets, or its named joints; none where so many names are numbers of joints.
+void add_named_rows(const JointTable& table, std::vector<NetPlane>& planes) {
+  std::vector<std::string> names;
+  std::map<std::string, Vec3> sum;
+  for (const JointTable::Row& row : table.rows) {
+    if (row.name.empty()) continue;
+    const auto [at, is_new] = sum.try_emplace(row.name, Vec3{});
+    if (is_new) names.push_back(row.name);
+    const Vec3 normal = net_plane("", row.orientation).normal;
+    at->second += dot(at->second, normal) < 0 ? -normal : normal;
+  }
+  if (names.size() > most_net_planes) return;
+  for (const std::string& name : names)
+    if (norm(sum[name]) > 0) planes.push_back(net_plane(table.name + "." + name, sum[name]));
+}
+
+/// Joint sets, then single joints, then what tables name.
 std::vector<NetPlane> planes_of(const Model& model) {
   std::vector<NetPlane> planes;
   for (const JointSet& set : model.joint_sets)
     planes.push_back(net_plane(set.name, set.orientation));
   for (const Joint& joint : model.joints)
     planes.push_back(net_plane(joint.name, joint.plane.orientation));
+  for (const JointTable& table : model.joint_tables) add_named_rows(table, planes);
   return planes;
 }
 
@@ -41,8 +60,9 @@ std::vector<NetContent::Pole> poles_of(const BlockArrays& blocks, const Model& m
                             ? seen_on_mesh.insert({blocks.face_origin[f], normal}).second
                             : seen.insert({blocks.face_origin[f], blocks.face_plane[f]}).second;
     if (!is_new) continue;
-    const auto plane = std::find_if(planes.begin(), planes.end(),
-                                    [&](const NetPlane& p) { return p.name == origin.name; });
+    const auto plane = std::find_if(planes.begin(), planes.end(), [&](const NetPlane& p) {
+      return is_joint_of(origin.name, p.name);
+    });
     poles.push_back({normal, static_cast<std::size_t>(plane - planes.begin())});
   }
   return poles;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "src/base/place_text.hpp"
 #include "src/base/vector.hpp"
 #include "src/io/viewers/stress_measures.hpp"
 #include "src/model/check_model.hpp"
@@ -20,6 +21,7 @@ namespace rockfold {
 
 namespace {
 
+/// Components of a displacement, a force or stresses.
 std::string point_text(const Vec3& x) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", x[0], x[1], x[2]);
 }
@@ -269,7 +271,7 @@ std::string strength_fact(const RockStrength& strength) {
   if (strength.block == none) return "";
   std::string text =
       fmt::format("at least {:.3g} of the stress, in block {} at {}", strength.least_ratio,
-                  strength.block + 1, point_text(strength.point));
+                  strength.block + 1, place_text(strength.point));
   if (strength.failed_volume > 0)
     text += fmt::format("; below 1 in {:.4g} m3", strength.failed_volume);
   return fact("strength", text);
@@ -328,7 +330,7 @@ std::string run_summary(const RunReport& report) {
   if (largest.block != none)
     text += fact("largest displacement",
                  fmt::format("{:.4g} m, in block {} at {}{}", largest.length, largest.block + 1,
-                             point_text(largest.point), counts_anew ? ", since the reset" : ""));
+                             place_text(largest.point), counts_anew ? ", since the reset" : ""));
   if (run.rest) text += rest_facts(report);
   for (const auto& monitor : run.monitors) text += monitor_facts(monitor);
   for (const auto& monitor : run.joint_monitors) text += monitor_facts(monitor);

@@ -4,6 +4,7 @@
 
 #include "src/base/error.hpp"
 #include "src/base/vector.hpp"
+#include "src/model/joint_name.hpp"
 #include "src/run/records/contact_samples.hpp"
 
 namespace rockfold {
@@ -26,7 +27,8 @@ JointMonitors::Watched JointMonitors::nearest(const Monitor& monitor,
   Watched found;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ContactSample& s = samples[i];
-    if (s.joint == none || input_.blocks.origins[s.joint].name != monitor.joint) continue;
+    if (s.joint == none || !is_joint_of(input_.blocks.origins[s.joint].name, monitor.joint))
+      continue;
     const Real distance = norm(s.place - monitor.point);
     if (!(distance < least)) continue;
     least = distance;

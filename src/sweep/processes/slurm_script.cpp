@@ -32,6 +32,7 @@ std::string command(const Options& options, const std::string& folder) {
                      quoted(absolute(options.input)) + " -o " + quoted(absolute(folder));
   for (const std::string& change : options.overrides) text += " --set " + quoted(change);
   for (const std::string& load : options.ignored) text += " --ignore " + quoted(load);
+  if (options.yes) text += " --yes";
   if (options.seed) text += fmt::format(" --seed {}", *options.seed);
   if (options.threads > 0) text += fmt::format(" --threads {}", options.threads);
   return text;

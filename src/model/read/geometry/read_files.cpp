@@ -3,6 +3,7 @@
 
 #include "src/model/read/draft.hpp"
 #include "src/model/read/geometry/read_shapes.hpp"
+#include "src/model/read/read_value.hpp"
 #include "src/model/text/file_kind.hpp"
 
 namespace rockfold {
@@ -30,6 +31,23 @@ std::optional<std::string> read_file_name(TableReader& in, const std::string& mo
   return {};
 }
 
+namespace {
+
+/// An array of words.
+void read_words(TableReader& in, const std::string& key, std::vector<std::string>& target) {
+  const Value* value = in.find(key);
+  const Array* array =
+      value ? array_from(*value, in.path_of(key), 3, "3 names of columns", in.out()) : nullptr;
+  if (!array) return;
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < array->size(); ++i)
+    if (auto word = text_from((*array)[i], item_path(in.path_of(key), i), in.out()))
+      words.push_back(std::move(*word));
+  if (words.size() == array->size()) target = std::move(words);
+}
+
+}  // namespace
+
 std::optional<Shape> read_mesh(TableReader& in, const std::string& model_path) {
   MeshShape mesh;
   const auto file = read_file_name(in, model_path);
@@ -42,6 +60,7 @@ std::optional<Shape> read_terrain(TableReader& in, const std::string& model_path
   TerrainShape terrain;
   const auto file = read_file_name(in, model_path);
   const bool base = in.read("base", terrain.base, coordinate());
+  read_words(in, "columns", terrain.columns);
   if (!file || !base) return {};
   terrain.file = *file;
   return terrain;
@@ -69,6 +88,9 @@ void read_joint_tables(Draft& draft) {
     if (auto file = read_file_name(in, draft.model.path)) table.file = std::move(*file);
     in.read_reference("material", draft.joint_materials, table.material);
     table.left_hand = is_left_hand(in);
+    const auto extents =
+        in.choose("extents", {{"from_columns", "through_going"}, {}}, Need::optional);
+    if (extents == 1) table.extent = JointTable::Extent::through_going;
     read_sides(in, table.sides);
     read_within(in, draft, table.within);
     draft.model.joint_tables.push_back(std::move(table));
