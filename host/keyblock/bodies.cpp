@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "host/keyblock/water.hpp"
+#include "host/keyblock/motions/pyramid.hpp"
+#include "host/keyblock/water/joint_pressure.hpp"
+#include "host/keyblock/water/water.hpp"
 #include "host/refuse.hpp"
 #include "src/base/place_text.hpp"
 #include "src/base/vector.hpp"
@@ -115,8 +117,7 @@ RockBody Bodies::body(std::vector<Index> members, const std::vector<Index>& batc
   add_point_loads(body);
   for (const Index block : body.members) add_block(body, block, batch);
   flatten_meshes(body);
-  for (std::size_t f = 0; f < body.faces.size(); ++f)
-    if (body.faces[f].contact_area > 0) press(body.faces[f], body.face_id[f], body);
+  press_faces(body);
   return body;
 }
 
@@ -186,12 +187,113 @@ void Bodies::flatten_meshes(RockBody& body) const {
   for (std::size_t f = 0; f < body.faces.size(); ++f) body.faces[f].normal = normals[f];
 }
 
+bool Bodies::may_drain(const RockBody& body) const {
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    const Water* water = nature_[at(blocks_.face_origin[at(body.face_id[f])])].water;
+    if (has_polygons_ && body.faces[f].contact_area > 0 && water && is_drained(*water)) return true;
+  }
+  return false;
+}
+
+/// Water and in-situ stress on all faces in contact.
+void Bodies::press_faces(RockBody& body) const {
+  const JointOutlines joints = may_drain(body) ? joint_outlines(body) : JointOutlines{};
+  std::vector<Pressures> pressures(joints.outline.size());
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    if (!(body.faces[f].contact_area > 0)) continue;
+    const Index id = body.face_id[f];
+    const Index outline = joints.of_face.empty() ? none : joints.of_face[f];
+    const Water* water = nature_[at(blocks_.face_origin[at(id)])].water;
+    if (outline == none || !water || !is_drained(*water)) {
+      press(body.faces[f], id, {}, body);
+      continue;
+    }
+    Pressures& drained = pressures[at(outline)];
+    if (drained.empty()) drained = joint_pressures(*water, gravity_, joints.outline[at(outline)]);
+    press(body.faces[f], id, drained, body);
+  }
+}
+
+/// Of a solid, upright, all free, with no water before it.
+bool Bodies::is_free_side(const RockBody& body, std::size_t f) const {
+  const BlockFace& face = body.faces[f];
+  const FaceWater water = tractions_.water_before(body.face_id[f]);
+  return origin(body.face_id[f]).kind == FaceOrigin::Kind::solid_face && face.contact_area == 0 &&
+         std::abs(dot(face.normal, gravity_)) <= direction_tolerance * norm(gravity_) &&
+         !water.closed && !water.pond;
+}
+
+/// Water goes along a slice of a long slope, not out of its ends.
+bool Bodies::is_end_of_slice(const RockBody& body, std::size_t f) const {
+  if (!is_free_side(body, f)) return false;
+  for (std::size_t g = 0; g < body.faces.size(); ++g)
+    if (norm(body.faces[f].normal + body.faces[g].normal) <= direction_tolerance &&
+        origin(body.face_id[f]).solid == origin(body.face_id[g]).solid && is_free_side(body, g))
+      return true;
+  return false;
+}
+
+Outlets Bodies::outlets(const RockBody& body) const {
+  constexpr Real rounding = 1e-9;  // of areas
+  Outlets outlets;
+  if (!has_polygons_) return outlets;
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    const BlockFace& face = body.faces[f];
+    const Real share = 1 - face.contact_area / face.area;
+    const FaceWater water = tractions_.water_before(body.face_id[f]);
+    if (!(share > rounding) || water.closed || is_end_of_slice(body, f)) continue;
+    for (const auto& loop : face_loops(blocks_, body.face_id[f]))
+      outlets.add(loop, share, water.pond.value_or(LinearPressure{}));
+  }
+  return outlets;
+}
+
+/// Faces in contact of one origin with one normal, and what of them meets.
+void Bodies::add_outlines(const RockBody& body, const std::vector<std::size_t>& faces,
+                          const Outlets& outlets, JointOutlines& outlines) const {
+  std::vector<std::vector<std::vector<Vec3>>> loops;
+  Real size = 0;
+  for (const std::size_t f : faces) {
+    loops.push_back(face_loops(blocks_, body.face_id[f]));
+    for (const auto& loop : loops.back())
+      for (const Vec3& x : loop) size = std::max(size, norm(x));
+  }
+  const Vec3& normal = body.faces[faces[0]].normal;
+  const auto flatness = mesh_planes_.flatness(body.face_id[faces[0]]);
+  const Real tolerance =
+      flatness ? std::tan(*flatness * std::numbers::pi / 180) : straightness_of_planes;
+  const FaceOutlines joined = joined_outlines(loops, normal, Outlets::relative_slack * size);
+  for (std::size_t k = 0; k < faces.size(); ++k)
+    outlines.of_face[faces[k]] = static_cast<Index>(outlines.outline.size()) + joined.of_face[k];
+  for (const auto& outline : joined.outline)
+    outlines.outline.push_back(joint_outline(outlets, outline, normal, tolerance));
+}
+
+JointOutlines Bodies::joint_outlines(const RockBody& body) const {
+  JointOutlines outlines{std::vector<Index>(body.faces.size(), none), {}};
+  if (!has_polygons_) return outlines;
+  const Outlets outlets = this->outlets(body);
+  std::vector<bool> taken(body.faces.size(), false);
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    if (taken[f] || !(body.faces[f].contact_area > 0)) continue;
+    std::vector<std::size_t> faces;
+    for (std::size_t g = f; g < body.faces.size(); ++g)
+      if (!taken[g] && body.faces[g].contact_area > 0 &&
+          &origin(body.face_id[f]) == &origin(body.face_id[g]) &&
+          norm(body.faces[f].normal - body.faces[g].normal) <= direction_tolerance) {
+        taken[g] = true;
+        faces.push_back(g);
+      }
+    add_outlines(body, faces, outlets, outlines);
+  }
+  return outlines;
+}
+
 /// Water and in-situ stress on the part in contact.
-void Bodies::press(BlockFace& face, Index id, RockBody& body) const {
+void Bodies::press(BlockFace& face, Index id, const Pressures& drained, RockBody& body) const {
   const FaceNature& nature = nature_[at(blocks_.face_origin[at(id)])];
   if (!nature.water && spec_.water_pressure == 0 && !stress_.any) return;
-  const Real share = std::min(1.0, face.contact_area / blocks_.face_area[at(id)]);
-  press_by_water(face, id, nature, share, body);
+  press_by_water(face, id, nature, drained, body);
   if (stress_.any && has_polygons_) press_in_situ(face, id, nature);
 }
 
@@ -210,19 +312,26 @@ void Bodies::press_in_situ(BlockFace& face, Index id, const FaceNature& nature) 
   if (face.clamping > 0) face.in_situ_shear = traction + face.clamping * face.normal;
 }
 
-void Bodies::press_by_water(BlockFace& face, Index id, const FaceNature& nature, Real share,
-                            RockBody& body) const {
+/// On all of a face.
+PressureForce Bodies::water_on(Index face, const FaceNature& nature,
+                               const Pressures& drained) const {
+  if (!drained.empty())
+    return least_pressure_force(face_loops(blocks_, face), blocks_.face_normal[at(face)], drained);
   const LinearPressure p = nature.water
                                ? linear_pressure(*nature.water, gravity_)
                                : LinearPressure{.at_origin = spec_.water_pressure, .gradient = {}};
-  if (!has_polygons_) {
-    face.water = (share * blocks_.face_area[at(id)] * p.at_origin) * blocks_.face_normal[at(id)];
-    return;
-  }
-  if (p.at_origin == 0 && p.gradient == Vec3{}) return;
-  const PressureForce push = pressure_force(blocks_, id, p);
+  if (p.at_origin == 0 && p.gradient == Vec3{}) return {};
+  if (!has_polygons_) return {.force = blocks_.face_area[at(face)] * p.at_origin};
+  return pressure_force(blocks_, face, p);
+}
+
+void Bodies::press_by_water(BlockFace& face, Index id, const FaceNature& nature,
+                            const Pressures& drained, RockBody& body) const {
+  const PressureForce push = water_on(id, nature, drained);
+  const Real share = std::min(1.0, face.contact_area / blocks_.face_area[at(id)]);
   const Vec3& normal = blocks_.face_normal[at(id)];
   face.water = (share * push.force) * normal;
+  if (!has_polygons_) return;
   const Vec3 arm = push.first_moment - push.force * body.centroid;
   body.moment -= share * cross(arm, normal);
 }

@@ -10,6 +10,7 @@
 #include "host/keyblock/mesh_planes.hpp"
 #include "host/keyblock/motions/single_block.hpp"
 #include "host/keyblock/surface_loads.hpp"
+#include "host/keyblock/water/outline.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/arrays/face_tractions.hpp"
 #include "src/model/model.hpp"
@@ -27,6 +28,12 @@ struct RockBody {
   Vec3 load{};                   ///< N: weight, earthquake, point loads, tractions
   Vec3 moment{};                 ///< N m about the centroid: point loads, tractions, water
   bool finite = true;
+};
+
+/// The joints that a body leans on, as its water finds them.
+struct JointOutlines {
+  std::vector<Index> of_face;  ///< [faces of the body] into outline; none of those that are free
+  std::vector<JointOutline> outline;
 };
 
 class Bodies {
@@ -51,6 +58,11 @@ class Bodies {
 
   /// Its planes of contact with rock that is still there; none where no polygon is known.
   std::vector<ContactPatch> patches(const RockBody& body, const std::vector<Index>& batch) const;
+
+  /// Outlines of joints: of one face, or of all facets of a mesh and faces of several blocks that lie in one plane and meet. They drain
+  /// at the body's free faces, without those that water stands before, and without the two ends of a slice: upright faces of one
+  /// solid that look away from each other.
+  JointOutlines joint_outlines(const RockBody& body) const;
 
   const BlockArrays& blocks() const { return blocks_; }
   /// Whether every face of a block leans on a block that is still there.
@@ -89,9 +101,19 @@ class Bodies {
   void add_point_loads(RockBody& body) const;
   void add_traction(RockBody& body, Index face, Real share) const;
   bool is_one_plane(const RockBody& body, std::size_t f, std::size_t g) const;
-  void press(BlockFace& face, Index id, RockBody& body) const;
+  bool may_drain(const RockBody& body) const;
+  bool is_free_side(const RockBody& body, std::size_t face) const;
+  bool is_end_of_slice(const RockBody& body, std::size_t face) const;
+  Outlets outlets(const RockBody& body) const;
+  void add_outlines(const RockBody& body, const std::vector<std::size_t>& faces,
+                    const Outlets& outlets, JointOutlines& outlines) const;
+  /// Linear functions whose least is the pressure; empty where water does not drain.
+  using Pressures = std::vector<LinearPressure>;
+  void press_faces(RockBody& body) const;
+  void press(BlockFace& face, Index id, const Pressures& drained, RockBody& body) const;
+  PressureForce water_on(Index face, const FaceNature& nature, const Pressures& drained) const;
   void press_in_situ(BlockFace& face, Index id, const FaceNature& nature) const;
-  void press_by_water(BlockFace& face, Index id, const FaceNature& nature, Real share,
+  void press_by_water(BlockFace& face, Index id, const FaceNature& nature, const Pressures& drained,
                       RockBody& body) const;
 
   const BlockArrays& blocks_;

@@ -229,6 +229,13 @@ Real winding_number(const BlockArrays& blocks, Index block, const Vec3& point) {
   return sum / (4 * std::numbers::pi);
 }
 
+std::vector<std::vector<Vec3>> face_loops(const BlockArrays& blocks, Index face) {
+  std::vector<std::vector<Vec3>> loops;
+  for (Index loop = blocks.loop_begin[at(face)]; loop < blocks.loop_begin[at(face) + 1]; ++loop)
+    loops.push_back(loop_corners(blocks, loop));
+  return loops;
+}
+
 std::vector<Vec3> outer_loop(const BlockArrays& blocks, Index face) {
   const Index loop = blocks.loop_begin[at(face)];
   return loop == blocks.loop_begin[at(face) + 1] ? std::vector<Vec3>{} : loop_corners(blocks, loop);

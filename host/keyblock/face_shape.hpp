@@ -44,6 +44,9 @@ Mat3 inertia_tensor(const BlockArrays& blocks, Index block);
 /// (1/2 on a face).
 Real winding_number(const BlockArrays& blocks, Index block, const Vec3& point);
 
+/// The corners of each of a face's loops, the outer one first.
+std::vector<std::vector<Vec3>> face_loops(const BlockArrays& blocks, Index face);
+
 /// The corners of a face's outer loop.
 std::vector<Vec3> outer_loop(const BlockArrays& blocks, Index face);
 

@@ -41,7 +41,7 @@ class FirstLooks {
         batch_(at(blocks.block_count()), 0) {
     for (auto* begin : {&looks_.neighbour_begin, &looks_.held_neighbour_begin, &looks_.face_begin,
                         &looks_.loop_begin, &looks_.corner_begin, &looks_.patch_begin,
-                        &looks_.patch_corner_begin})
+                        &looks_.patch_corner_begin, &looks_.outline_begin})
       begin->push_back(0);
   }
 
@@ -130,6 +130,9 @@ class FirstLooks {
   }
 
   void add_faces(const RockBody& body) {
+    const JointOutlines joints = bodies_.joint_outlines(body);
+    const Index first_outline = count(looks_.outline_normal);
+    add_outlines(joints.outline);
     const auto patches =
         bodies_.looks_at_rotation() ? bodies_.patches(body, batch_) : std::vector<ContactPatch>{};
     for (std::size_t f = 0; f < body.faces.size(); ++f) {
@@ -143,6 +146,8 @@ class FirstLooks {
       looks_.plane_normal.push_back(face.normal);
       looks_.contact_area.push_back(face.contact_area);
       looks_.share.push_back(std::min(1.0, face.contact_area / blocks_.face_area[at(id)]));
+      looks_.outline.push_back(joints.of_face[f] == none ? none
+                                                         : first_outline + joints.of_face[f]);
       add_loops(id);
     }
     looks_.face_begin.push_back(count(looks_.origin));
@@ -158,13 +163,24 @@ class FirstLooks {
 
   void add_loops(Index face) {
     if (has_polygons(blocks_))
-      for (Index loop = blocks_.loop_begin[at(face)]; loop < blocks_.loop_begin[at(face) + 1];
-           ++loop) {
-        for (Index c = blocks_.corner_begin[at(loop)]; c < blocks_.corner_begin[at(loop) + 1]; ++c)
-          looks_.corner.push_back(blocks_.vertex[at(blocks_.corner_vertex[at(c)])]);
+      for (const auto& loop : face_loops(blocks_, face)) {
+        looks_.corner.insert(looks_.corner.end(), loop.begin(), loop.end());
         looks_.corner_begin.push_back(count(looks_.corner));
       }
     looks_.loop_begin.push_back(count(looks_.corner_begin) - 1);
+  }
+
+  void add_outlines(const std::vector<JointOutline>& outlines) {
+    for (const JointOutline& outline : outlines) {
+      looks_.outline_normal.push_back(outline.normal);
+      for (const DrainedCorner& corner : outline.corners) {
+        looks_.outline_corner.push_back(corner.at);
+        looks_.outline_drains.push_back(corner.share);
+        looks_.outline_edge_drains.push_back(corner.edge_share);
+        looks_.outline_pond.push_back(corner.pond);
+      }
+      looks_.outline_begin.push_back(count(looks_.outline_corner));
+    }
   }
 
   const BlockArrays& blocks_;

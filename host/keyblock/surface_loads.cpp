@@ -44,6 +44,8 @@ class Loader {
     }
   }
 
+  const LinearPressure& pressure() const { return pressure_; }
+
   /// Whether the region holds any of the face; adds its load.
   bool add(Index face, FaceLoad& load) const {
     if (!holds(face)) return false;
@@ -83,15 +85,27 @@ SurfaceLoads::SurfaceLoads(const BlockArrays& blocks, const Model& model) {
   if (model.tractions.empty() || !has_polygons(blocks)) return;
   const auto count = static_cast<Index>(blocks.face_area.size());
   load_.resize(blocks.face_area.size());
+  water_.resize(blocks.face_area.size());
   for (const Traction& traction : model.tractions) {
     const Loader loader(blocks, model, traction);
     bool any = false;
     for (Index face = 0; face < count; ++face)
-      if (blocks.origins[blocks.face_origin[face]].kind != FaceOrigin::Kind::joint)
-        any = loader.add(face, load_[static_cast<std::size_t>(face)]) || any;
+      if (blocks.origins[blocks.face_origin[face]].kind != FaceOrigin::Kind::joint &&
+          loader.add(face, load_[static_cast<std::size_t>(face)])) {
+        any = true;
+        add_water(traction, loader.pressure(), face);
+      }
     if (!any)
       refuse(traction.place, traction.place.key + ".where", "holds no free face of the rock");
   }
+}
+
+void SurfaceLoads::add_water(const Traction& traction, const LinearPressure& pressure, Index face) {
+  FaceWater& water = water_[static_cast<std::size_t>(face)];
+  if (!traction.head)
+    water.closed = water.closed || traction.pressure;
+  else if (!water.pond || pressure.at_origin > water.pond->at_origin)
+    water.pond = pressure;
 }
 
 }  // namespace rockfold

@@ -258,6 +258,7 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
     keyblocks = clock.measure("keyblock", "finding key blocks", [&] {
       return find_keyblocks(blocks, model, stress ? &stress->tractions : nullptr);
     });
+    warn_of_thin_contacts(*keyblocks, terminal);
     design = clock.measure("support", "designing support", [&] {
       return design_support(blocks, *keyblocks, measures ? &*measures : nullptr, model);
     });

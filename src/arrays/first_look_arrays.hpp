@@ -47,6 +47,15 @@ struct FirstLookArrays {
   std::vector<Index> corner_begin;  ///< [O+1]
   std::vector<Vec3> corner;         ///< [C] m, counter-clockwise seen from outside, holes clockwise
 
+  // outlines of joints as their water finds them, of one face or of several that are one joint; U of them with R corners
+  std::vector<Index> outline;        ///< [F] into the outlines
+  std::vector<Index> outline_begin;  ///< [U+1]
+  std::vector<Vec3> outline_normal;  ///< [U] unit, outward
+  std::vector<Vec3> outline_corner;  ///< [R] m, counter-clockwise seen from outside
+  std::vector<Real> outline_drains;  ///< [R] 0 to 1: how far water leaves the joint at the corner
+  std::vector<Real> outline_edge_drains;  ///< [R] likewise along the edge to the next corner
+  std::vector<Real> outline_pond;         ///< [R] Pa, of water before the corner where it drains
+
   // planes of contact that the block may turn about; none where rotation is not looked at
   std::vector<Index> patch_begin;         ///< [L+1]
   std::vector<Index> patch_face;          ///< [P] among all F: the face that it is named after

@@ -9,6 +9,7 @@
 #include "host/files/load_files.hpp"
 #include "host/flatten/lost_contact.hpp"
 #include "host/joints/missed_rock.hpp"
+#include "host/keyblock/thin_contacts.hpp"
 #include "host/shapes/extents.hpp"
 #include "src/app/examples.hpp"
 #include "src/app/process/signals.hpp"
@@ -270,6 +271,22 @@ void warn_of_immobile_blocks(const BlockArrays& blocks, Terminal& terminal) {
             "face. A face of a solid left out of continues, or an [[excavation]], would free some"
           : "no block can move: none is finite, each touches a face beyond which the rock "
             "continues. Fewer faces in continues, or more joints, would make finite blocks");
+}
+
+void warn_of_thin_contacts(const KeyblockReport& keyblocks, Terminal& terminal) {
+  constexpr std::size_t most = 5;
+  const std::vector<ThinContact> thin = thin_contacts(keyblocks);
+  for (std::size_t i = 0; i < std::min(most, thin.size()); ++i)
+    terminal.warn(fmt::format(
+        "block {} leans with {:.1f} kN on {:.3g} m2 of {}, {:.2g} % of the area of its joints: "
+        "the rock there may not bear it, and without it the block may move otherwise",
+        thin[i].block + 1, thin[i].normal_force / 1e3, thin[i].area, thin[i].joint,
+        100 * thin[i].share));
+  if (thin.size() > most)
+    terminal.warn(
+        fmt::format("{} more contacts carry their blocks on less than {:g} % of the area "
+                    "of their joints",
+                    thin.size() - most, 100 * thin_contact_share));
 }
 
 void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal) {

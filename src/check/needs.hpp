@@ -3,6 +3,7 @@
 #pragma once
 
 #include "host/cut/cut.hpp"
+#include "host/keyblock/keyblock.hpp"
 #include "host/measure/block_statistics.hpp"
 #include "src/app/command_line.hpp"
 #include "src/arrays/block_arrays.hpp"
@@ -42,6 +43,8 @@ void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& mode
                             Terminal& terminal);
 /// No block is finite, or none of the finite ones has a free face: block theory has nothing to look at.
 void warn_of_immobile_blocks(const BlockArrays& blocks, Terminal& terminal);
+/// Blocks that slide on a contact of next to no area, at most five of them by name.
+void warn_of_thin_contacts(const KeyblockReport& keyblocks, Terminal& terminal);
 /// Whether the model has joints, known before the rock is cut.
 bool has_joints(const Model& model);
 /// Under small kinematics strains are linear in the displacement, which is right for small rotations only.

@@ -117,6 +117,13 @@ void add_first_looks(const File& file, PageArrays& arrays) {
        {"volume", "mass", "free_area", "centroid", "load", "moment", "free_centre", "inertia",
         "normal", "contact_area", "share", "corner", "patch_normal", "patch_corner"})
     arrays.add(std::string("look_") + name, file.read_numbers(group + name));
+  // Older programs knew no water that drains: their pages do without.
+  if (file.exists(group + "outline")) {
+    for (const char* name : {"outline", "outline_begin"}) add_indices(name);
+    for (const char* name : {"outline_normal", "outline_corner", "outline_drains",
+                             "outline_edge_drains", "outline_pond"})
+      arrays.add(std::string("look_") + name, file.read_numbers(group + name));
+  }
   // Of older programs, that had no joint meshes of several planes, faces are planes.
   const bool has_planes = file.exists(group + "plane_normal");
   arrays.add("look_plane_normal",

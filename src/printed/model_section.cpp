@@ -90,6 +90,10 @@ std::string water_text(const Json& water) {
                              vector_text(table.at("normal")));
   }
   if (water.at("density") != 1000) text += ", " + digits(water.at("density")) + " kg/m³";
+  const std::string law = water.value("law", "hydrostatic");
+  if (law == "mid_height") text += ", none at edges that drain, peak at mid-height";
+  if (law == "drained")
+    text += ", falling from corners inside the rock to none at edges that drain";
   return text + (water.at("joints").empty() ? ", in all joints that no other names"
                                             : ", in " + joined(water.at("joints")));
 }

@@ -131,8 +131,8 @@ std::string mode_words(const Json& key) {
   if (mode == "two_planes") return "slides on two";
   if (mode == "rotation") return "turns";
   if (mode == "lifting") {
-    const Real up = key.at("direction").at(2);
-    return up > 0 ? "is pushed up" : up > pushed_out_above ? "is pushed out" : "falls";
+    const std::string words = mode_words(SlidingMode::lifting, key.at("direction").get<Vec3>());
+    return words == "falls" ? words : "is " + words;
   }
   return "at rest";
 }

@@ -26,6 +26,18 @@ constexpr const char* mode_name(SlidingMode mode) {
   return "";
 }
 
+constexpr const char* water_law_name(WaterLaw law) {
+  switch (law) {
+    case WaterLaw::hydrostatic:
+      return "hydrostatic";
+    case WaterLaw::drained:
+      return "drained";
+    case WaterLaw::mid_height:
+      return "mid_height";
+  }
+  return "";
+}
+
 constexpr const char* contact_name(Contact state) {
   switch (state) {
     case Contact::open:

@@ -34,6 +34,7 @@ export interface Keyblock {
   volume: number;
   weight: number;
   mode: string;
+  motion?: string; // "slides", "pushed out"; results of older programs have none
   planes: string[];
   direction: [number, number, number];
   sliding_force: number;
@@ -96,6 +97,7 @@ export interface Setup {
     rotation: boolean;
     in_situ_stress: boolean;
     support_direction: [number, number, number] | null;
+    pushed_out_within?: number; // of a unit direction, upwards or downwards
     water: Water[];
   };
 }

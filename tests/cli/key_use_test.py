@@ -131,7 +131,8 @@ class Dam(ProgramTest):
         self.assertAlmostEqual(self.factor(strips), dry, delta=1e-9)
 
     def test_is_lifted_by_water_in_its_joint(self):
-        push, uplift = 0.5 * 1000 * G * 30 ** 2 * 15, 1000 * G * 10 * BASE
+        """By a triangle from 10 m upstream, under the reservoir, to nothing downstream; the ends of its 15 m do not drain."""
+        push, uplift = 0.5 * 1000 * G * 30 ** 2 * 15, 0.5 * 1000 * G * 10 * BASE
         wet = ((WEIGHT - uplift) * math.tan(math.radians(40)) + 200e3 * BASE) / push
         water = "[[water]]\njoints = ['dam.interface']\nhead = 10\n"
         self.assertAlmostEqual(self.factor("[[traction]]\nwhere = {face = 'dam.4'}\nhead = 30\n" + water), wet, delta=1e-9)

@@ -37,6 +37,13 @@ RockBody body_under(const Model& model) {
   return Bodies(blocks, model).body({0}, {0, 0});
 }
 
+/// Water that no edge drains: hydrostatic all over.
+Water held_in() {
+  Water water;
+  water.drains = false;
+  return water;
+}
+
 /// Water on the faces of a name.
 Real water_on(const RockBody& body, const Vec3& normal) {
   Real sum = 0;
@@ -51,8 +58,8 @@ Model wet_model(const Water& water) {
   return model;
 }
 
-TEST(Water, BelowATableIsHydrostatic) {
-  Water water;
+TEST(Water, BelowATableIsHydrostaticWhereNoEdgeDrains) {
+  Water water = held_in();
   water.level = WaterTable{{100, 100, 4}, {0, 0, 1}};  // 3 m deep at the base, 1 m of the back dry
   const RockBody body = body_under(wet_model(water));
   EXPECT_NEAR(water_on(body, {-1, 0, 0}), weight_of_water * 3 * 3 / 2 * 3, 1e-6);
@@ -72,7 +79,8 @@ TEST(Water, ByItsHeadIsThatOfALevelTable) {
 }
 
 TEST(Water, BelowAnInclinedTableGoesByTheVerticalDepth) {
-  Water water;  // through z = 9 at x = 0, 45° down to +x: depth at the base from 8 to 6 m
+  Water water =
+      held_in();  // through z = 9 at x = 0, 45° down to +x: depth at the base from 8 to 6 m
   water.level = WaterTable{{0, 0, 9}, test::upward(45, 90)};
   EXPECT_NEAR(water_on(body_under(wet_model(water)), {0, 0, -1}), weight_of_water * 7 * 6, 1e-5);
 }
@@ -90,6 +98,33 @@ TEST(Water, OfNamedJointsIsTheirsAlone) {
   EXPECT_NEAR(water_on(body_under(model), {0, 0, -1}), 1e3 * 6, 1e-9);
 }
 
+// The base drains at the front, x = 2: from γ·3 m at its back to nothing. The ends y = 0 and 3 are those of a slice.
+TEST(Water, FallsToNothingWhereTheBaseDrains) {
+  Water water;
+  water.level = WaterHead{4};
+  const RockBody body = body_under(wet_model(water));
+  EXPECT_NEAR(water_on(body, {-1, 0, 0}), weight_of_water * 3 * 3 / 2 * 3, 1e-6);
+  EXPECT_NEAR(water_on(body, {0, 0, -1}), weight_of_water * 3 / 2 * 6, 1e-6);
+  // About (1, 1.5, 3): the back's push 1 m above the base, the uplift a third of the way from the back.
+  EXPECT_NEAR(body.moment[1], weight_of_water * (13.5 * (2 - 3) + 9 * (1 - 2 / 3.0)), 1e-6);
+  EXPECT_NEAR(body.moment[0], 0, 1e-6);
+}
+
+TEST(Water, HasThePressureOfAPondWhereItMeetsOne) {
+  Water water;
+  water.level = WaterHead{4};
+  Model model = wet_model(water);
+  Traction pond;
+  pond.where = PlaneRegion{{2, 0, 0}, {1, 0, 0}, 1e-9};
+  pond.pressure = true;
+  pond.head = 2;  // 1 m above the base
+  model.tractions.push_back(pond);
+  EXPECT_NEAR(water_on(body_under(model), {0, 0, -1}), weight_of_water * (3 + 1) / 2 * 6, 1e-6);
+  model.tractions[0].head = {};  // a pressure that may be water's: nothing drains there
+  model.tractions[0].value = {1e4, 0, 0};
+  EXPECT_NEAR(water_on(body_under(model), {0, 0, -1}), weight_of_water * 3 * 6, 1e-6);
+}
+
 TEST(Water, PushesABlockOff) {
   Water water;
   water.level = WaterTable{{0, 0, 5}, {0, 0, 1}};
@@ -97,7 +132,7 @@ TEST(Water, PushesABlockOff) {
   model.support->rotation = false;
   const auto report = find_keyblocks(leaning_box(), model);
   ASSERT_EQ(report.keyblocks.size(), 1u);
-  const Real push = weight_of_water * 8 * 3, uplift = weight_of_water * 4 * 6;
+  const Real push = weight_of_water * 8 * 3, uplift = weight_of_water * 4 / 2 * 6;
   const Keyblock& key = report.keyblocks[0];
   EXPECT_EQ(key.mode, SlidingMode::single_plane);
   EXPECT_NEAR(key.driving_force, push, 1e-6);

@@ -472,6 +472,8 @@ density = 1025
 table = {point = [0, 0, 7], dip = 5, dip_direction = 90}
 [[water]]
 head = 4
+drains = true
+law = "mid_height"
 [block_theory]
 material = "granite"
 [[block_theory.tunnel]]

@@ -72,18 +72,23 @@ Polytope polytope(std::span<const HalfSpaceSide> sides) {
 }
 
 /// `toe`: the point of the polytope that becomes the origin.
-TheoryShape shape_of(const Polytope& block, std::size_t joints, const Vec3& toe, Real scale) {
+TheoryShape shape_of(const Polytope& block, std::span<const Vec3> normals, const Vec3& toe,
+                     Real scale) {
+  const std::size_t joints = normals.size();
   TheoryShape shape;
   shape.volume = scale * scale * scale * block.volume;
-  for (std::size_t i = 0; i < block.area.size(); ++i) {
-    const Real area = scale * scale * block.area[i];
-    if (i >= joints) {
-      shape.free_area += area;
-      continue;
-    }
-    shape.joint_area.push_back(area);
-    shape.joint_corners.push_back(block.polygon[i]);
-    for (Vec3& x : shape.joint_corners.back()) x = scale * (x - toe);
+  Outlets outlets;
+  std::vector<std::vector<Vec3>> polygons = block.polygon;
+  for (auto& polygon : polygons)
+    for (Vec3& x : polygon) x = scale * (x - toe);
+  for (std::size_t i = joints; i < polygons.size(); ++i) {
+    shape.free_area += scale * scale * block.area[i];
+    outlets.add(polygons[i], 1, {});
+  }
+  for (std::size_t i = 0; i < joints; ++i) {
+    shape.joint_area.push_back(scale * scale * block.area[i]);
+    shape.joint_outline.push_back(
+        joint_outline(outlets, polygons[i], normals[i], straightness_of_planes));
   }
   return shape;
 }
@@ -121,7 +126,7 @@ std::optional<TheoryShape> largest_block(const SlopeFrame& slope, std::span<cons
     sides.push_back({slope.upper, dot(slope.upper, crest)});
     const Polytope wedge = polytope(sides);
     if (wedge.corners.size() < 4 || !(wedge.volume > 0)) return {};
-    return shape_of(wedge, 2, {}, 1);
+    return shape_of(wedge, normals, {}, 1);
   }
   // The pyramid with its apex at the origin, cut by the face alone at a distance of 1, then scaled.
   if (!is_removable(normals, std::vector<Vec3>{slope.face})) return {};
@@ -134,7 +139,7 @@ std::optional<TheoryShape> largest_block(const SlopeFrame& slope, std::span<cons
   const auto [low, high] = std::minmax_element(
       on_face.begin(), on_face.end(), [](const Vec3& a, const Vec3& b) { return a[2] < b[2]; });
   if (on_face.empty() || !((*high)[2] > (*low)[2])) return {};
-  return shape_of(block, normals.size(), *low, slope.height / ((*high)[2] - (*low)[2]));
+  return shape_of(block, normals, *low, slope.height / ((*high)[2] - (*low)[2]));
 }
 
 }  // namespace rockfold

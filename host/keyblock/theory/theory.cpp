@@ -5,6 +5,7 @@
 
 #include "host/keyblock/theory/slope_block.hpp"
 #include "host/keyblock/theory/tunnel_block.hpp"
+#include "host/keyblock/water/water.hpp"
 #include "host/parallel.hpp"
 #include "host/refuse.hpp"
 #include "src/base/vector.hpp"
@@ -127,7 +128,7 @@ PyramidEntry pyramid_entry(const Model& model, const std::vector<TheorySet>& set
   return entry;
 }
 
-/// Depths below a level are known in slopes, whose toe is z = 0.
+/// Depths below a level, and edges that drain, are known in slopes, whose toe is z = 0.
 void require_water_that_has_a_place(const Model& model) {
   if (model.theory->tunnels.empty()) return;
   for (const Water& water : model.waters)
@@ -136,6 +137,11 @@ void require_water_that_has_a_place(const Model& model) {
           water.place, water.place.key,
           "where the blocks of a tunnel lie is not known: water has a pressure there, no head or "
           "table (slopes take these, with their toe at z = 0)");
+    else if (is_drained(water))
+      refuse(water.place, water.place.key,
+             "where the blocks of a tunnel lie is not known: water has the same pressure there to "
+             "the edge of every joint, without `drains = true` and with no other law than "
+             "\"hydrostatic\"");
 }
 
 }  // namespace

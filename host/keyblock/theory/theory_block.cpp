@@ -6,7 +6,8 @@
 #include "host/joints/disc.hpp"
 #include "host/keyblock/motions/least_support.hpp"
 #include "host/keyblock/motions/single_block.hpp"
-#include "host/keyblock/water.hpp"
+#include "host/keyblock/water/joint_pressure.hpp"
+#include "host/keyblock/water/water.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -17,9 +18,14 @@ namespace {
 Real water_on(const TheorySet& set, const Vec3& outward, const TheoryShape& shape, std::size_t face,
               const TheoryLoads& loads) {
   if (!set.water) return loads.water_pressure * shape.joint_area[face];
-  const LinearPressure pressure = linear_pressure(*set.water, loads.gravity);
-  if (shape.joint_corners.empty()) return pressure.at_origin * shape.joint_area[face];
-  return pressure_on_polygon(shape.joint_corners[face], outward, pressure).force;
+  if (shape.joint_outline.empty())
+    return linear_pressure(*set.water, loads.gravity).at_origin * shape.joint_area[face];
+  const JointOutline& outline = shape.joint_outline[face];
+  std::vector<Vec3> corners;
+  for (const DrainedCorner& corner : outline.corners) corners.push_back(corner.at);
+  return least_pressure_force({corners}, outward,
+                              joint_pressures(*set.water, loads.gravity, outline))
+      .force;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "host/keyblock/motions/pyramid.hpp"
 #include "host/keyblock/motions/sliding.hpp"
+#include "host/keyblock/water/outline.hpp"
 #include "src/model/model.hpp"
 
 namespace rockfold {
@@ -37,8 +38,8 @@ struct TheoryShape {
   Real volume = 0;               ///< m³
   Real free_area = 0;            ///< m²
   std::vector<Real> joint_area;  ///< m²
-  /// m, counter-clockwise seen from outside, with the slope's toe at the origin; empty of tunnels: where their blocks lie is not known.
-  std::vector<std::vector<Vec3>> joint_corners = {};
+  /// In the order of the areas, with the slope's toe at the origin; empty of tunnels: where their blocks lie is not known.
+  std::vector<JointOutline> joint_outline = {};
 };
 
 struct TheoryBlock {

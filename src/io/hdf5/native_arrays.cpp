@@ -172,6 +172,13 @@ void write_first_looks(File& file, const FirstLookArrays& looks) {
   write("loop_begin", looks.loop_begin);
   write("corner_begin", looks.corner_begin);
   write("corner", looks.corner);
+  write("outline", looks.outline);
+  write("outline_begin", looks.outline_begin);
+  write("outline_normal", looks.outline_normal);
+  write("outline_corner", looks.outline_corner);
+  write("outline_drains", looks.outline_drains);
+  write("outline_edge_drains", looks.outline_edge_drains);
+  write("outline_pond", looks.outline_pond);
   write("patch_begin", looks.patch_begin);
   write("patch_face", looks.patch_face);
   write("patch_normal", looks.patch_normal);

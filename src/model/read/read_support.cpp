@@ -77,6 +77,22 @@ void read_level(TableReader& in, Water& water) {
   if (in.read("head", head.elevation, coordinate(), Need::optional)) water.level = head;
 }
 
+/// How the pressure goes on to edges that drain. Both may be left out.
+void read_law(TableReader& in, Water& water) {
+  bool drains = true;
+  if (in.read("drains", drains, Need::optional)) water.drains = drains;
+  const auto law = in.choose("law", {{"hydrostatic", "drained", "mid_height"}, {}}, Need::optional);
+  if (!law) return;
+  water.law = static_cast<WaterLaw>(*law);
+  const bool needs_drains = water.law != WaterLaw::hydrostatic;
+  if (water.drains && *water.drains != needs_drains)
+    in.wrong("law", needs_drains
+                        ? "has no pressure at edges that drain, but drains is false: must be "
+                          "\"hydrostatic\", or drains true"
+                        : "has its full pressure at the very edge, but drains is true: must be "
+                          "\"drained\" or \"mid_height\", or drains false");
+}
+
 void read_batches(TableReader& in, SupportSpec& support) {
   Index batches = 0;
   if (in.read("batches", batches, IntegerRange{.low = 0}, Need::optional))
@@ -121,6 +137,7 @@ void read_waters(Draft& draft) {
     }
     in.read("density", water.density, positive("kg/m3"), Need::optional);
     read_level(in, water);
+    read_law(in, water);
     if (draft.model.gravity == Vec3{} && !in.has("pressure"))
       in.wrong("", "gravity is zero: a water table or head gives no pressure");
     draft.model.waters.push_back(std::move(water));

@@ -4,9 +4,12 @@
 #include <filesystem>
 
 #include "host/files/load_files.hpp"
+#include "host/keyblock/water/water.hpp"
 #include "src/model/openings.hpp"
 #include "src/report/documents/document_parts.hpp"
 #include "src/report/drawings/stereonet.hpp"
+#include "src/report/names.hpp"
+#include "src/report/summaries/keyblock_words.hpp"
 
 namespace rockfold {
 
@@ -139,7 +142,10 @@ Json analysis_json(const Model& model) {
 }
 
 Json water_json(const Water& water) {
-  Json json{{"joints", water.joints}, {"density", water.density}};
+  Json json{{"joints", water.joints},
+            {"density", water.density},
+            {"drains", is_drained(water)},
+            {"law", water_law_name(law_of(water))}};
   if (const auto* constant = std::get_if<WaterPressure>(&water.level))
     json["pressure"] = constant->value;
   if (const auto* head = std::get_if<WaterHead>(&water.level)) json["head"] = head->elevation;
@@ -171,6 +177,7 @@ Json support_json(const Model& model) {
             {"elastic_stress", has_elastic_joint_stress(model)},
             {"in_situ_stress", model.initial_stress.any},
             {"support_direction", or_null(s.support_direction)},
+            {"pushed_out_within", pushed_out_within},
             {"water", water}};
   if (model.shotcrete) json["shotcrete"] = shotcrete_json(*model.shotcrete);
   return json;

@@ -6,6 +6,7 @@
 #include "src/base/vector.hpp"
 #include "src/report/documents/document_parts.hpp"
 #include "src/report/names.hpp"
+#include "src/report/summaries/keyblock_words.hpp"
 
 namespace rockfold {
 
@@ -36,6 +37,7 @@ Json keyblock_json(const Keyblock& key, const BlockArrays& blocks) {
       {"volume", key.volume},
       {"weight", key.weight},
       {"mode", mode_name(key.mode)},
+      {"motion", mode_words(key)},
       {"planes", key.planes},
       {"direction", key.direction},
       {"sliding_force", key.sliding_force},

@@ -8,8 +8,9 @@
 
 namespace rockfold {
 
-/// A block that nothing holds is pushed out, not down, where its direction of motion has more than this upwards: within 30° of level.
-constexpr Real pushed_out_above = -0.5;
+/// A block that nothing holds is pushed out where its direction of motion has no more than this upwards or downwards: within 30° of
+/// level. Documents carry it to the page, and the word of each key block.
+constexpr Real pushed_out_within = 0.5;
 
 /// "slides on two"; a block that nothing holds falls, or is pushed up, or out where it moves within 30° of level.
 const char* mode_words(SlidingMode mode, const Vec3& direction);

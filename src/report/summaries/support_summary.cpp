@@ -17,9 +17,9 @@ namespace rockfold {
 const char* mode_words(SlidingMode mode, const Vec3& direction) {
   switch (mode) {
     case SlidingMode::lifting:
-      return direction[2] > 0                  ? "pushed up"
-             : direction[2] > pushed_out_above ? "pushed out"
-                                               : "falls";
+      return direction[2] > pushed_out_within    ? "pushed up"
+             : direction[2] > -pushed_out_within ? "pushed out"
+                                                 : "falls";
     case SlidingMode::single_plane:
       return "slides";
     case SlidingMode::two_planes:

@@ -6,6 +6,7 @@ import { leastSupport, rotationCondition, supportAlong, supportConditions } from
 import { type ContactPatch, type Rotation, RotationSearch } from './rotation';
 import { type ContactPlane, findMovement, type Mode, type Movement } from './sliding';
 import { add, cross, directionTolerance, norm, normalized, scale, sub, type Vec3, withoutNegativeZero } from './vector';
+import { jointPressures, type JointOutline } from './joint_pressure';
 import { linearPressure, pressureForce, type Water, waterOf } from './water';
 
 /// What can be changed.
@@ -25,6 +26,7 @@ export interface Verdict {
   key: boolean;
   batch: number; // 0: it stays
   mode: Mode;
+  motion?: string; // of a block that nothing holds, as the program calls it
   planes: string[];
   direction: Vec3;
   sliding_force: number;
@@ -51,6 +53,7 @@ interface Face {
   area: number; // m², in contact
   share: number;
   loops: Vec3[][];
+  outline: JointOutline | undefined; // none in results of older programs
   plane: number; // into the look's planes
 }
 
@@ -184,7 +187,8 @@ export class FirstLooks {
       const water = origin.kind === 1 ? undefined : waterOf(waters, origin.name);
       const p = water ? linearPressure(water, this.gravity) : { atOrigin: waterPressure, gradient: [0, 0, 0] as Vec3 };
       if (p.atOrigin === 0 && norm(p.gradient) === 0) continue;
-      const { force, firstMoment } = pressureForce(face.loops, face.normal, p);
+      const pressures = water && face.outline ? jointPressures(water, this.gravity, face.outline) : [p];
+      const { force, firstMoment } = pressureForce(face.loops, face.normal, pressures);
       push[face.plane] = add(push[face.plane]!, scale(face.share * force, face.normal));
       moment = sub(moment, scale(face.share, cross(sub(firstMoment, scale(force, look.centroid)), face.normal)));
     }
@@ -212,6 +216,13 @@ export class FirstLooks {
     if (!movement && rotations.length === 0) return undefined;
     const key = slides || (rotations.length > 0 && rotations[0]!.safety < 1 - equilibriumTolerance);
     return this.describe(look, planes, movement, rotations, settings, key);
+  }
+
+  /// The rule of mode_words in src/report/summaries, with the limit that the document carries.
+  private motionOf({ mode, direction }: Movement): string | undefined {
+    const within = this.document.answer!.setup!.support!.pushed_out_within;
+    if (mode !== 'lifting' || within === undefined) return undefined;
+    return direction[2] > within ? 'pushed up' : direction[2] > -within ? 'pushed out' : 'falls';
   }
 
   private materialOf(look: Look, face: number): number {
@@ -246,7 +257,7 @@ export class FirstLooks {
       return { ...common, mode: 'rotation', planes: [name(turn.face)], direction: withoutNegativeZero(normalized(turn.velocity)),
         sliding_force: (turn.driving - turn.resisting) / norm(turn.velocity), factor_of_safety: turn.resisting > 0 ? turn.safety : null };
     const m = movement!;
-    return { ...common, mode: m.mode, planes: m.planes.map((k) => name(planes[k]!.face)), direction: withoutNegativeZero(m.direction),
+    return { ...common, mode: m.mode, motion: this.motionOf(m), planes: m.planes.map((k) => name(planes[k]!.face)), direction: withoutNegativeZero(m.direction),
       sliding_force: m.driving - m.resisting, factor_of_safety: m.mode === 'lifting' && m.resisting === 0 ? null : m.resisting / m.driving };
   }
 }
@@ -270,6 +281,17 @@ function readHeld(arrays: Arrays): Leaning[] {
   return Array.from(block!, (b, i) => ({ block: b + 1, stage: stage![i]!, neighbours: Array.from(neighbour!.subarray(begin![i]!, begin![i + 1]!), (n) => n + 1) }));
 }
 
+type VectorsOf = (name: string) => (i: number) => Vec3;
+
+function readOutlines(arrays: Arrays, vec: VectorsOf, range: (begin: ArrayLike<number>, i: number) => number[]): JointOutline[] {
+  if (!arrays.has('look_outline')) return [];
+  const [normal, corner] = [vec('outline_normal'), vec('outline_corner')];
+  const get = (name: string): ArrayLike<number> => arrays.get(`look_outline_${name}`);
+  const [begin, drains, edgeDrains, pond] = [get('begin'), get('drains'), get('edge_drains'), get('pond')];
+  return Array.from({ length: begin.length - 1 }, (_, u) => ({ normal: normal(u),
+    corners: range(begin, u).map((c) => ({ at: corner(c), share: drains[c]!, edgeShare: edgeDrains[c]!, pond: pond[c]! })) }));
+}
+
 function readLooks(arrays: Arrays): Look[] {
   const get = (name: string): ArrayLike<number> => arrays.get(`look_${name}`);
   const vec = (name: string): ((i: number) => Vec3) => {
@@ -282,12 +304,14 @@ function readLooks(arrays: Arrays): Look[] {
   const [origin, area, share, normal, planeNormal, corner] =
     [get('origin'), get('contact_area'), get('share'), vec('normal'), vec('plane_normal'), vec('corner')];
   const [patchFace, patchNormal, patchCorner] = [get('patch_face'), vec('patch_normal'), vec('patch_corner')];
+  const outlines = readOutlines(arrays, vec, range);
+  const outlineOf = arrays.find('look_outline');
   const [faceBegin, loopBegin, cornerBegin, patchBegin, patchCornerBegin] =
     ['face_begin', 'loop_begin', 'corner_begin', 'patch_begin', 'patch_corner_begin'].map(get) as [ArrayLike<number>, ArrayLike<number>, ArrayLike<number>, ArrayLike<number>, ArrayLike<number>];
   const neighbours = get('neighbour');
   return Array.from(block, (b, i) => {
     const faces: Face[] = range(faceBegin, i).map((f) => ({ origin: origin[f]!, normal: normal(f), planeNormal: planeNormal(f), area: area[f]!, share: share[f]!,
-      loops: range(loopBegin, f).map((loop) => range(cornerBegin, loop).map(corner)), plane: 0 }));
+      loops: range(loopBegin, f).map((loop) => range(cornerBegin, loop).map(corner)), outline: outlines[outlineOf?.[f] ?? -1], plane: 0 }));
     const patches = range(patchBegin, i).map((p) => ({ normal: patchNormal(p), corners: range(patchCornerBegin, p).map(patchCorner),
       face: patchFace[p]! - faceBegin[i]! }));
     return { block: b + 1, stage: stage[i]!, volume: volume[i]!, mass: mass[i]!, freeArea: freeArea[i]!, centroid: centroid(i), load: load(i),

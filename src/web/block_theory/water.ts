@@ -1,4 +1,4 @@
-// Water on faces: host/keyblock/water.cpp and the integrals of host/keyblock/face_shape.cpp again.
+// Water on faces: host/keyblock/water and the integrals of host/keyblock/face_shape.cpp again.
 import { add, cross, dot, norm, scale, sub, type Vec3 } from './vector';
 
 /// A [[water]] of the model.
@@ -8,6 +8,7 @@ export interface Water {
   pressure?: number; // Pa
   head?: number; // m
   table?: { point: Vec3; normal: Vec3 };
+  law?: 'hydrostatic' | 'drained' | 'mid_height'; // none of older programs, which knew the first alone
 }
 
 /// max(0, at_origin + gradient·x), Pa.
@@ -36,19 +37,53 @@ export interface PressureForce {
   firstMoment: Vec3; // N m
 }
 
-/// ∫ p dA and ∫ p x dA over a face given by its loops.
-export function pressureForce(loops: Vec3[][], normal: Vec3, p: LinearPressure): PressureForce {
+/// ∫ p dA and ∫ p x dA over a face given by its loops; p is the least of these pressures, no less than zero.
+export function pressureForce(loops: Vec3[][], normal: Vec3, pressures: LinearPressure[]): PressureForce {
   const sum = { force: 0, firstMoment: [0, 0, 0] as Vec3 };
   const apex = loops[0]?.[0];
   if (!apex) return sum;
+  const rounding = 1e-9 * Math.max(...loops[0]!.map((x) => Math.abs(unclipped(pressures[0]!, x))));
   for (const loop of loops)
-    for (let c = 0; c < loop.length; ++c) addWetPart(sum, normal, [apex, loop[c]!, loop[(c + 1) % loop.length]!], p);
+    for (let c = 0; c < loop.length; ++c) addLeast(sum, normal, [apex, loop[c]!, loop[(c + 1) % loop.length]!], pressures, rounding, 0, 1);
   return sum;
+}
+
+/// Over a convex part, on which pressures[least] is the least of those before `next`.
+function addLeast(sum: PressureForce, normal: Vec3, part: Vec3[], pressures: LinearPressure[], rounding: number, least: number, next: number): void {
+  if (part.length < 3) return;
+  const [other, now] = [pressures[next], pressures[least]!];
+  if (!other) {
+    for (let k = 2; k < part.length; ++k) addWetPart(sum, normal, [part[0]!, part[k - 1]!, part[k]!], now);
+    return;
+  }
+  const more = { atOrigin: other.atOrigin - now.atOrigin, gradient: sub(other.gradient, now.gradient) };
+  addLeast(sum, normal, sideOf(part, more, true, rounding), pressures, rounding, least, next + 1);
+  addLeast(sum, normal, sideOf(part, more, false, rounding), pressures, rounding, next, next + 1);
+}
+
+/// Where f ≥ 0, or the rest. Values up to `rounding` count as 0.
+export function sideOf(polygon: Vec3[], f: LinearPressure, positive: boolean, rounding: number): Vec3[] {
+  const value = polygon.map((x) => {
+    const v = unclipped(f, x);
+    return Math.abs(v) <= rounding ? 0 : v;
+  });
+  const part: Vec3[] = [];
+  polygon.forEach((a, i) => {
+    const j = (i + 1) % polygon.length;
+    const [fa, fb] = [value[i]!, value[j]!];
+    if (fa >= 0 === positive) part.push(a);
+    if (fa >= 0 !== fb >= 0) part.push(add(a, scale(fa / (fa - fb), sub(polygon[j]!, a))));
+  });
+  return part;
+}
+
+function unclipped(p: LinearPressure, x: Vec3): number {
+  return p.atOrigin + dot(p.gradient, x);
 }
 
 /// The part of the triangle where the pressure is ≥ 0.
 function addWetPart(sum: PressureForce, normal: Vec3, x: [Vec3, Vec3, Vec3], pressure: LinearPressure): void {
-  const p = x.map((at) => pressure.atOrigin + dot(pressure.gradient, at));
+  const p = x.map((at) => unclipped(pressure, at));
   const corners: Vec3[] = [];
   const values: number[] = [];
   for (let i = 0; i < 3; ++i) {

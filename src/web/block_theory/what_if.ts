@@ -147,7 +147,7 @@ export class WhatIf {
     else if (this.waterKind === 'table') {
       const { point, normal } = first!.table!;
       s.waters = [{ ...first!, table: { point: [point[0], point[1], level], normal } }];
-    } else if (this.waterKind === 'none') s.waters = [{ joints: [], density: 1000, head: level }];
+    } else if (this.waterKind === 'none') s.waters = [{ joints: [], density: 1000, head: level, law: 'mid_height' }]; // as the program has it by default
   }
 
   private blockValues({ keyblocks, stable: held, byProgram: unknown }: Outcome): BlockValues {

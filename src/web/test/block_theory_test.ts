@@ -5,7 +5,8 @@ import { leastSupport, supportConditions } from '../block_theory/least_support';
 import { RotationSearch } from '../block_theory/rotation';
 import { type ContactPlane, findMovement } from '../block_theory/sliding';
 import type { Vec3 } from '../block_theory/vector';
-import { linearPressure, pressureForce } from '../block_theory/water';
+import { type DrainedCorner, jointPressures } from '../block_theory/joint_pressure';
+import { linearPressure, pressureForce, type Water } from '../block_theory/water';
 
 const near = (a: number, b: number, share = 1e-12): void => assert.ok(Math.abs(a - b) <= share * Math.max(Math.abs(a), Math.abs(b)), `${a} is not ${b}`);
 const rad = Math.PI / 180;
@@ -66,8 +67,24 @@ test('a slender column on a slope turns over its lower edge before it slides', (
 test('water below a table presses on the wet part of a wall by ρ g h² b / 2', () => {
   const wall: Vec3[] = [[0, 0, 0], [0, 3, 0], [0, 3, 5], [0, 0, 5]];
   const p = linearPressure({ joints: [], density: 1000, table: { point: [7, 7, 4], normal: [0, 0, 1] } }, [0, 0, -10]);
-  const { force, firstMoment } = pressureForce([wall], [1, 0, 0], p);
+  const { force, firstMoment } = pressureForce([wall], [1, 0, 0], [p]);
   near(force, (1e4 * 4 * 4 * 3) / 2);
   near(firstMoment[2] / force, 4 / 3);
   near(firstMoment[1] / force, 1.5);
+});
+
+test('water in a plane that daylights at both ends has its peak at mid-height, below a crack at its foot', () => {
+  const [height, gamma] = [6, 1e4];
+  const [toe, length] = [[0, 0, 0] as Vec3, height / Math.sin(30 * rad)];
+  const top: Vec3 = [-length * Math.cos(30 * rad), 0, height];
+  const corners = (drainsAbove: number): DrainedCorner[] => [
+    { at: toe, share: 1, edgeShare: 1, pond: 0 }, { at: [0, 3, 0], share: 1, edgeShare: 0, pond: 0 },
+    { at: [top[0], 3, height], share: drainsAbove, edgeShare: drainsAbove, pond: 0 }, { at: top, share: drainsAbove, edgeShare: 0, pond: 0 }];
+  const normal: Vec3 = [Math.sin(30 * rad), 0, Math.cos(30 * rad)];
+  const force = (water: Water, drainsAbove: number): number =>
+    pressureForce([corners(drainsAbove).map((c) => c.at)], normal, jointPressures(water, [0, 0, -10], { corners: corners(drainsAbove), normal })).force;
+  const water: Water = { joints: [], density: 1000, head: height, law: 'mid_height' };
+  near(force(water, 1), 0.25 * gamma * height * length * 3);
+  near(force({ ...water, head: height + 2, law: 'drained' }, 0), 0.5 * gamma * 2 * length * 3);
+  near(force({ ...water, law: 'hydrostatic' }, 1), 0.5 * gamma * height * length * 3);
 });

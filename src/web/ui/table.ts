@@ -14,14 +14,12 @@ interface Column {
 }
 
 const modes: Record<string, string> = {
-  lifting: 'falls', pushed_up: 'pushed up', pushed_out: 'pushed out', single_plane: 'slides', two_planes: 'slides on two', rotation: 'turns', at_rest: 'at rest',
+  lifting: 'falls', single_plane: 'slides', two_planes: 'slides on two', rotation: 'turns', at_rest: 'at rest',
 };
 
-/// A block that nothing holds falls; water may push it up or, within 30° of level, out.
+/// How it moves, as the program says it; what the page finds itself has its word from block_theory/first_looks.
 export function wordsOf(k: Keyblock): string {
-  const up = k.direction[2];
-  const mode = k.mode !== 'lifting' ? k.mode : up > 0 ? 'pushed_up' : up > -0.5 ? 'pushed_out' : k.mode;
-  return modes[mode] ?? mode;
+  return k.motion ?? modes[k.mode] ?? k.mode;
 }
 
 function columnsOf(keys: Keyblock[]): Column[] {

@@ -1,4 +1,4 @@
-#include "host/keyblock/water.hpp"
+#include "host/keyblock/water/water.hpp"
 
 #include <algorithm>
 #include <variant>
@@ -29,6 +29,12 @@ LinearPressure linear_pressure(const Water& water, const Vec3& gravity) {
   const auto& table = std::get<WaterTable>(water.level);
   const Real rise = weight / dot(table.normal, up);  // per m along the normal, below the table
   return {.at_origin = rise * dot(table.point, table.normal), .gradient = -rise * table.normal};
+}
+
+WaterLaw law_of(const Water& water) {
+  if (water.law) return *water.law;
+  const bool drains = water.drains.value_or(!std::holds_alternative<WaterPressure>(water.level));
+  return drains ? WaterLaw::mid_height : WaterLaw::hydrostatic;
 }
 
 }  // namespace rockfold
