@@ -1,6 +1,7 @@
 #include "src/base/vector.hpp"
 #include "src/io/viewers/stress_measures.hpp"
 #include "src/report/documents/document_parts.hpp"
+#include "src/report/joint_strength.hpp"
 #include "src/report/names.hpp"
 
 namespace rockfold {
@@ -167,10 +168,12 @@ Json energy_history_json(const RunResult& run) {
 
 Json reduction_json(const RunReport& report) {
   const Reduction& reduction = *report.reduction;
-  Json trials = Json::array(), blocks = Json::array();
+  Json trials = Json::array(), blocks = Json::array(), weaker = Json::array();
   for (const ReductionTrial& t : reduction.trials)
     trials.push_back(
         {{"factor", t.factor}, {"stands", t.stands}, {"time", t.time}, {"speed", t.speed}});
+  for (const JointMaterial* m : materials_that_lose_strength(report.model, report.blocks))
+    weaker.push_back(m->name);
   if (reduction.fails())
     for (const Index b : failing_blocks(report.model, report.blocks, report.run))
       blocks.push_back(b + 1);
@@ -182,7 +185,8 @@ Json reduction_json(const RunReport& report) {
           {"fails", or_null(reduction.fails())},
           {"blocks", blocks},
           {"shown", reduction.shown()},
-          {"trials", trials}};
+          {"trials", trials},
+          {"loses_strength", weaker}};
 }
 
 Json reactions_json(const std::vector<Reaction>& conditions) {
