@@ -64,7 +64,11 @@ Bodies::Bodies(const BlockArrays& blocks, const Model& model, const SupportSpec&
       mesh_planes_(blocks, model),
       tractions_(blocks, model),
       has_polygons_(has_polygons(blocks)) {
-  for (const FaceOrigin& origin : blocks.origins) nature_.push_back(nature(origin, model, waters));
+  for (const FaceOrigin& origin : blocks.origins) {
+    const FaceNature& n = nature_.emplace_back(nature(origin, model, waters));
+    loses_strength_ =
+        loses_strength_ || n.residual_friction < n.friction || n.residual_cohesion < n.cohesion;
+  }
   for (const PointLoad& load : model.point_loads) {
     const Index block = block_at(blocks, load.point);
     if (block == none)
@@ -93,8 +97,11 @@ Bodies::FaceNature Bodies::nature(const FaceOrigin& origin, const Model& model,
   nature.water = water_of(waters, origin.name);
   if (origin.joint_material == none) return nature;
   const auto& joint = model.joint_materials[at(origin.joint_material)];
-  nature.friction = std::tan(joint.friction_angle * std::numbers::pi / 180);
+  const auto tangent = [](Real degrees) { return std::tan(degrees * std::numbers::pi / 180); };
+  nature.friction = tangent(joint.friction_angle);
   nature.cohesion = joint.cohesion;
+  nature.residual_friction = tangent(joint.residual_friction_angle.value_or(joint.friction_angle));
+  nature.residual_cohesion = joint.residual_cohesion;
   nature.normal_stiffness = joint.normal_stiffness.value_or(0);
   nature.shear_stiffness = joint.shear_stiffness.value_or(0);
   return nature;
@@ -118,6 +125,15 @@ RockBody Bodies::body(std::vector<Index> members, const std::vector<Index>& batc
   for (const Index block : body.members) add_block(body, block, batch);
   flatten_meshes(body);
   press_faces(body);
+  return body;
+}
+
+RockBody Bodies::with_residual_strength(RockBody body) const {
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    const FaceNature& nature = nature_[at(blocks_.face_origin[at(body.face_id[f])])];
+    body.faces[f].friction = nature.residual_friction;
+    body.faces[f].cohesion = nature.residual_cohesion;
+  }
   return body;
 }
 

@@ -56,6 +56,11 @@ class Bodies {
   /// Its class and motion.
   BlockVerdict judge(const RockBody& body, const std::vector<Index>& batch) const;
 
+  /// Whether any joint has less than its whole strength once it has slipped.
+  bool loses_strength() const { return loses_strength_; }
+  /// The body on joints that have slipped: with their residual friction and cohesion.
+  RockBody with_residual_strength(RockBody body) const;
+
   /// Its planes of contact with rock that is still there; none where no polygon is known.
   std::vector<ContactPatch> patches(const RockBody& body, const std::vector<Index>& batch) const;
 
@@ -82,8 +87,9 @@ class Bodies {
  private:
   /// What all faces of one origin have in common.
   struct FaceNature {
-    Real friction = 0;          ///< tan φ
-    Real cohesion = 0;          ///< Pa
+    Real friction = 0;  ///< tan φ
+    Real cohesion = 0;  ///< Pa
+    Real residual_friction = 0, residual_cohesion = 0;
     Real normal_stiffness = 0;  ///< Pa/m
     Real shear_stiffness = 0;   ///< Pa/m
     bool continues = false;     ///< or held by a [[fixed]]
@@ -128,6 +134,7 @@ class Bodies {
   std::vector<PointForce> forces_;  ///< ordered by block
   SurfaceLoads tractions_;
   bool has_polygons_;
+  bool loses_strength_ = false;
 };
 
 /// The block that holds a point, or none: the first of those with the largest winding number.

@@ -27,6 +27,13 @@ Vec3 without_negative_zero(const Vec3& v) {
   return v + Vec3{};
 }
 
+/// Of the motion that governs: NaN where nothing resists, infinite where nothing drives.
+Real factor_of(const BlockVerdict& verdict) {
+  if (!verdict.movement && verdict.rotations.empty()) return std::numeric_limits<Real>::infinity();
+  return verdict.rotates() ? verdict.rotations[0].factor_of_safety()
+                           : verdict.movement->factor_of_safety();
+}
+
 std::vector<Vec3> normals_of(const std::vector<ContactPlane>& planes) {
   std::vector<Vec3> normals;
   for (const ContactPlane& p : planes) normals.push_back(p.normal);
@@ -43,6 +50,7 @@ class KeyblockSearch {
   struct Judged {
     RockBody body;
     BlockVerdict verdict;
+    Real residual_factor = 0;
   };
   void excavate(Index stage);
   void find_batches(std::vector<Index> candidates);
@@ -57,7 +65,8 @@ class KeyblockSearch {
   bool stays(Index block) const;
   Index stage_of(Index block) const;
   static Index largest_free_face(const RockBody& body);
-  Keyblock describe(const RockBody& body, const BlockVerdict& verdict) const;
+  Real residual_factor(const RockBody& body, const BlockVerdict& verdict) const;
+  Keyblock describe(const RockBody& body, const BlockVerdict& verdict, Real residual_factor) const;
   void describe_translation(Keyblock& key, const RockBody& body, const BlockVerdict& verdict) const;
   void describe_rotation(Keyblock& key, const RockBody& body, const BlockVerdict& verdict) const;
   SupportForce support_of(const RockBody& body, const BlockVerdict& verdict) const;
@@ -129,8 +138,9 @@ std::vector<KeyblockSearch::Judged> KeyblockSearch::judge(
       return;
     RockBody body = bodies_.body({block}, report_.batch);
     one.verdict = bodies_.judge(body, report_.batch);
-    if (is_described(one.verdict))
-      one.body = std::move(body);  // what is not described needs no faces
+    if (!is_described(one.verdict)) return;  // what is not described needs no faces
+    one.residual_factor = residual_factor(body, one.verdict);
+    one.body = std::move(body);
   };
   const auto count = static_cast<std::int64_t>(candidates.size());
   constexpr std::int64_t chunk = 256;  // some 0.1 ms of work: less is not worth waking the threads
@@ -215,7 +225,14 @@ Index KeyblockSearch::largest_free_face(const RockBody& body) {
   return area > 0 ? body.face_id[largest] : none;
 }
 
-Keyblock KeyblockSearch::describe(const RockBody& body, const BlockVerdict& verdict) const {
+/// On joints that have slipped, with the same rock round it.
+Real KeyblockSearch::residual_factor(const RockBody& body, const BlockVerdict& verdict) const {
+  if (!bodies_.loses_strength()) return factor_of(verdict);
+  return factor_of(bodies_.judge(bodies_.with_residual_strength(body), report_.batch));
+}
+
+Keyblock KeyblockSearch::describe(const RockBody& body, const BlockVerdict& verdict,
+                                  Real residual_factor) const {
   Keyblock key;
   key.block = body.members.front();
   key.members = body.members;
@@ -231,6 +248,7 @@ Keyblock KeyblockSearch::describe(const RockBody& body, const BlockVerdict& verd
   key.movement = verdict.movement;
   key.rotations = verdict.rotations;
   key.resultant = verdict.resultant;
+  key.residual_factor_of_safety = residual_factor;
   if (anchored_) {
     key.patches = verdict.patches;
     key.body = verdict.body;
@@ -263,16 +281,16 @@ std::vector<Index> KeyblockSearch::move_single_blocks(const std::vector<Index>& 
   std::vector<Index> removed;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const auto b = static_cast<std::size_t>(candidates[i]);
-    const auto& [body, verdict] = judged[i];
+    const auto& [body, verdict, residual] = judged[i];
     report_.block_class[b] = verdict.block_class;
     stable_[b].reset();
     if (verdict.block_class == BlockClass::stable && is_described(verdict))
-      stable_[b] = describe(body, verdict);
+      stable_[b] = describe(body, verdict, residual);
     if (verdict.block_class != BlockClass::key) continue;
     if (removed.empty()) start_batch();
     report_.batch[b] = batch_;
     ++report_.batches.back();
-    report_.keyblocks.push_back(describe(body, verdict));
+    report_.keyblocks.push_back(describe(body, verdict, residual));
     removed.push_back(candidates[i]);
   }
   return removed;
@@ -308,8 +326,11 @@ std::vector<Index> KeyblockSearch::move_groups() {
   std::sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
     return a.body.members.front() < b.body.members.front();
   });
+  std::vector<Real> residual;  // before the rock round them is gone
+  for (const Group& group : groups) residual.push_back(residual_factor(group.body, group.verdict));
   start_batch();
-  for (const Group& group : groups) {
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const Group& group = groups[g];
     for (const Index block : group.body.members) {
       const auto b = static_cast<std::size_t>(block);
       report_.batch[b] = batch_;
@@ -318,7 +339,7 @@ std::vector<Index> KeyblockSearch::move_groups() {
       removed.push_back(block);
     }
     ++report_.batches.back();
-    report_.keyblocks.push_back(describe(group.body, group.verdict));
+    report_.keyblocks.push_back(describe(group.body, group.verdict, residual[g]));
   }
   return removed;
 }
@@ -408,7 +429,8 @@ bool has_active_bolts(const Model& model) {
 StageKeys keys_of_keyblocks(const Model& model) {
   StageKeys stage{"key blocks",
                   {"gravity", "material.density", "joint_material.friction_angle",
-                   "joint_material.cohesion", "joint_mesh.flatness", "support", "water",
+                   "joint_material.cohesion", "joint_material.residual_friction_angle",
+                   "joint_material.residual_cohesion", "joint_mesh.flatness", "support", "water",
                    "point_load", "traction", "bolt", "bolt_pattern", "shotcrete"}};
   if (model.initial_stress.any)
     for (const char* key :

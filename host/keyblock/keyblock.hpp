@@ -50,6 +50,8 @@ struct Keyblock {
   Real sliding_force = 0;           ///< N: driving minus resisting force, > 0
   /// Resisting over driving; NaN where nothing resists (null in JSON).
   Real factor_of_safety = 0;
+  /// The same on joints that have slipped (JointMaterial's residual strength), of the motion that governs then.
+  Real residual_factor_of_safety = 0;
   RemovableSpace removable;  ///< translations that no neighbour prevents
   /// The least safe one first; it governs where the mode is rotation.
   std::vector<Rotation> rotations;

@@ -4,13 +4,13 @@
 //
 //   trial         s = s₀ + Δ,  p = −k_n (g − δ₀)                    p: pressure
 //   bonded        elastic, whatever the traction
-//   strength      τ_max = min(c + p tan φ, 10 p)                    residual c, φ
+//   strength      τ_max = min(c + p tan φ, 10 p)                    residual c, φ; c = 0 once it has been open
 //   stick         k_s |s| ≤ τ_max                                   τ = −k_s s
 //   slide         by Δγ along m = s/|s|:  k_s (|s| − Δγ) = c + (p + k_n Δδ) tan φ,  Δδ = tan ψ Δγ up to the dilation's limit (ψ no more than the φ in use)
 //                 Δγ = (k_s |s| − c − p tan φ) / (k_s + k_n tan ψ tan φ); with 0 and 10 for c and tan φ where that is less
 //   open          p + k_n Δδ < 0                                    no traction
 //
-// Traction is continuous where a joint opens: cohesion of a broken joint vanishes with its pressure, and one that dilates opens once its
+// Traction is continuous where a joint opens: cohesion of a joint without bonds vanishes with its pressure, and one that dilates opens once its
 // slip no longer makes up for the gap. A jump there has loads without a balance: Newton's iteration went to and fro in steps however short.
 //
 // (Simo & Laursen, Comput. Struct. 42, 1992, 97: return mapping of friction; dilation as a flow rule that is not associated.)

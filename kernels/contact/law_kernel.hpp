@@ -129,19 +129,23 @@ struct Strength {
   Real by_shear[2] = {0, 0};     ///< Pa/m, −d(pressure)/d(shear): of dilation
 };
 
-/// Residual strength under a pressure ≥ 0.
-KOKKOS_INLINE_FUNCTION Strength residual_strength(const JointLaw& law, const Pressure& p) {
-  const Real whole = law.residual_cohesion + p.value * law.residual_friction,
-             most = most_cohesion * p.value;
-  if (whole <= most) return {p.value, whole, law.residual_friction, p.stiffness};
+/// What bears shear without bonds. Sides that have been apart do not grow together: they have no cohesion.
+KOKKOS_INLINE_FUNCTION StrengthLine residual_line(const JointLaw& law,
+                                                  const ContactMemory& before) {
+  return {before.met ? 0 : law.residual_cohesion, law.residual_friction};
+}
+
+/// Of that line under a pressure ≥ 0.
+KOKKOS_INLINE_FUNCTION Strength residual_strength(const StrengthLine& line, const Pressure& p) {
+  const Real whole = line.cohesion + p.value * line.friction, most = most_cohesion * p.value;
+  if (whole <= most) return {p.value, whole, line.friction, p.stiffness};
   return {p.value, most, most_cohesion, p.stiffness};
 }
 
 /// Slip along m = s/|s| until the stretch s is one that strength bears. False where no pressure is left, with what dilation adds.
-KOKKOS_INLINE_FUNCTION bool slide(const JointLaw& law, const Pressure& p, const Real* s,
-                                  Real length, Strength& now, PointTraction& out) {
+KOKKOS_INLINE_FUNCTION bool slide(const JointLaw& law, StrengthLine line, const Pressure& p,
+                                  const Real* s, Real length, Strength& now, PointTraction& out) {
   const Real ks = law.shear_stiffness, kn = law.normal_stiffness, trial = ks * length;
-  StrengthLine line{law.residual_cohesion, law.residual_friction};
   Slip slip = find_slip(law, line, trial, p.value, out.memory.slip);
   if ((most_cohesion - line.friction) * (p.value + kn * slip.opening) < line.cohesion) {
     line = {0, most_cohesion};
@@ -162,7 +166,8 @@ KOKKOS_INLINE_FUNCTION bool slide(const JointLaw& law, const Pressure& p, const 
   }
   out.memory.slip += slip.length;
   out.memory.dilation += slip.opening;
-  out.friction += slip.length * now.shear - slip.opening * now.pressure;
+  // Nothing but rounding where ψ = φ without cohesion.
+  out.friction += math::fmax(0.0, slip.length * now.shear - slip.opening * now.pressure);
   return true;
 }
 
@@ -239,11 +244,12 @@ KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactR
   const Real s[2] = {before.shear[0] + motion.shear[0], before.shear[1] + motion.shear[1]};
   const Real length = math::sqrt(s[0] * s[0] + s[1] * s[1]);
   Strength now{p.value, unlimited, 0, p.stiffness};
-  if (!bonded && !held) now = residual_strength(law, p);
+  const StrengthLine line = residual_line(law, before);
+  if (!bonded && !held) now = residual_strength(line, p);
   if (bonded || held || (p.value >= 0 && law.shear_stiffness * length <= now.shear)) {
     memory.state = Contact::stick;
     for (int i = 0; i < 2; ++i) memory.shear[i] = s[i];
-  } else if (!slide(law, p, s, length, now, out)) {
+  } else if (!slide(law, line, p, s, length, now, out)) {
     open(law, out);
     return out;
   }

@@ -213,8 +213,12 @@ void add_reduction(Html& html, const Json& reduction) {
   std::vector<Index> ids = reduction.at("blocks").get<std::vector<Index>>();
   const std::size_t failing = ids.size();
   ids.resize(std::min(failing, most_rows));
+  const auto weaker = reduction.value("loses_strength", std::vector<std::string>{});
   html.heading(3, "Strength reduction");
   html.facts({{"Factor of safety", digits(reduction.at("factor"))},
+              {"Joints as they slip",
+               weaker.empty() ? "keep their strength"
+                              : fmt::format("lose strength: {}", fmt::join(weaker, ", "))},
               {"Blocks that fail",
                fmt::format("{}{}{}", fmt::join(ids, ", "), failing > most_rows ? " …" : "",
                            failing == 0 ? "none" : "")},

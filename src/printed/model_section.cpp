@@ -225,7 +225,8 @@ void add_model(Html& html, const ReportSource& source) {
     const Json& s = setup.at("support");
     facts.emplace_back("Target factor of safety", digits(s.at("target_factor_of_safety")));
     add_water(facts, s);
-    facts.emplace_back("Seismic coefficient", vector_text(s.at("seismic_coefficient")));
+    if (s.at("seismic_coefficient") != Json(Vec3{}))
+      facts.emplace_back("Seismic coefficient", vector_text(s.at("seismic_coefficient")));
   }
   if (setup.contains("analysis")) {
     const Json& a = setup.at("analysis");

@@ -38,17 +38,32 @@ bool is_supported(const Json& keys) {
                      [](const Json& key) { return key.contains("supported_factor_of_safety"); });
 }
 
-std::vector<HtmlColumn> columns(bool supported) {
+/// The factor of joints that have slipped stands behind that of joints that have not.
+constexpr std::ptrdiff_t residual_column = 7;
+
+Json residual_factor(const Json& key) {
+  return key.value("residual_factor_of_safety", key.at("factor_of_safety"));
+}
+
+/// Whether any is less safe on joints that have slipped.
+bool loses_strength(const Json& keys) {
+  return std::any_of(keys.begin(), keys.end(), [](const Json& key) {
+    return residual_factor(key) < key.at("factor_of_safety");
+  });
+}
+
+std::vector<HtmlColumn> columns(bool supported, bool slipped) {
   std::vector<HtmlColumn> list{{"block", "", true},        {"batch"},
                                {"volume", "m³"},           {"weight", "kN"},
                                {"motion", "", true},       {"direction", "trend/plunge"},
                                {"factor of safety"},       {"support force", "kN"},
                                {"support pressure", "kPa"}};
+  if (slipped) list.insert(list.begin() + residual_column, {"once slipped"});
   if (supported) list.insert(list.end(), {{"bolts"}, {"with support"}, {"use", "%"}, {"held"}});
   return list;
 }
 
-std::vector<std::string> row_of(const Json& key, bool supported) {
+std::vector<std::string> row_of(const Json& key, bool supported, bool slipped) {
   std::vector<std::string> row{blocks_text(key),
                                fmt::format("{}", key.at("batch").get<Index>()),
                                digits(key.at("volume")),
@@ -58,6 +73,7 @@ std::vector<std::string> row_of(const Json& key, bool supported) {
                                safety_text(key.at("factor_of_safety")),
                                digits(key.at("support_force"), 4, 1e3),
                                digits(key.at("support_pressure"), 4, 1e3)};
+  if (slipped) row.insert(row.begin() + residual_column, safety_text(residual_factor(key)));
   if (supported)
     row.insert(row.end(),
                {fmt::format("{}", key.at("bolts").size()),
@@ -159,12 +175,14 @@ void add_keyblocks(Html& html, const ReportSource& source) {
       std::erase_if(keys, [&](const Json& key) { return key.at("volume") < smallest; });
   add_batches(html, support);
   const bool supported = is_supported(support.at("keyblocks"));
+  const bool slipped =
+      loses_strength(support.at("keyblocks")) || loses_strength(support.at("stable"));
   Rows rows;
   for (std::size_t i = 0; i < std::min(keys.size(), most_rows); ++i)
-    rows.push_back(row_of(keys[i], supported));
+    rows.push_back(row_of(keys[i], supported, slipped));
   if (!rows.empty())
     html.table("Key blocks by batch, the least safe first; `none`: nothing resists",
-               columns(supported), rows);
+               columns(supported, slipped), rows);
   if (keys.size() > most_rows)
     html.paragraph(fmt::format("… and {} more: [[table]] kind = \"keyblocks\" lists them all.",
                                keys.size() - most_rows));
@@ -176,11 +194,11 @@ void add_keyblocks(Html& html, const ReportSource& source) {
   rows.clear();
   const bool stable_supported = is_supported(support.at("stable"));
   for (std::size_t i = 0; i < std::min(stable.size(), most_stable); ++i)
-    rows.push_back(row_of(stable[i], stable_supported));
+    rows.push_back(row_of(stable[i], stable_supported, slipped));
   if (!rows.empty())
     html.table(fmt::format("The least safe of the blocks that stay ({} of {})", rows.size(),
                            stable.size()),
-               columns(stable_supported), rows);
+               columns(stable_supported, slipped), rows);
 }
 
 void add_support_design(Html& html, const ReportSource& source) {

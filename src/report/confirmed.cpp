@@ -141,7 +141,10 @@ Json confirmed_json(const RunReport& report) {
     entry["batch"] = c.key ? Json(c.key->batch) : Json(nullptr);
     entry["predicted"] = nullptr;
     if (c.key)
-      entry["predicted"] = {{"mode", mode_name(c.key->mode)}, {"direction", c.key->direction}};
+      entry["predicted"] = {{"mode", mode_name(c.key->mode)},
+                            {"direction", c.key->direction},
+                            {"factor_of_safety", c.key->factor_of_safety},
+                            {"residual_factor_of_safety", c.key->residual_factor_of_safety}};
     entry["seen"] = {{"mode", seen_name(c.seen)}, {"moved", norm(c.displacement)},
                      {"direction", c.direction},  {"displacement", c.displacement},
                      {"rotation", c.rotation},    {"began", c.began},

@@ -72,7 +72,16 @@ Reason Reasons::of_motion(const Confirmed& c) const {
                   report_.keyblocks->block_class[first] == BlockClass::not_examined)
     return Reason::batch;
   if (other_loads() || !report_.model.initial_velocities.empty()) return Reason::loads;
-  return report_.model.initial_stress.any ? Reason::in_situ_stress : Reason::neighbours;
+  if (report_.model.initial_stress.any) return Reason::in_situ_stress;
+  return !c.key && slips_once_moved(first) ? Reason::strength : Reason::neighbours;
+}
+
+/// Of a block that stays: whether it would not on joints that have slipped.
+bool Reasons::slips_once_moved(Index block) const {
+  const auto& stable = report_.keyblocks->stable;
+  return std::any_of(stable.begin(), stable.end(), [&](const Keyblock& key) {
+    return key.block == block && key.residual_factor_of_safety < 1 && key.factor_of_safety >= 1;
+  });
 }
 
 /// What acts in one of the two alone.

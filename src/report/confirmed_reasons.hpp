@@ -20,6 +20,7 @@ class Reasons {
   Reason of_motion(const Confirmed& c) const;
   bool other_loads() const;
   bool has_tensile_strength() const;
+  bool slips_once_moved(Index block) const;
 
   const RunReport& report_;
   std::vector<std::uint8_t> beside_loose_rock_;  ///< [B] 1: beside an infinite block that moved

@@ -35,7 +35,8 @@ std::string keyblocks_table(const BlockArrays& blocks, const KeyblockReport& key
                             const SupportDesign& design) {
   std::string text =
       "block,batch,volume m3,weight N,mode,planes,direction x,direction y,direction z,"
-      "sliding force N,factor of safety,free area m2,support force N,support pressure Pa,"
+      "sliding force N,factor of safety,residual factor of safety,free area m2,support force "
+      "N,support pressure Pa,"
       "support x,support y,support z,bolts,bolt capacity N,supported factor of safety,adequate,"
       "missing force N,utilisation %,displacement utilisation %,supported mode,blocks,"
       "free face x m,free face y m,free face z m,into rock x,into rock y,into rock z\n";
@@ -44,7 +45,8 @@ std::string keyblocks_table(const BlockArrays& blocks, const KeyblockReport& key
     CsvRow row;
     row << key.block + 1 << key.batch << key.volume << key.weight << mode_name(key.mode)
         << joined(key.planes) << key.direction << key.sliding_force << key.factor_of_safety
-        << key.free_area << key.support_force << key.support_pressure << key.support_direction;
+        << key.residual_factor_of_safety << key.free_area << key.support_force
+        << key.support_pressure << key.support_direction;
     if (support) {
       Real capacity = 0;
       for (const BoltCrossing& c : support->crossings) capacity += c.capacity;

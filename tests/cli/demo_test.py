@@ -29,7 +29,7 @@ class Demo(ProgramTest):
         self.assertRegex(text, r"blocks +100 ")
         self.assertRegex(text, r"batches +2 \(7 \+ 1\)")
         self.assertRegex(text, r"largest displacement +\S+ m, in block \d+ at \(")
-        self.assertRegex(text, r"key blocks that move +8 of 8 ")
+        self.assertRegex(text, r"key blocks that move +7 of 8 ")
         rows = [line for line in text.splitlines() if line[:7].strip().isdigit()]
         self.assertEqual(len(rows), 7 + 6 + 8)  # the first batch, what stays, and key blocks beside their motion
         self.assertIn("rockfold_demo.vtkhdf", text)
@@ -42,8 +42,9 @@ class Demo(ProgramTest):
     def slide_as_by_hand(self, document):
         """Wedges that nothing presses: net force over mass for 0.8 s, and a dt2/4 in each quasi-static step."""
         keys = {key["block"]: key for key in document["support"]["keyblocks"]}
-        free = [c for c in document["confirmed"] if c["agree"] and c["predicted"]["mode"] == "two_planes"]
-        self.assertEqual(len(free), 4)
+        # One lies under a heavier block that slides over it, one is pressed aside.
+        free = [c for c in document["confirmed"] if c["agree"] and c["predicted"]["mode"] == "two_planes" and c["seen"]["off_direction"] < 2]
+        self.assertEqual(len(free), 3)
         for wedge in free:
             key = keys[wedge["block"]]
             a = key["sliding_force"] / (key["weight"] / 9.81)

@@ -105,6 +105,42 @@ TEST(JointLaw, FallsToItsResidualStrengthWhenItFirstSlips) {
   EXPECT_NEAR(-p.last.traction[1], residual, 1e-9 * residual);
 }
 
+/// Cohesion 5 kPa, friction 0.5, all of it left after slip.
+JointLaw ductile() {
+  JointLaw law = plain(0.5);
+  law.cohesion = law.residual_cohesion = 5e3;
+  return law;
+}
+
+TEST(JointLaw, KeepsCohesionThatSlipDoesNotTake) {
+  Point p{ductile()};
+  for (int slip = 0; slip < 3; ++slip) {  // 20 kPa of pressure: 5 + 0.5 · 20
+    p.move(-1e-5, 4e-5);
+    EXPECT_EQ(p.memory.state, Contact::slide);
+    EXPECT_NEAR(-p.last.traction[1], 15e3, 1e-6);
+  }
+}
+
+TEST(JointLaw, HasNoCohesionOnceItHasBeenOpen) {
+  Point p{ductile()};
+  p.move(-1e-5, 4e-5);
+  p.move(1e-6, 0);
+  EXPECT_EQ(p.memory.state, Contact::open);
+  p.move(-1e-5, 4e-5);
+  EXPECT_EQ(p.memory.state, Contact::slide);
+  EXPECT_NEAR(-p.last.traction[1], 10e3, 1e-6);
+}
+
+TEST(JointLaw, LeavesNoForceOfItsCohesionWhereItOpens) {
+  Point p{ductile()};
+  p.move(-1e-5, 4e-5);
+  for (const Real pressure : {1e3, 100.0, 1.0}) {  // its shear is at most ten times that
+    p.move(-pressure / 2e9, 4e-5);
+    EXPECT_NEAR(-p.last.traction[1], std::min(5e3 + 0.5 * pressure, 10 * pressure), 1e-6);
+  }
+  for (const Real t : p.move(1e-12, 0).traction) EXPECT_EQ(t, 0);
+}
+
 TEST(JointLaw, DilatesBySlipUpToItsLimit) {
   JointLaw law = rough();
   law.cohesion = law.residual_cohesion = law.tensile_strength = 0;

@@ -67,6 +67,27 @@ TEST(Keyblocks, AWedgeAboveItsCriticalFrictionIsStable) {
             BlockClass::stable);
 }
 
+/// Without cohesion the wedge has tan φ / tan 33.3572°, at 40° 1.2748 and at its residual 25° 0.7084.
+TEST(Keyblocks, HaveTheFactorOfJointsThatHaveSlippedBesideThatOfJointsThatHaveNot) {
+  Model model = model_with_joints(40, 1e4);
+  const auto only = [&] {
+    const KeyblockReport report = find_keyblocks(wedge_in_a_slope(), model);
+    EXPECT_EQ(report.keyblocks.size() + report.stable.size(), 1u);
+    return report.keyblocks.empty() ? report.stable[0] : report.keyblocks[0];
+  };
+  model.joint_materials[0].residual_cohesion = 1e4;
+  const Keyblock whole = only();
+  EXPECT_EQ(whole.residual_factor_of_safety, whole.factor_of_safety);
+  model.joint_materials[0].residual_cohesion = 0;
+  model.joint_materials[0].residual_friction_angle = 25;
+  const Keyblock brittle = only();
+  EXPECT_EQ(brittle.factor_of_safety, whole.factor_of_safety);
+  EXPECT_EQ(brittle.sliding_force, whole.sliding_force);
+  EXPECT_GT(brittle.factor_of_safety, 1.3);
+  EXPECT_NEAR(brittle.residual_factor_of_safety, std::tan(radians(25)) / std::tan(radians(33.3572)),
+              1e-5);
+}
+
 TEST(Keyblocks, AreListedApartFromBlocksThatStayBelowTheTarget) {
   const Real critical = 33.3572;
   for (const Real friction : {36.0, 50.0}) {

@@ -86,6 +86,17 @@ TEST(Contact, TakesNumbersWithUnits) {
   EXPECT_DOUBLE_EQ(joint.residual_cohesion, 5e3);
 }
 
+TEST(JointStrength, StaysAfterSlipUnlessTheModelSaysWhatIsLeft) {
+  const auto joint = [](const std::string& keys) {
+    return parse_model(ROCK "[[joint_material]]\nfriction_angle = 30\n" + keys, "m.toml")
+        .joint_materials[0];
+  };
+  EXPECT_EQ(joint("").residual_cohesion, 0);
+  EXPECT_EQ(joint("cohesion = 2e4\n").residual_cohesion, 2e4);
+  EXPECT_EQ(joint("cohesion = 2e4\nresidual_cohesion = 5e3\n").residual_cohesion, 5e3);
+  EXPECT_EQ(joint("cohesion = 2e4\nresidual_cohesion = 0\n").residual_cohesion, 0);
+}
+
 TEST(Monitor, WatchesAJointOfAnyKind) {
   const std::string joints = ROCK
       "interface = 'clean'\n[[joint_material]]\nname = 'clean'\nfriction_angle = 30\n"

@@ -67,6 +67,15 @@ reset_displacement = true
 G = 9.81
 
 
+def brittle_slab(residual):
+    """Gravity is turned: the plane is z = 0."""
+    a = math.radians(50)
+    text = HEAD.format(friction=30) + FLOOR.replace("[1, 1, 0], [0, 1, 0]]", "[1, 1, 0], [0, 1, 0]]\nextrude = [0, 0, 0.2]")
+    law = f"cohesion = 3000\nresidual_cohesion = {residual}\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\n[support]\nrotation = false\n"
+    gravity = f"gravity = [{G * math.sin(a)!r}, 0, {-G * math.cos(a)!r}]\n"
+    return gravity + text.replace("[support]\n", law) + STEPS.format(20, 0.5).replace("time_step = 0.1", "time_step = 0.01")
+
+
 def length(vector):
     return math.sqrt(sum(x * x for x in vector))
 
@@ -93,7 +102,9 @@ class KeyBlocks(ConfirmedTest):
         wedge, = document["confirmed"]
         key, = document["support"]["keyblocks"]
         self.assertEqual((wedge["block"], wedge["blocks"], wedge["batch"]), (key["block"], [4], 1))
-        self.assertEqual(wedge["predicted"], {"mode": "two_planes", "direction": key["direction"]})
+        told = ("direction", "factor_of_safety", "residual_factor_of_safety")
+        self.assertEqual(wedge["predicted"], {"mode": "two_planes", **{name: key[name] for name in told}})
+        self.assertEqual(key["residual_factor_of_safety"], key["factor_of_safety"])
         seen = wedge["seen"]
         self.assertEqual(seen["mode"], "sliding")
         self.assertTrue(wedge["agree"])
@@ -184,6 +195,21 @@ class OtherBlocks(ConfirmedTest):
         self.assertIsNone(wedge["seen"]["off_direction"])
         self.assertNotEqual(wedge["seen"]["mode"], "none")
         self.assertRegex(text, r"others that move +4 \w+ \(loads\)")
+
+    def test_move_where_slip_takes_the_cohesion_that_block_theory_counts(self):
+        """A slab on a plane of 50 degrees. Its upper edge, pressed least, breaks, and what it loses comes upon the rest."""
+        for residual, moves in ((3000, False), (0, True)):
+            text, document = self.run_text(brittle_slab(residual))
+            slab, = document["support"]["stable"]
+            self.assertGreater(slab["factor_of_safety"], 1.2)
+            self.assertEqual([block["block"] for block in document["confirmed"]], [slab["block"]] if moves else [])
+            if moves:
+                self.assertAlmostEqual(slab["residual_factor_of_safety"], math.tan(math.radians(30)) / math.tan(math.radians(50)), delta=1e-9)
+                self.assertEqual(document["confirmed"][0]["reason"], "strength")
+                self.assertIn("  strength lost by slip  clean (cohesion 3 kPa, then 0)\n", text)
+                self.assertRegex(text, r"\n +block +volume +weight +motion +on +safety +slipped +net +support +pressure\n")
+            else:
+                self.assertNotIn("slip ", text.replace("largest slip ", ""))
 
     def test_move_where_rock_beside_them_is_not_held(self):
         def loosen(text):

@@ -108,14 +108,45 @@ class StrengthReduction(ProgramTest):
         for trial in found["trials"]:
             self.assertEqual(trial["stands"], trial["factor"] <= found["stands"])
 
-    def test_counts_cohesion(self):
-        # F = (c A + N tan φ) / (W sin θ), of a slab so low that all of its joint is pressed.
-        height, cohesion, a = 0.2, 3000.0, math.radians(50)
-        weight = 2500 * 9.81 * height
-        expected = (cohesion + weight * math.cos(a) * math.tan(math.radians(30))) / (weight * math.sin(a))
-        law = f"friction_angle = 30\ncohesion = {cohesion}\nresidual_cohesion = {cohesion}"
-        found = self.factor_of(block_on_plane(50, law).replace("max = [0.5, 0.5, 1]", f"max = [0.5, 0.5, {height}]"))["reduction"]
+    def on_rock(self, law, height, reduction=""):
+        """The block on a plane of 50 degrees, on rock that goes on below, with what block theory says of it."""
+        model = block_on_plane(50, f"friction_angle = 30\ncohesion = 3000\n{law}", reduction)
+        model = model.replace("max = [0.5, 0.5, 1]", f"max = [0.5, 0.5, {height}]")
+        return model.replace("max = [9, 2, 0]", 'max = [9, 2, 0]\ncontinues = ["zmin"]') + "[support]\nrotation = false\n"
+
+    def slab(self, law):
+        """So low that all of its joint is pressed."""
+        document = self.factor_of(self.on_rock(law, 0.2))
+        (key,) = document["support"]["keyblocks"] + document["support"]["stable"]
+        return document["reduction"], key
+
+    def test_is_block_theorys_factor_with_cohesion_which_slip_does_not_take(self):
+        # F = (c A + N tan φ) / (W sin θ)
+        a, weight = math.radians(50), 2500 * 9.81 * 0.2
+        expected = (3000 + weight * math.cos(a) * math.tan(math.radians(30))) / (weight * math.sin(a))
+        found, key = self.slab("")
+        self.assertAlmostEqual(key["factor_of_safety"], expected, delta=1e-9)
+        self.assertEqual(key["residual_factor_of_safety"], key["factor_of_safety"])
         self.assertAlmostEqual(found["factor"], expected, delta=0.01)
+        self.assertEqual(found["loses_strength"], [])
+
+    def test_is_lower_where_slip_takes_cohesion(self):
+        # The upper edge, pressed least, breaks first, and what it loses comes upon the rest: between the factors before and after slip.
+        found, key = self.slab("residual_cohesion = 0")
+        self.assertAlmostEqual(key["residual_factor_of_safety"], math.tan(math.radians(30)) / math.tan(math.radians(50)), delta=1e-9)
+        self.assertGreater(found["factor"], key["residual_factor_of_safety"] - 0.01)
+        self.assertLess(found["factor"], key["factor_of_safety"] - 0.2)
+        self.assertEqual(found["loses_strength"], ["plane"])
+
+    def test_tells_in_its_summary_with_which_strength_it_was_found(self):
+        for law, words in (("", "found with joints that keep their strength as they slip"),
+                           ("residual_cohesion = 1e3\nresidual_friction_angle = 20",
+                            "found with joints that lose strength at the first slip: plane (cohesion 3 kPa, then 1; friction 30 deg, then 20)")):
+            with self.subTest(law=law):
+                self.write("model.toml", self.on_rock(law, 1, "tolerance = 1"))
+                text = self.run_program("run", "model.toml").stdout
+                self.assertIn(words, text)
+                self.assertRegex(text, r"block theory has 0\.\d\d for block 2" + (r", 0\.\d\d on joints that have slipped" if law else r"\n"))
 
     def test_says_where_the_factor_lies_outside(self):
         for factors, stands, fails in (("[0.3, 0.5]", True, False), ("[2, 3]", False, True)):

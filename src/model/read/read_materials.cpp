@@ -75,13 +75,14 @@ void require_at_most(TableReader& in, const char* key, Real found, const char* k
                       number_text(most) + " (" + unit + ")");
 }
 
-/// What is left of the strength after the first slip.
+/// What is left of the strength after the first slip: without these keys all of it (docs/decisions/0021-strength-after-slip.md).
 void read_residual_strength(TableReader& in, JointMaterial& material, bool angle, bool cohesion) {
   Range friction = between(0, 90, "deg");
   friction.high_open = true;
   if (in.read("residual_friction_angle", material.residual_friction_angle, friction) && angle)
     require_at_most(in, "residual_friction_angle", *material.residual_friction_angle,
                     "friction_angle", material.friction_angle, "deg");
+  material.residual_cohesion = material.cohesion;
   if (in.read("residual_cohesion", material.residual_cohesion, not_negative("Pa"),
               Need::optional) &&
       cohesion)

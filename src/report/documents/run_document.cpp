@@ -1,6 +1,7 @@
 #include "src/base/vector.hpp"
 #include "src/io/viewers/stress_measures.hpp"
 #include "src/report/documents/document_parts.hpp"
+#include "src/report/joint_strength.hpp"
 #include "src/report/names.hpp"
 #include "src/report/shaken_blocks.hpp"
 
@@ -199,7 +200,9 @@ Json or_null(const std::optional<Real>& value) {
 
 Json reduction_json(const RunReport& report) {
   const Reduction& reduction = *report.reduction;
-  Json blocks = Json::array();
+  Json blocks = Json::array(), weaker = Json::array();
+  for (const JointMaterial* m : materials_that_lose_strength(report.model, report.blocks))
+    weaker.push_back(m->name);
   if (reduction.fails())
     for (const Index b : failing_blocks(report.model, report.blocks, report.run))
       blocks.push_back(b + 1);
@@ -208,7 +211,8 @@ Json reduction_json(const RunReport& report) {
           {"fails", or_null(reduction.fails())},
           {"blocks", blocks},
           {"shown", reduction.shown()},
-          {"trials", trials_json(reduction)}};
+          {"trials", trials_json(reduction)},
+          {"loses_strength", weaker}};
 }
 
 Json reactions_json(const std::vector<Reaction>& conditions) {

@@ -51,6 +51,7 @@ Json keyblock_json(const Keyblock& key, const BlockArrays& blocks) {
       {"centroid", centroid(key, blocks)},
       {"blocks", ids_json(key.members)},
       {"stage", key.stage},
+      {"residual_factor_of_safety", key.residual_factor_of_safety},
       {"driving_force", key.driving_force},
       {"resisting_force", key.resisting_force},
       {"normal_forces", key.normal_forces},

@@ -9,6 +9,7 @@
 #include "src/base/vector.hpp"
 #include "src/report/confirmed.hpp"
 #include "src/report/design_names.hpp"
+#include "src/report/joint_strength.hpp"
 #include "src/report/summaries/keyblock_words.hpp"
 #include "src/report/summaries/summary.hpp"
 #include "src/report/summaries/table.hpp"
@@ -30,25 +31,27 @@ const char* seen_words(SeenMode mode) {
   return "";
 }
 
-std::string number_or_dash(Real value, int digits) {
-  return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "-";
-}
+/// The factor of joints that have slipped stands behind that of joints that have not.
+constexpr std::ptrdiff_t residual_column = 5;
 
-std::vector<std::string> keyblock_row(const Confirmed& c) {
+std::vector<std::string> keyblock_row(const Confirmed& c, bool residual) {
   const bool moved = c.seen != SeenMode::stays;
-  return {block_ids(c.members),
-          std::to_string(c.key->batch),
-          mode_words(*c.key),
-          joined_names(c.key->planes),
-          number_or_dash(c.key->factor_of_safety, 2),
-          seen_words(c.seen),
-          fmt::format("{:.3g}", norm(c.displacement)),
-          number_or_dash(c.off, 1),
-          moved ? fmt::format("{:.1f}", c.rotation) : "-",
-          c.agrees ? "yes" : "no: " + c.reason};
+  std::vector<std::string> row{block_ids(c.members),
+                               std::to_string(c.key->batch),
+                               mode_words(*c.key),
+                               joined_names(c.key->planes),
+                               number_or_dash(c.key->factor_of_safety, 2),
+                               seen_words(c.seen),
+                               fmt::format("{:.3g}", norm(c.displacement)),
+                               number_or_dash(c.off, 1),
+                               moved ? fmt::format("{:.1f}", c.rotation) : "-",
+                               c.agrees ? "yes" : "no: " + c.reason};
+  if (residual)
+    row.insert(row.begin() + residual_column, number_or_dash(c.key->residual_factor_of_safety, 2));
+  return row;
 }
 
-std::string keyblock_table(std::vector<Confirmed> keys, std::size_t most) {
+std::string keyblock_table(std::vector<Confirmed> keys, std::size_t most, bool residual) {
   const auto rank = [](const Confirmed& c) {
     const Real safety = c.key->factor_of_safety;
     return std::pair(std::isfinite(safety) ? safety : 0, -c.key->weight);
@@ -57,18 +60,14 @@ std::string keyblock_table(std::vector<Confirmed> keys, std::size_t most) {
                    [&](const Confirmed& a, const Confirmed& b) { return rank(a) < rank(b); });
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < std::min(keys.size(), most); ++i)
-    rows.push_back(keyblock_row(keys[i]));
-  return table_text({{"block", ""},
-                     {"batch", ""},
-                     {"predicted", "", true},
-                     {"on", "", true},
-                     {"safety", ""},
-                     {"seen", "", true},
-                     {"moved", "m"},
-                     {"off the way", "deg"},
-                     {"turned", "deg"},
-                     {"as predicted", "", true}},
-                    rows);
+    rows.push_back(keyblock_row(keys[i], residual));
+  std::vector<Column> columns{{"block", ""},           {"batch", ""},
+                              {"predicted", "", true}, {"on", "", true},
+                              {"safety", ""},          {"seen", "", true},
+                              {"moved", "m"},          {"off the way", "deg"},
+                              {"turned", "deg"},       {"as predicted", "", true}};
+  if (residual) columns.insert(columns.begin() + residual_column, {"slipped", ""});
+  return table_text(columns, rows);
 }
 
 /// "7 of 8 by more than a hundredth of their size, 6 as predicted; of the first batch 5 of 5"
@@ -87,13 +86,12 @@ std::string counts(const std::vector<Confirmed>& keys) {
   return text;
 }
 
-/// Block theory's forces have cohesion in them; a joint that slips has what is left of it.
-std::string cohesion_note(const RunReport& report, const std::vector<Confirmed>& keys) {
-  const auto& materials = report.model.joint_materials;
+/// The net force is that of joints that have not slipped.
+std::string weaker_note(const RunReport& report, const std::vector<Confirmed>& keys) {
   std::set<std::string> weaker;
   for (const FaceOrigin& origin : report.blocks.origins)
-    if (origin.joint_material != none && materials[origin.joint_material].cohesion >
-                                             materials[origin.joint_material].residual_cohesion)
+    if (origin.joint_material != none &&
+        loses_strength(report.model.joint_materials[origin.joint_material]))
       weaker.insert(origin.name);
   std::set<std::string> slipped;
   for (const Confirmed& c : keys)
@@ -102,9 +100,8 @@ std::string cohesion_note(const RunReport& report, const std::vector<Confirmed>&
         if (weaker.contains(plane)) slipped.insert(plane);
   if (slipped.empty()) return "";
   return fmt::format(
-      "\n  Blocks on {} go farther than their net force says: cohesion is gone at the first slip "
-      "but "
-      "for residual_cohesion.\n",
+      "\n  Blocks on {} go farther than their net force says: joints that have slipped have less "
+      "strength.\n",
       fmt::join(slipped, ", "));
 }
 
@@ -127,9 +124,9 @@ std::string confirmed_summary(const RunReport& report, std::size_t most) {
   std::string text;
   if (other_count > 0) text += fact("others that move", others);
   if (keys.empty()) return text;
-  const std::string note = cohesion_note(report, keys);
-  return fact("key blocks that move", counts(keys)) + text + "\n" + keyblock_table(keys, most) +
-         note + "\n";
+  const std::string note = weaker_note(report, keys);
+  return fact("key blocks that move", counts(keys)) + text + "\n" +
+         keyblock_table(keys, most, any_residual_factor(*report.keyblocks)) + note;
 }
 
 }  // namespace rockfold

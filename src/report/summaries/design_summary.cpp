@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "src/report/design_names.hpp"
 #include "src/report/summaries/summary.hpp"
@@ -63,13 +64,22 @@ std::string doubtful_text(const BoltingReport& bolting, const KeyblockReport& ke
              : fmt::format("; of those that stay below the target {} of {}", held, doubtful);
 }
 
-std::string bolting_text(const BoltingReport& bolting, const KeyblockReport& keyblocks) {
+std::string shotcrete_fact(const Shotcrete& shotcrete) {
+  std::vector<std::string> walls;
+  for (const WallFaces& faces : shotcrete.on) walls.push_back(faces.name);
+  return fact("shotcrete",
+              fmt::format("{:.3g} m on {}", shotcrete.thickness, fmt::join(walls, ", ")));
+}
+
+std::string bolting_text(const BoltingReport& bolting, const KeyblockReport& keyblocks,
+                         const Model& model) {
   std::string text;
   for (const BoltGroup& group : bolting.groups)
     if (group.is_pattern)
       text += fact("bolts " + group.name,
                    fmt::format("{} on {} ({:.4g} m2)", group.bolts, group.on, group.wall_area));
   text += fact("bolts", fmt::format("{}, {:.6g} m", bolting.bolts.size(), bolting.length));
+  if (model.shotcrete) text += shotcrete_fact(*model.shotcrete);
   text += fact("held", fmt::format("{} of {} key blocks; of the first batch {} of {}",
                                    bolting.adequate, bolting.keyblocks.size(),
                                    bolting.first_batch_adequate, bolting.first_batch) +
@@ -88,7 +98,7 @@ std::string bolting_text(const BoltingReport& bolting, const KeyblockReport& key
                              {"bolts", "", false},
                              {"of use", "", false},
                              {"capacity", "kN", false},
-                             {"safety", "", false},
+                             {"with support", "", false},
                              {"used", "%", false},
                              {"enough", "", true},
                              {"missing", "kN", false}},
@@ -139,7 +149,8 @@ std::string classification_text(const ClassificationReport& report) {
   const BlockTheoryDemand& demand = report.demand;
   text +=
       fact("block theory",
-           fmt::format("{:.3g} kPa at most, {:.3g} kPa in the mean; deepest key block {:.3g} m",
+           fmt::format("support pressure {:.3g} kPa at most, {:.3g} kPa in the mean; deepest key "
+                       "block {:.3g} m",
                        demand.largest_pressure / 1e3, demand.mean_pressure / 1e3, demand.deepest));
   return text;
 }
@@ -155,7 +166,7 @@ std::string design_summary(const Model& model, const KeyblockReport& keyblocks,
                         fmt::format("elastic round openings: cells of {:.3g} m, {} unknowns",
                                     facts.spacing, grouped(facts.unknowns)));
   }
-  if (design.bolting) text += "\n" + bolting_text(*design.bolting, keyblocks);
+  if (design.bolting) text += "\n" + bolting_text(*design.bolting, keyblocks, model);
   if (design.search) text += "\n" + search_text(*design.search, model);
   if (design.classification) text += "\n" + classification_text(*design.classification);
   return text;

@@ -15,6 +15,8 @@ constexpr Real pushed_out_within = 0.5;
 /// "slides on two"; a block that nothing holds falls, or is pushed up, or out where it moves within 30° of level.
 const char* mode_words(SlidingMode mode, const Vec3& direction);
 const char* mode_words(const Keyblock& key);
+/// "0.94", or "-" of what is not finite
+std::string number_or_dash(Real value, int digits);
 /// "J1, J2", or "-"
 std::string joined_names(const std::vector<std::string>& names);
 /// The least safe first: what falls, then by factor of safety, of equals the heavier.

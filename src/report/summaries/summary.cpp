@@ -13,6 +13,7 @@
 #include "src/model/check_model.hpp"
 #include "src/report/design_names.hpp"
 #include "src/report/documents/document_parts.hpp"
+#include "src/report/joint_strength.hpp"
 #include "src/report/names.hpp"
 #include "src/report/progress_line.hpp"
 #include "src/report/summaries/table.hpp"
@@ -262,6 +263,9 @@ std::string rest_facts(const RunReport& report) {
     if (largest.block[0] != none)
       text += fact("", largest_text(what, largest, report.blocks) +
                            (resets(report.model) ? ", since t = 0" : ""));
+  if (const auto weaker = materials_that_lose_strength(report.model, report.blocks);
+      !weaker.empty())
+    text += fact("strength lost by slip", strength_loss_text(weaker));
   const ContactCount& c = report.run.contacts;
   return text + fact("contact points", fmt::format("{} stick, {} slide, {} open", grouped(c.stick),
                                                    grouped(c.slide), grouped(c.open)));

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "src/report/design_names.hpp"
+#include "src/report/joint_strength.hpp"
 #include "src/report/progress_line.hpp"
 #include "src/report/summaries/keyblock_words.hpp"
 #include "src/report/summaries/summary.hpp"
@@ -36,6 +37,10 @@ const char* mode_words(const Keyblock& key) {
   return mode_words(key.mode, key.direction);
 }
 
+std::string number_or_dash(Real value, int digits) {
+  return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "-";
+}
+
 std::string joined_names(const std::vector<std::string>& names) {
   std::string text;
   for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
@@ -53,25 +58,40 @@ void sort_by_safety(std::vector<Keyblock>& keys) {
 
 namespace {
 
-std::vector<std::string> keyblock_row(const Keyblock& key) {
-  return {block_ids(key.members),
-          std::to_string(key.batch),
-          fixed_text(key.volume, 2),
-          fixed_text(key.weight / 1e3, 1),
-          mode_words(key),
-          joined_names(key.planes),
-          std::isfinite(key.factor_of_safety) ? fmt::format("{:.2f}", key.factor_of_safety) : "-",
-          fmt::format("{:.1f}", key.sliding_force / 1e3),
-          std::isfinite(key.support_force) ? fmt::format("{:.1f}", key.support_force / 1e3) : "-",
-          std::isfinite(key.support_pressure) ? fmt::format("{:.2f}", key.support_pressure / 1e3)
-                                              : "-"};
+/// Forces of small blocks keep two digits.
+std::string fixed_or_dash(Real value, int decimals) {
+  return std::isfinite(value) ? fixed_text(value, decimals) : "-";
 }
 
-const std::vector<Column> keyblock_columns{{"block", "", false},     {"batch", "", false},
-                                           {"volume", "m3", false},  {"weight", "kN", false},
-                                           {"it", "", true},         {"on", "", true},
-                                           {"safety", "", false},    {"net", "kN", false},
-                                           {"support", "kN", false}, {"pressure", "kPa", false}};
+/// Which columns a table of key blocks has beside those of all.
+struct KeyblockColumns {
+  bool batch = true;      ///< of blocks that stay there is none
+  bool residual = false;  ///< factors of safety on joints that have slipped
+};
+
+std::vector<std::string> keyblock_row(const Keyblock& key, const KeyblockColumns& columns) {
+  std::vector<std::string> row{block_ids(key.members)};
+  if (columns.batch) row.push_back(std::to_string(key.batch));
+  row.insert(row.end(),
+             {fixed_text(key.volume, 2), fixed_text(key.weight / 1e3, 1), mode_words(key),
+              joined_names(key.planes), number_or_dash(key.factor_of_safety, 2)});
+  if (columns.residual) row.push_back(number_or_dash(key.residual_factor_of_safety, 2));
+  row.insert(row.end(),
+             {fixed_or_dash(key.sliding_force / 1e3, 1), fixed_or_dash(key.support_force / 1e3, 1),
+              fixed_or_dash(key.support_pressure / 1e3, 2)});
+  return row;
+}
+
+std::vector<Column> heads(const KeyblockColumns& columns) {
+  std::vector<Column> list{{"block", ""}};
+  if (columns.batch) list.push_back({"batch", ""});
+  list.insert(
+      list.end(),
+      {{"volume", "m3"}, {"weight", "kN"}, {"motion", "", true}, {"on", "", true}, {"safety", ""}});
+  if (columns.residual) list.push_back({"slipped", ""});
+  list.insert(list.end(), {{"net", "kN"}, {"support", "kN"}, {"pressure", "kPa"}});
+  return list;
+}
 
 std::string batches_text(const std::vector<Index>& batches) {
   std::string text;
@@ -136,14 +156,17 @@ KeyblockSums sums_of(const std::vector<Keyblock>& keys) {
 
 std::string sums_text(const KeyblockSums& sums) {
   std::string text =
-      fmt::format("{}, {:.4g} m3, {:.4g} kN", sums.blocks, sums.volume, sums.force / 1e3);
+      fmt::format("{}, {:.4g} m3, {:.4g} kN of support for the target factor of safety",
+                  sums.blocks == 1 ? "1 block" : grouped(sums.blocks) + " blocks", sums.volume,
+                  sums.force / 1e3);
   if (sums.unheld > 0)
     text += fmt::format("; no force along support_direction holds {} of them", sums.unheld);
   return text;
 }
 
 /// The rows of those of `keys` that are not smaller than `smallest`, `most` of them, and how many are not there.
-std::string keyblock_table(std::vector<Keyblock> keys, std::size_t most, Real smallest) {
+std::string keyblock_table(std::vector<Keyblock> keys, std::size_t most, Real smallest,
+                           const KeyblockColumns& columns) {
   std::vector<std::vector<std::string>> rows;
   KeyblockSums small;
   std::erase_if(keys, [&](const Keyblock& key) {
@@ -152,8 +175,8 @@ std::string keyblock_table(std::vector<Keyblock> keys, std::size_t most, Real sm
     return true;
   });
   for (std::size_t k = 0; k < std::min(most, keys.size()); ++k)
-    rows.push_back(keyblock_row(keys[k]));
-  std::string text = table_text(keyblock_columns, rows);
+    rows.push_back(keyblock_row(keys[k], columns));
+  std::string text = table_text(heads(columns), rows);
   if (rows.size() < keys.size())
     text += fmt::format("  … {} more: --table keyblocks.csv lists all\n",
                         grouped(static_cast<std::int64_t>(keys.size() - rows.size())));
@@ -178,7 +201,8 @@ std::string later_batches(const KeyblockReport& report, std::size_t most) {
              sums_text(sums_of(keys)));
     if (!first) continue;
     sort_by_safety(keys);
-    text += "\n" + keyblock_table(keys, most, report.smallest_block);
+    text += "\n" +
+            keyblock_table(keys, most, report.smallest_block, {true, any_residual_factor(report)});
   }
   return text.empty() ? "" : "\n" + text;
 }
@@ -211,7 +235,8 @@ std::string stable_table(const KeyblockReport& report) {
   if (stable.empty()) return "";
   sort_by_safety(stable);
   if (stable.size() > most) stable.resize(most);
-  return "\n  Blocks that stay, the least safe first:\n\n" + keyblock_table(stable, most, 0);
+  return "\n  Blocks that stay, the least safe first, and the motion that is held:\n\n" +
+         keyblock_table(stable, most, 0, {false, any_residual_factor(report)});
 }
 
 }  // namespace
@@ -233,7 +258,8 @@ std::string support_summary(const KeyblockReport& report, const BlockArrays& blo
   text += fact("first batch", sums_text(sums_of(first)));
   if (report.batches.size() > 1) text += fact("all batches", sums_text(sums_of(report.keyblocks)));
   text += doubtful_summary(report) + unexamined_summary(report) + mesh_fact(report);
-  return text + "\n" + keyblock_table(first, most, report.smallest_block) +
+  return text + "\n" +
+         keyblock_table(first, most, report.smallest_block, {true, any_residual_factor(report)}) +
          later_batches(report, most) + stable_table(report);
 }
 
