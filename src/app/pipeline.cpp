@@ -328,6 +328,7 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
     warn_of_lost_energy(model, *run, terminal);
     warn_of_divided_steps(model, *run, terminal);
     warn_of_made_energy(*run, terminal);
+    warn_of_imbalance(model, *run, terminal);
     warn_of_missing_factors(model, *run, terminal);
     if (!run->interrupted) warn_of_support_gap(model, *run, rock->fixed, terminal);
     warn_of_interruption(*run, model, options, terminal);

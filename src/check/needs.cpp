@@ -381,6 +381,19 @@ void warn_of_missing_factors(const Model& model, const RunResult& run, Terminal&
                   preconditioner_name(run.preconditioner)));
 }
 
+void warn_of_imbalance(const Model& model, const RunResult& run, Terminal& terminal) {
+  if (run.interrupted || !run.unbalanced || !is_far_from_balance(*run.unbalanced)) return;
+  const AnalysisStage& stage = model.analysis->stages.back();
+  terminal.warn(
+      fmt::format("the last quasi-static step is far from equilibrium: {:.2g} % of the load is not "
+                  "balanced, most "
+                  "of it on block {} ({:.4g} N). Reactions and joint stresses are those of rock "
+                  "that moves. More "
+                  "{}.steps, or longer ones, find the rest of what can stand",
+                  100 * run.unbalanced->share, run.unbalanced->block + 1, run.unbalanced->force,
+                  stage.place.key.empty() ? "analysis" : stage.place.key));
+}
+
 void warn_of_interruption(const RunResult& run, const Model& model, const Options& options,
                           Terminal& terminal) {
   if (!run.interrupted || stop_error("")) return;  // the error of a limit says so itself

@@ -62,6 +62,8 @@ void warn_of_support_gap(const Model& model, const RunResult& run, const FixedPo
                          Terminal& terminal);
 /// Factors were asked for, and the last solve went without them.
 void warn_of_missing_factors(const Model& model, const RunResult& run, Terminal& terminal);
+/// The last quasi-static step is no equilibrium.
+void warn_of_imbalance(const Model& model, const RunResult& run, Terminal& terminal);
 void warn_of_interruption(const RunResult& run, const Model& model, const Options& options,
                           Terminal& terminal);
 

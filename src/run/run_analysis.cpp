@@ -186,6 +186,7 @@ class Run {
   void summarise();
 
  private:
+  void find_imbalance();
   void begin(const AnalysisStage& stage);
   void excavate();
   bool settles(const AnalysisStage& stage) const;
@@ -547,6 +548,15 @@ void Run::go(Progress& progress) {
   progress.end();
 }
 
+/// Of what a quasi-static step leaves unbalanced at the end of the run.
+void Run::find_imbalance() {
+  const auto last = std::min<std::size_t>(at_.stage, analysis_.stages.size() - 1);
+  if (analysis_.stages[last].type != AnalysisType::quasi_static) return;
+  const auto acceleration = average_block_motion(
+      input_.covers, moments_, motion_.state().acceleration, input_.blocks.block_count());
+  result_.unbalanced = find_unbalanced(input_, acceleration, result_.reactions, result_.gone);
+}
+
 void Run::summarise() {
   const Model& model = input_.model;
   RunResult& result = result_;
@@ -570,6 +580,7 @@ void Run::summarise() {
   const std::vector<Stress> stress = motion_.element_stress();
   result.block_stress = average_block_stress(input_.covers, moments_, stress, blocks);
   result.strength = find_strength(input_.covers, moments_, stress, model.materials);
+  find_imbalance();
   if (input_.contact) {
     result.rest =
         find_rest(input_, result.blocks, in_all,

@@ -136,6 +136,19 @@ struct Rest {
       false;  ///< all blocks slower than a thousandth of √(g h), h the mean size: what falls by h/2 takes √(h/g)
 };
 
+/// What a quasi-static step leaves of the forces on blocks: what accelerates them.
+struct Unbalanced {
+  /// Sum of their magnitudes, over the weight of the rock or what supports carry, whichever is more.
+  Real share = 0;
+  Index block = none;  ///< on which the largest is
+  Real force = 0;      ///< N, that one
+};
+
+/// More than a hundredth of the load: reactions and stresses are wrong by about as much.
+inline bool is_far_from_balance(const Unbalanced& unbalanced) {
+  return unbalanced.share > 0.01;
+}
+
 struct RunResult {
   Index steps = 0;           ///< steps done
   Real time = 0;             ///< s reached
@@ -153,10 +166,11 @@ struct RunResult {
   ContactCount contacts;             ///< at the end
   ContactHistory contact_history;    ///< at the times of the energies; empty without contact
   std::optional<Rest> rest;          ///< with contact
-  std::vector<BlockCourse> courses;  ///< [B] with contact
-  std::vector<std::uint8_t> gone;    ///< [B] 1: excavated on the way; empty where nothing goes
-  std::vector<Settled> settled;      ///< of the stages that rock settles in before they go on
-  Real walls = 0;                    ///< share of the forces on walls that is left at the end
+  std::optional<Unbalanced> unbalanced;  ///< of the last step, where that is quasi-static
+  std::vector<BlockCourse> courses;      ///< [B] with contact
+  std::vector<std::uint8_t> gone;        ///< [B] 1: excavated on the way; empty where nothing goes
+  std::vector<Settled> settled;          ///< of the stages that rock settles in before they go on
+  Real walls = 0;                        ///< share of the forces on walls that is left at the end
   std::vector<JointHistory>
       joint_monitors;  ///< in the order of those of Model::monitors that have a joint
   Real support_gap =

@@ -253,6 +253,11 @@ Json run_document(const DocumentHead& head, const RunReport& report, BlockList l
   if (report.run.rest) document["rest"] = rest_json(report);
   if (!report.run.gone.empty())
     document["excavation"] = {{"walls", report.run.walls}, {"settled", settled_json(report)}};
+  if (const auto& unbalanced = report.run.unbalanced)
+    document["unbalanced"] = {
+        {"share", unbalanced->share},
+        {"block", unbalanced->block == none ? Json() : Json(unbalanced->block + 1)},
+        {"force", unbalanced->force}};
   document["reaction"] = sum_of_forces(report.run.conditions);
   document["reactions"] = reactions_json(report.run.conditions);
   document["strength"] = strength_json(report.run.strength);

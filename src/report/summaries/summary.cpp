@@ -271,6 +271,18 @@ std::string rest_facts(const RunReport& report) {
                                                    grouped(c.slide), grouped(c.open)));
 }
 
+/// How far the last quasi-static step is from balance, where that is more than rounding.
+std::string unbalanced_fact(const Unbalanced& unbalanced) {
+  constexpr Real least = 1e-6;
+  if (!(unbalanced.share > least)) return "";
+  return fact("unbalanced",
+              fmt::format("{:.2g} % of the load, most of it on block {}: {:.4g} N{}",
+                          100 * unbalanced.share, unbalanced.block + 1, unbalanced.force,
+                          is_far_from_balance(unbalanced)
+                              ? "; reactions and stresses are of rock that moves"
+                              : ""));
+}
+
 std::string strength_fact(const RockStrength& strength) {
   if (strength.block == none) return "";
   std::string text =
@@ -336,6 +348,7 @@ std::string run_summary(const RunReport& report) {
                  fmt::format("{:.4g} m, in block {} at {}{}", largest.length, largest.block + 1,
                              place_text(largest.point), counts_anew ? ", since the reset" : ""));
   if (run.rest) text += rest_facts(report);
+  if (run.unbalanced) text += unbalanced_fact(*run.unbalanced);
   for (const auto& monitor : run.monitors) text += monitor_facts(monitor);
   for (const auto& monitor : run.joint_monitors) text += monitor_facts(monitor);
   text += strength_fact(run.strength);

@@ -73,4 +73,25 @@ Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
   return rest;
 }
 
+Unbalanced find_unbalanced(const RunInput& input, const std::vector<BlockMotion>& acceleration,
+                           const std::vector<Vec3>& reactions,
+                           const std::vector<std::uint8_t>& gone) {
+  Unbalanced found;
+  Real sum = 0, weight = 0, carried = 0;
+  for (std::size_t b = 0; b < acceleration.size(); ++b) {
+    if (!gone.empty() && gone[b] != 0) continue;
+    const Real mass = input.blocks.mass[b];
+    const Real force = mass * norm(acceleration[b].displacement);
+    sum += force;
+    weight += mass * norm(input.model.gravity);
+    if (force <= found.force) continue;
+    found.force = force;
+    found.block = static_cast<Index>(b);
+  }
+  for (const Vec3& force : reactions) carried += norm(force);
+  const Real scale = std::max(weight, carried);
+  if (scale > 0) found.share = sum / scale;
+  return found;
+}
+
 }  // namespace rockfold
