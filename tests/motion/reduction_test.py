@@ -135,7 +135,7 @@ class StrengthReduction(ProgramTest):
         found, key = self.slab("residual_cohesion = 0")
         self.assertAlmostEqual(key["residual_factor_of_safety"], math.tan(math.radians(30)) / math.tan(math.radians(50)), delta=1e-9)
         self.assertGreater(found["factor"], key["residual_factor_of_safety"] - 0.01)
-        self.assertLess(found["factor"], key["factor_of_safety"] - 0.2)
+        self.assertLess(found["factor"], key["factor_of_safety"] - 0.1)  # ten times the tolerance
         self.assertEqual(found["loses_strength"], ["plane"])
 
     def test_tells_in_its_summary_with_which_strength_it_was_found(self):
