@@ -73,7 +73,7 @@ Bodies::Bodies(const BlockArrays& blocks, const Model& model, const SupportSpec&
     const Index block = block_at(blocks, load.point);
     if (block == none)
       refuse(load.place, load.place.key + ".point",
-             fmt::format("{} is not in the rock", place_text(load.point)));
+             fmt::format("{} is not in the rock", given_place_text(load.point)));
     forces_.push_back(
         {block, load.point, load.table.empty() ? load.force : load.table.at(time_of_statics)});
   }

@@ -1,6 +1,7 @@
 #include "src/base/place_text.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -32,6 +33,18 @@ std::string place_text(const Vec3& place) {
     text += (text.empty() ? "(" : ", ") + trimmed(number);
   }
   return text + ")";
+}
+
+std::string given_place_text(const Vec3& place) {
+  // Fixed notation: the shortest digits that read back, and no exponent.
+  char text[3][400];
+  std::string all = "(";
+  for (int d = 0; d < 3; ++d) {
+    const auto end =
+        std::to_chars(text[d], text[d] + sizeof text[d], place[d] + 0.0, std::chars_format::fixed);
+    all += std::string(d == 0 ? "" : ", ") + std::string(text[d], end.ptr);
+  }
+  return all + ")";
 }
 
 }  // namespace rockfold

@@ -54,7 +54,8 @@ void find_outside(const std::string& what, const Vec3& point, Index element, con
   if (element != none) return;
   Place of_point = place;
   of_point.key += ".point";
-  outside.push_back({of_point, fmt::format("{}{} is not in the rock", place_text(point), what)});
+  outside.push_back(
+      {of_point, fmt::format("{}{} is not in the rock", given_place_text(point), what)});
 }
 
 /// Each random set gets a seed of its own: equal ones would draw alike.

@@ -58,7 +58,7 @@ void require_in_rock(const std::vector<GivenPoint>& points, const std::vector<At
     if (at[p] == At::stays || (at[p] == At::excavated && given.may_be_excavated)) continue;
     outside.push_back(
         {given.place,
-         fmt::format("{}{}{}", place_text(given.point), given.rest,
+         fmt::format("{}{}{}", given_place_text(given.point), given.rest,
                      at[p] == At::excavated ? ": an [[excavation]] removes it there" : "")});
   }
   if (!outside.empty()) throw Error(ErrorKind::model, std::move(outside));

@@ -29,7 +29,8 @@ class BoltedTunnel(ProgramTest):
         bolts = {bolt["name"]: bolt for bolt in document["bolts"]}
         self.assertEqual(len(bolts), document["bolting"]["bolts"])
         self.assertTrue(all(bolt["rock"] for bolt in bolts.values()))
-        self.assertEqual(document["warnings"], [])
+        # Two blocks lean on less than 2 % of the area of their joints.
+        self.assertEqual([w.split(" leans with")[0] for w in document["warnings"]], ["block 203", "block 270"])
         self.assertEqual(document["bolting"]["adequate"], sum(key["adequate"] for key in document["keyblocks"]))
         crossed = 0
         for key in document["keyblocks"]:

@@ -130,8 +130,10 @@ class Theory(ProgramTest):
         slope = THEORY.split("[[block_theory.tunnel]]")[0]
         self.write("wet.toml", slope + THEORY[THEORY.index("[[block_theory.slope]]"):].split("[block_theory.scan]")[0] + head)
         block = self.json_of("theory", "wet.toml")["slopes"][0]["blocks"][0]
-        self.assertEqual((block["mode"], block["direction"][2] > 0), ("lifting", True))
-        self.assertIn("pushed up", self.run_program("theory", "wet.toml").stdout)
+        self.assertEqual(block["mode"], "lifting")
+        self.assertAlmostEqual(sum(x * x for x in block["direction"]), 1)
+        self.assertTrue(0 < block["direction"][2] < 0.5)  # below 30 degrees: out, more than up
+        self.assertIn("pushed out", self.run_program("theory", "wet.toml").stdout)
 
     def test_of_a_model_without_it_is_an_error(self):
         self.write("bare.toml", THEORY.split("[block_theory]")[0])

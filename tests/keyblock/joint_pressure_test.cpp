@@ -239,8 +239,9 @@ TEST(AnyOutline, IsZeroWhereItDrainsAndHydrostaticAtCornersInTheRock) {
       const Vec3 &a = loop[i].at, &b = loop[(i + 1) % loop.size()].at;
       const Real full = std::max(0.0, pressures[0].unclipped(a));
       EXPECT_NEAR(pressure_at(pressures, a), loop[i].share > 0 ? 0 : full, 1e-6 * gamma_w) << trial;
-      if (loop[i].edge_share > 0)
+      if (loop[i].edge_share > 0) {
         EXPECT_NEAR(pressure_at(pressures, 0.3 * a + 0.7 * b), 0, 1e-6 * gamma_w) << trial;
+      }
     }
   }
 }

@@ -35,7 +35,8 @@ Index cell_at(const CellStore& cells, const PlaneTable& planes, const Vec3& poin
     if (depth > deepest) best = c, deepest = depth;
   }
   if (best == none)
-    refuse(place, place.key + ".points", fmt::format("{} is not in the rock", place_text(point)));
+    refuse(place, place.key + ".points",
+           fmt::format("{} is not in the rock", given_place_text(point)));
   return best;
 }
 
