@@ -1,7 +1,7 @@
 // Which joints the names of [[water]] mean.
 #include <gtest/gtest.h>
 
-#include "host/keyblock/water.hpp"
+#include "host/keyblock/water/water.hpp"
 #include "src/model/joint_name.hpp"
 
 namespace rockfold {
