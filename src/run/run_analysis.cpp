@@ -554,7 +554,7 @@ void Run::find_imbalance() {
   if (analysis_.stages[last].type != AnalysisType::quasi_static) return;
   const auto acceleration = average_block_motion(
       input_.covers, moments_, motion_.state().acceleration, input_.blocks.block_count());
-  result_.unbalanced = find_unbalanced(input_, acceleration, result_.reactions, result_.gone);
+  result_.unbalanced = find_unbalanced(input_, acceleration, result_.conditions, result_.gone);
 }
 
 void Run::summarise() {

@@ -163,9 +163,10 @@ TEST(BlockOnIncline, IsPressedAndShearedByTheInitialStressFromTheStart) {
 /// A block of 1 × 1 × 1 m with upright sides on a ramp of 3 in 4 that goes on above and below it. Faces that no joint joined are rough and glued.
 std::string on_ramp(Real friction_angle, Real cohesion) {
   return "[[joint_material]]\nname = 'rough'\nfriction_angle = 60\ncohesion = 1e6\n"
-         "[[joint_material]]\nname = 'clean'\nfriction_angle = " +
+         "residual_cohesion = 0\n[[joint_material]]\nname = 'clean'\nfriction_angle = " +
          std::to_string(friction_angle) + "\ncohesion = " + std::to_string(cohesion) +
-         "\n[[material]]\ndensity = 2500\nyoung_modulus = 1e13\npoisson_ratio = 0.25\n"
+         "\nresidual_cohesion = 0\n[[material]]\ndensity = 2500\nyoung_modulus = "
+         "1e13\npoisson_ratio = 0.25\n"
          "[[solid]]\nname = 'ramp'\nshape = 'prism'\nbase = [[0, 0, -1], [6, 0, -1], [6, 0, 0], "
          "[0, "
          "0, 4.5]]\nextrude = [0, 1, 0]\n"

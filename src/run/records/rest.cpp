@@ -74,7 +74,7 @@ Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
 }
 
 Unbalanced find_unbalanced(const RunInput& input, const std::vector<BlockMotion>& acceleration,
-                           const std::vector<Vec3>& reactions,
+                           const std::vector<Reaction>& conditions,
                            const std::vector<std::uint8_t>& gone) {
   Unbalanced found;
   Real sum = 0, weight = 0, carried = 0;
@@ -88,7 +88,7 @@ Unbalanced find_unbalanced(const RunInput& input, const std::vector<BlockMotion>
     found.force = force;
     found.block = static_cast<Index>(b);
   }
-  for (const Vec3& force : reactions) carried += norm(force);
+  for (const Reaction& condition : conditions) carried += norm(condition.force);
   const Real scale = std::max(weight, carried);
   if (scale > 0) found.share = sum / scale;
   return found;

@@ -21,10 +21,10 @@ Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
                const std::vector<ContactPoint>& start, const std::vector<Vec3>& covers,
                const std::vector<std::uint8_t>& gone);
 
-/// Of a quasi-static step, which each time begins at rest: mass times the mean `acceleration` of each block in it, m/s². `reactions`: N, of all
-/// fixed points.
+/// Of a quasi-static step, which each time begins at rest: mass times the mean `acceleration` of each block in it, m/s². `conditions`: what
+/// each of them carries.
 Unbalanced find_unbalanced(const RunInput& input, const std::vector<BlockMotion>& acceleration,
-                           const std::vector<Vec3>& reactions,
+                           const std::vector<Reaction>& conditions,
                            const std::vector<std::uint8_t>& gone);
 
 }  // namespace rockfold
