@@ -252,7 +252,7 @@ class Implausible(ProgramTest):
             self.assertEqual(self.warnings(ROCK + analysis + pit.format(10), "run"), [])
             (self.folder / "m.vtkhdf").unlink()
         joint = "[[joint]]\ndip = 0\ndip_direction = 0\npoint = [5, 10, {}]\n"
-        small = ROCK + STATIC.replace("'static'", "'quasi_static'\nsteps = 1\nkinematics = 'small'")
+        small = ROCK + STATIC.replace("'static'", "'quasi_static'\nsteps = 20\nkinematics = 'small'")
         self.assertEqual(self.warnings(small + pit.format(10) + joint.format(20), "run"), [])
         (self.folder / "m.vtkhdf").unlink()
         self.warned(small + pit.format(20) + joint.format(10), "the 2 blocks move through each other", command="run")
