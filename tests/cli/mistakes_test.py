@@ -255,7 +255,9 @@ class Implausible(ProgramTest):
         small = ROCK + STATIC.replace("'static'", "'quasi_static'\nsteps = 20\nkinematics = 'small'")
         self.assertEqual(self.warnings(small + pit.format(10) + joint.format(20), "run"), [])
         (self.folder / "m.vtkhdf").unlink()
-        self.warned(small + pit.format(20) + joint.format(10), "the 2 blocks move through each other", command="run")
+        # The upper one falls: it is not in balance either.
+        found = self.warnings(small + pit.format(20) + joint.format(10), "run")
+        self.assertTrue(any("the 2 blocks move through each other" in warning for warning in found), found)
 
     def test_joints_beside_the_rock(self):
         dips = "dip = 0\ndip_direction = 0\n"
