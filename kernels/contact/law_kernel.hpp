@@ -115,7 +115,7 @@ KOKKOS_INLINE_FUNCTION void open(const JointLaw& law, PointTraction& out) {
   out.friction = 0.5 * law.shear_stiffness * (m.shear[0] * m.shear[0] + m.shear[1] * m.shear[1]);
   m.shear[0] = m.shear[1] = m.pressed = 0;
   m.state = Contact::open;
-  m.broken = m.met = 1;
+  m.broken = m.met = m.loose = 1;
 }
 
 /// Pa: bonds bear whatever comes while forces are sought.
@@ -129,10 +129,11 @@ struct Strength {
   Real by_shear[2] = {0, 0};     ///< Pa/m, −d(pressure)/d(shear): of dilation
 };
 
-/// What bears shear without bonds. Sides that have been apart do not grow together: they have no cohesion.
+/// What bears shear without bonds. Sides that have been apart do not grow together, and those that no joint joined never did: they have no
+/// cohesion.
 KOKKOS_INLINE_FUNCTION StrengthLine residual_line(const JointLaw& law,
                                                   const ContactMemory& before) {
-  return {before.met ? 0 : law.residual_cohesion, law.residual_friction};
+  return {before.loose ? 0 : law.residual_cohesion, law.residual_friction};
 }
 
 /// Of that line under a pressure ≥ 0.

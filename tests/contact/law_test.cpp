@@ -185,7 +185,7 @@ RandomStep draw(std::mt19937& random, const JointLaw& law) {
   r.memory.shear[0] = 1e-5 * unit(random);
   r.memory.shear[1] = 1e-5 * unit(random);
   r.memory.broken = unit(random) > 0;
-  r.memory.met = r.memory.broken && unit(random) > 0;
+  r.memory.met = r.memory.loose = r.memory.broken && unit(random) > 0;
   r.memory.slip = unit(random) > 0 ? 1e-4 : 2e-5;
   r.memory.dilation = law.dilation * std::min(r.memory.slip, law.dilation_limit);
   r.memory.approach = 0.02 * (1 + unit(random));
@@ -315,7 +315,7 @@ TEST(Impact, DragAlongTheFaceOnlyDissipatesAndIsNoMoreThanTheStrength) {
   m.gap = m.gap_before = -1e-5;
   m.speed_by_gap = 1e4;
   ContactMemory memory;
-  memory.met = memory.broken = 1;
+  memory.met = memory.loose = memory.broken = 1;
   memory.pressed = 1e-5;
   Real elastic = 0.5 * law.normal_stiffness * 1e-10, lost = 0;
   for (int step = 0; step < 10000; ++step) {
@@ -361,7 +361,7 @@ Real rebound(Real restitution, Real omega_dt, Real phase) {
   const Real dt = omega_dt * std::sqrt(mass / stiffness), speed = 0.4;
   const ImpactRule rule = impact_rule(restitution, std::sqrt(mass / stiffness), dt);
   ContactMemory memory;
-  memory.met = memory.broken = 1;
+  memory.met = memory.loose = memory.broken = 1;
   Real gap = phase * speed * dt, v = -speed;
   for (int step = 0; step < 1000000; ++step) {
     PointMotionInStep m;

@@ -67,11 +67,12 @@ KOKKOS_INLINE_FUNCTION ContactMemory memory_of_newborn(const Span& old,
                                                        const Array<JointLaw>& laws) {
   ContactMemory newborn;
   Real dilation = 0, slip = 0, riding = 0, approach = 0, touching = 0;
-  newborn.met = newborn.parting = 1;
+  newborn.met = newborn.loose = newborn.parting = 1;
   for (Index j = 0; j < old.count; ++j) {
     const ContactMemory& memory = old[j].memory;
     newborn.broken = newborn.broken || memory.broken;
     newborn.met = newborn.met && memory.met;
+    newborn.loose = newborn.loose && memory.loose;
     if (memory.state != Contact::open) {
       approach += old[j].area * memory.approach;
       touching += old[j].area;
@@ -112,7 +113,7 @@ KOKKOS_INLINE_FUNCTION Index keep_memories(const Span& old, const Span& now,
     ++born;
     if (old.count == 0) continue;
     p.memory = newborn;
-    if (p.joint == none) p.memory.broken = 1;  // no bonds grow where no joint was
+    if (p.joint == none) p.memory.broken = p.memory.loose = 1;  // nothing grows where no joint was
     if (!rides(p, laws)) p.memory.dilation = p.memory.slip = 0;
   }
   return born;

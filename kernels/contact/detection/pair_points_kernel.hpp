@@ -197,7 +197,7 @@ class PairPoints {
 
   /// What has been apart has no bonds.
   KOKKOS_INLINE_FUNCTION void begin_memory(ContactPoint& p, bool joined, Index fa, Index fb) const {
-    p.memory.broken = p.memory.met = 1;
+    p.memory.broken = p.memory.met = p.memory.loose = 1;
     if (!options_.starting || !joined) return;
     const Vector d = between(p, pose_.x);
     const Real gap = dot(n_, d);
