@@ -46,6 +46,7 @@ struct Case {
     blocks.vertex = corners;
     blocks.vertex_begin = {0, 8};
     blocks.volume = {2 * 1.2 * 1.3};
+    blocks.mass = {2000 * 2 * 1.2 * 1.3};
     monitors = reference::locate(covered, {model.monitors[0].point});
     vertices = reference::locate(covered, corners);
     if (hold_floor)
@@ -233,6 +234,9 @@ TEST(RunAnalysis, StaticEqualsTheEndOfQuasiStatic) {
   EXPECT_LT(settled, -1e-4);
   EXPECT_GT(settled, -2e-4);
   EXPECT_NEAR(b.monitors[0].displacement[7][2] / settled, 1, 1e-9);
+  EXPECT_FALSE(a.unbalanced);
+  ASSERT_TRUE(b.unbalanced);
+  EXPECT_LT(b.unbalanced->share, 1e-6);
   Vec3 total{};
   for (const Vec3& r : a.reactions)
     for (int d = 0; d < 3; ++d) total[d] += r[d];
