@@ -50,7 +50,7 @@ struct Material {
   Place place = {};  ///< where the model defines it, for messages of later stages
 };
 
-/// Mohr–Coulomb joint. Residual strength counts after the first slip or opening; there is no tensile strength then.
+/// Mohr–Coulomb joint. Residual strength counts after the first slip; there is no tensile strength then, and no cohesion once it has opened.
 struct JointMaterial {
   std::string name;
   Real friction_angle = 0;               ///< deg, [0, 90)
@@ -63,7 +63,7 @@ struct JointMaterial {
   Real dilation_limit = std::numeric_limits<Real>::infinity();
   /// deg, [0, friction_angle]; none: friction_angle
   std::optional<Real> residual_friction_angle = std::nullopt;
-  Real residual_cohesion = 0;  ///< Pa, [0, cohesion]
+  Real residual_cohesion = 0;  ///< Pa, [0, cohesion]; a model's default is `cohesion`
   Place place = {};
 };
 
@@ -313,7 +313,7 @@ struct Scanline {
 };
 
 enum class JointTreatment {
-  separate,  ///< each block has covers of its own (contact between them comes with issue "contact")
+  separate,  ///< each block has covers of its own, and touches others in contact
   welded,    ///< covers go on across joints: the mass deforms as one continuum
 };
 
@@ -548,8 +548,6 @@ struct Water {
   std::variant<WaterPressure, WaterTable, WaterHead> level;
   std::optional<bool> drains;   ///< whether free faces let the water out; none: by default
   std::optional<WaterLaw> law;  ///< none: by default
-  /// m from (0, 0, 0) against gravity: up to where water stands before free faces, and presses them.
-  std::optional<Real> pond;
   Place place = {};
 };
 
