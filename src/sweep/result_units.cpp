@@ -79,7 +79,7 @@ std::string unit_at(const std::string& path) {
   if (parts.front() == "energy") return "J";
   // A number of a list, and the value of what has a place beside it, have the unit of the key that holds them.
   while (parts.size() > 1 && (is_number(parts.back()) || parts.back() == "value")) parts.pop_back();
-  const std::string_view within = parts.size() > 1 ? parts[parts.size() - 2] : "";
+  const std::string within = parts.size() > 1 ? parts[parts.size() - 2] : std::string();
   if (within == "mobilisation" || within == "stand_up") return "";  // shares; hours
   const auto found = std::find_if(units.begin(), units.end(),
                                   [&](const Named& unit) { return unit.first == parts.back(); });

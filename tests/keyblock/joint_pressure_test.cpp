@@ -259,8 +259,9 @@ TEST(AnyOutline, HasTheForceOfItsPressureSummedOverSmallTriangles) {
       const Real part = norm(cross(b - a, c - a)) / (2 * n * n);
       for (int i = 0; i < n; ++i)
         for (int j = 0; j < 2 * i + 1; ++j) {
+          const int column = j / 2;
           const Real s = (i + (j % 2 ? 1.0 : 2.0) / 3) / n,
-                     t = (j / 2 + (j % 2 ? 2.0 : 1.0) / 3) / n;
+                     t = (column + (j % 2 ? 2.0 : 1.0) / 3) / n;
           sum += part * pressure_at(pressures, a + s * (b - a) + t * (c - b));
         }
     }

@@ -87,7 +87,7 @@ class Joining {
       const auto id = static_cast<Index>(k);
       if (id != from && id != to && t > 0 && t < 1 &&
           distance_to_chord(corners_[k], a, b) <= slack_)
-        on.push_back({t, id});
+        on.emplace_back(t, id);
     }
     std::sort(on.begin(), on.end());
     for (std::size_t k = 1; k < on.size(); ++k) edges_[{on[k - 1].second, on[k].second}] = face;
