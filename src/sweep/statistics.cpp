@@ -39,7 +39,8 @@ Real beta_fraction(Real a, Real b, Real x) {
   const auto kept_off_zero = [](Real v) { return std::abs(v) < tiny ? tiny : v; };
   Real value = 1, above = 1, below = 0;
   for (int n = 1; n <= most_terms; ++n) {
-    const Real m = n / 2;
+    const int pair = n / 2;  // terms come in pairs
+    const Real m = pair;
     const Real d = n % 2 == 0 ? m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m))
                               : -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1));
     below = 1 / kept_off_zero(1 + d * below);

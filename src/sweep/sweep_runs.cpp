@@ -164,7 +164,7 @@ Job SweepRuns::job_of(Index run) const {
   job.arguments.push_back(std::to_string(std::max(1, options_.threads)));
   for (const std::string& change : overrides_of(options_, spec_, values_[run - 1]))
     job.arguments.insert(job.arguments.end(), {"--set", change});
-  if (options_.yes) job.arguments.push_back("--yes");
+  if (options_.yes) job.arguments.emplace_back("--yes");
   for (const std::string& load : options_.ignored)
     job.arguments.insert(job.arguments.end(), {"--ignore", load});
   clear(run, Left::nothing);
