@@ -231,13 +231,14 @@ TEST(XyzPosts, MayHaveMoreColumnsThatArePassedOver) {
 /// The same four posts, x 0 and 2 east, y 0 and 5 north, z 1 to 4, under many headings.
 TEST(XyzPosts, AreReadByTheirHeading) {
   const auto ground = ground_of("0 0 1\n2 0 2\n0 5 3\n2 5 4\n");
+  const char* const with_codes =
+      "Point,Northing,Easting,Elevation,Code\n7,0,0,1,EP\n9,0,2,2,\nA1,5,0,3,\"edge, top\"\n"
+      "4,5,2,4,EP\n";
   for (const char* text :
        {"Northing,Easting,Elevation\n0,0,1\n0,2,2\n5,0,3\n5,2,4\n",
         "N E Z\n0 0 1\n0 2 2\n5 0 3\n5 2 4\n", "Z;Y;X\n1;0;0\n2;0;2\n3;5;0\n4;5;2\n",
         "Hochwert;Rechtswert;H\xC3\xB6he\n0;0;1\n0;2;2\n5;0;3\n5;2;4\n",
-        "Hochwert;Rechtswert;H\xF6he\n0;0;1\n0;2;2\n5;0;3\n5;2;4\n",
-        "Point,Northing,Easting,Elevation,Code\n7,0,0,1,EP\n9,0,2,2,\nA1,5,0,3,\"edge, "
-        "top\"\n4,5,2,4,EP\n",
+        "Hochwert;Rechtswert;H\xF6he\n0;0;1\n0;2;2\n5;0;3\n5;2;4\n", with_codes,
         "Pt No.\tCota\tNorte\tEste\n1\t1\t0\t0\n2\t2\t0\t2\n3\t3\t5\t0\n4\t4\t5\t2\n",
         "# N, E, Z\n0,0,1\n0,2,2\n5,0,3\n5,2,4\n",
         "# x y z of the survey of 2019\nN,E,Z\n0,0,1\n0,2,2\n5,0,3\n5,2,4\n",

@@ -85,7 +85,7 @@ TEST(Histogram, TellsTheScatterBesideManyThatAreAlike) {
 std::vector<Point2> curve_in(const std::string& svg) {
   std::vector<Point2> points;
   const auto end = svg.find("\" stroke-linejoin=\"round\" fill=\"none\" stroke=\"#4477aa\"");
-  const auto begin = svg.rfind("M", end);
+  const auto begin = svg.rfind('M', end);
   std::istringstream path(svg.substr(begin, end - begin));
   char letter = 0;
   Point2 point{};
