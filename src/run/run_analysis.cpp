@@ -379,6 +379,7 @@ void Run::excavate() {
   const GoneRock gone = gone_rock(input_, at_.stage);
   if (gone.block.empty()) return;
   motion_.excavate(gone);
+  at_.walls_before = 1;
   recorder_.leave_out(gone);
 }
 
@@ -393,10 +394,12 @@ void Run::begin(const AnalysisStage& stage) {
   if (!at_.begun) {
     at_.stage_began = motion_.time();
     if (at_.stage > 0) motion_.begin_stage(settles(stage) ? 0 : stage.share_handed_on());
-    if (stage.excavate != 0)
+    if (stage.excavate != 0) {
       excavate();
-    else if (!stage.release.empty())
+    } else if (!stage.release.empty()) {
+      at_.walls_before *= motion_.walls();
       motion_.begin_release();
+    }
     if (stage.reset_displacement) recorder_.count_from(motion_.state().displacement);
     at_.settled = settles(stage) ? 0 : 1;
     if (!at_.settled)
@@ -411,7 +414,11 @@ void Run::begin(const AnalysisStage& stage) {
 }
 
 void Run::begin_settling(const AnalysisStage& stage) {
-  settling_.begin(stage.time_step, mean_block_size(input_), norm(input_.model.gravity));
+  const Model& model = input_.model;
+  const bool loaded = !model.tractions.empty() || !model.point_loads.empty();
+  const Real gravity = norm(model.gravity);
+  settling_.begin(stage.time_step, mean_block_size(input_), gravity,
+                  loaded ? std::numeric_limits<Real>::infinity() : gravity);
   settles_from_ = motion_.state().displacement;
 }
 
@@ -567,7 +574,7 @@ void Run::summarise() {
   result.reactions = motion_.reactions();
   const std::vector<Vec3> whole = motion_.state().displacement, counted = recorder_.counted(whole);
   result.gone = recorder_.gone();
-  result.walls = motion_.walls();
+  result.walls = at_.walls_before * motion_.walls();
   const Index blocks = input_.blocks.block_count();
   const bool large = analysis_.large();
   result.conditions =

@@ -47,6 +47,8 @@ struct RunPosition {
   Index inverted = none;  ///< element that a longer part turned inside out
   Real end = 0;           ///< s
   Real stage_began = 0;   ///< s
+  Real walls_before =
+      1;  ///< share of the forces on walls that was left when the release under way began
 };
 
 /// The part of a run's result that grows step by step. The monitors must be there.

@@ -33,11 +33,12 @@ Real walls_left(const std::vector<std::array<Real, 2>>& release, Real time) {
   return 1 - gone;
 }
 
-void Settling::begin(Real time_step, Real size, Real gravity) {
+void Settling::begin(Real time_step, Real size, Real gravity, Real free) {
   *this = {};
   time_step_ = time_step;
   size_ = size;
   gravity_ = gravity;
+  free_ = free;
   done_ = false;
 }
 
@@ -59,7 +60,7 @@ void Settling::judge(const std::vector<Vec3>& acceleration) {
     const Real a = norm(acceleration[b]);
     if (is_at_rest(a)) continue;
     const Real change = norm(acceleration[b] - acceleration_[b]);
-    if (change > steady * a) done_ = false;
+    if (change > steady * a || a > (1 + steady) * free_) done_ = false;
     ++settled_.moving;
     if (a <= most) continue;
     most = a;
@@ -100,8 +101,8 @@ void Settling::add(const std::vector<Vec3>& way, const std::vector<Vec3>& since,
 }
 
 void Settling::pass(Archive& archive) {
-  archive.all(settled_, time_step_, size_, gravity_, largest_before_, largest_ever_, acceleration_,
-              done_);
+  archive.all(settled_, time_step_, size_, gravity_, free_, largest_before_, largest_ever_,
+              acceleration_, done_);
 }
 
 }  // namespace rockfold

@@ -2,7 +2,8 @@
 //
 // Rock is dug round by round over days, and what its walls bear changes as slowly. Let go at once, the energy that stress had stored in joints
 // and rock throws blocks out that are clamped. So what the excavated rock pressed its walls with is taken away in equal parts, a quasi-static
-// step each; then steps go on until each block is at rest, or accelerates steadily: nothing holds it, and the dynamic step is for it.
+// step each; then steps go on until each block is at rest, or accelerates steadily and no faster than what acts on it alone would have it:
+// nothing holds it, and the dynamic step is for it. What is faster is still pushed by stress that its joints give back.
 //
 // A quasi-static step of Δt brings a mode of frequency ω nearer to rest by 1/(1 + ω²Δt²/4), and moves a block that nothing holds by a Δt²/4. Long
 // steps bring rest, short ones keep loose blocks where they are: Δt doubles while accelerations fall, and is what moves the fastest block by a
@@ -34,8 +35,9 @@ struct Settled {
 
 class Settling {
  public:
-  /// `time_step`: s, that it begins with. `size`: m, of a block. `gravity`: m/s², ≥ 0.
-  void begin(Real time_step, Real size, Real gravity);
+  /// `time_step`: s, that it begins with. `size`: m, of a block. `gravity`: m/s², ≥ 0. `free`: m/s², with which a block that nothing holds
+  /// accelerates at most; infinite where loads may push it as fast as they like.
+  void begin(Real time_step, Real size, Real gravity, Real free);
   bool done() const { return done_; }
   Real time_step() const { return time_step_; }
   /// Share of the forces on walls that is left at the end of the next step.
@@ -51,7 +53,7 @@ class Settling {
   void choose_time_step(Real acceleration, Real way);
 
   Settled settled_;
-  Real time_step_ = 0, size_ = 0, gravity_ = 0;
+  Real time_step_ = 0, size_ = 0, gravity_ = 0, free_ = 0;
   Real largest_before_ = 0;         ///< m/s², of the step before
   Real largest_ever_ = 0;           ///< m/s²
   std::vector<Vec3> acceleration_;  ///< [B] m/s², of the step before; empty: none

@@ -180,6 +180,11 @@ void read_release(TableReader& in, const std::vector<AnalysisStage>& before, Ana
   const auto takes = [](const AnalysisStage& step) { return step.excavate != 0; };
   if (stage.excavate == 0 && std::none_of(before.begin(), before.end(), takes))
     in.wrong("release", "no step has taken rock away yet: it goes with excavate");
+  if (stage.excavate != 0 && before.empty())
+    in.wrong(
+        "release",
+        "the rock that the first step takes away is not there from the start, and has pressed on "
+        "nothing: put a step without excavate before it");
   TimeTable table;
   read_time_table(in, "release", 1, between(0, 1, "share that is gone"), table);
   for (std::size_t i = 0; i < table.time.size(); ++i) {
