@@ -341,6 +341,35 @@ class Implausible(ProgramTest):
                      held.replace(joint, "") + dynamic):
             self.assertEqual(self.warnings(text), [])
 
+    def test_records_that_do_not_lie_within_their_step(self):
+        model = ROCK + "[cover]\nlattice = 'block'\n[[fixed]]\nwhere = {face = 'rock.zmin'}\n" \
+            "[base_acceleration]\nfile = 'quake.csv'\nunit = 'g'\ndirection = [1, 0, 0]\nstep = 'shaking'\n" \
+            "[[step]]\ntype = 'quasi_static'\nsteps = 10\ntime_step = 0.1\n[[step]]\nname = 'shaking'\ntype = 'dynamic'\ntime_step = 0.01\nend_time = 8\n"
+        line = 1 + model[:model.index("[base_acceleration]")].count("\n")
+        whole = ((0, 0), (4, 0.3), (8, 0))
+
+        def record(rows):
+            self.write("quake.csv", "time,acc\n" + "".join(f"{t},{a}\n" for t, a in rows))
+            return model
+
+        def shifted(shift, rows=whole):
+            return record([(t + shift, a) for t, a in rows])
+
+        self.assertEqual(self.warnings(record(whole)), [])
+        self.assertRegex(self.run_program("check", "m.toml").stdout, r"(?m)^ +record +peak 0.3 g, 8 s, from t = 1 to 9 s$")
+        place = f"m.toml:{line}:1: base_acceleration: "
+        self.warned(shifted(20), place + 'lies beside step "shaking", which takes t = 1 to 9 s: it begins at t = 21 s',
+                    "its first value, 0 g")
+        self.warned(shifted(-4, whole[:2]), "it ends at t = 1 s, and all that acts there is its last value, 0.3 g")
+        self.warned(record(whole[:2]), place + "ends at t = 5 s with 0.3 g, which goes on acting to the end of the analysis, t = 9 s")
+        self.warned(shifted(2), "goes on to t = 11 s, and the analysis ends at t = 9 s: the last 2 s, up to 0.15 g, do not act")
+        self.warned(shifted(-2, ((0, 0), (4, 0.3), (10, 0))), "begins 2 s before its step", "up to 0.15 g")
+        self.warned(record(((2, 0.3), (8, 0))), "begins at t = 3 s with 0.3 g, which acts from the start of its step, t = 1 s, on")
+        self.assertEqual(self.warnings(record(((0, 0), (4, 0.3), (8, 0.002)))), [])
+        ramp = model.replace("file = 'quake.csv'", "table = [[0, 0], [1, 0.1]]")
+        self.assertEqual(self.warnings(ramp), [], "goes up and stays there")
+        self.warned(ramp.replace("[1, 0.1]", "[1, 0.1], [2, 0.05]"), "ends at t = 3 s with 0.05 g")
+
     def test_statics_that_only_contact_could_hold(self):
         joint = "[[joint]]\ndip = 50\ndip_direction = 90\n" + POINT
         self.warned(ROCK + STATIC + joint, "analysis.type", "welded", "quasi_static")
@@ -352,6 +381,8 @@ class Implausible(ProgramTest):
         self.warned(free, "solid[1].continues: no solid has any", command="support")
         self.assertEqual(self.warnings(ROCK + joint, "support"), [])
         self.assertEqual(self.warnings(free, "cut"), [])
+        parted = ROCK.replace('continues = ["zmin"]\n', "") + "[[solid]]\nshape = 'box'\nmin = [0, 0, 30]\nmax = [5, 5, 35]\ninterface = 'joint_material1'\n"
+        self.warned(parted, "solid[1].continues: no solid has any", command="support")
 
 
 class Ends(ProgramTest):
