@@ -236,8 +236,21 @@ class Implausible(ProgramTest):
         self.warned(radians + joint.format(1.047, 2.1), "joint[1].dip: is 1.047 deg", "radians?")
         for text in (radians, radians + joint.format(60, 2.1), radians + joint.format(1, 120)):
             self.warned(text, "joint_material[1].friction_angle: is 0.52 deg: did you mean 29.79 (0.52 rad)?")
-        for text in (ROCK + joint.format(1.047, 2.1), radians.replace("0.52", "0") + joint.format(0, 0), radians.replace("0.52", "1")):
+        for text in (ROCK + joint.format(1, 2), ROCK + joint.format(1.047, 0), radians.replace("0.52", "0") + joint.format(0, 0), radians.replace("0.52", "1")):
             self.assertEqual(self.warnings(text), [])
+
+    def test_angles_in_radians_beside_others_in_degrees(self):
+        joint = "[[joint_set]]\nspacing = 9\ndip = {}\ndip_direction = {}\n"
+        self.warned(ROCK + joint.format(60, 120) + joint.format(0.66, 3.05), "joint_set[2].dip: is 0.66 deg, and dip_direction 3.05 deg: did you mean radians?")
+        table = "[[joint_table]]\nfile = 'map.csv'\nextents = 'through_going'\n"
+        for rows, told in (("0.66,3.05,5,5,5\n1.2,1.05,5,5,5\n", True), ("0.66,3.05,5,5,5\n60,1.05,5,5,5\n", False), ("1,3,5,5,5\n", False)):
+            self.write("map.csv", "Dip,DipDir,X,Y,Z\n" + rows)
+            if told:
+                self.warned(ROCK + table, "map.csv:1: joint_table[1].file: no dip is over 1.2 deg and no direction over 3.05 deg: did you mean radians?")
+            else:
+                self.assertEqual(self.warnings(ROCK + table), [])
+        self.write("map.csv", "Dip (rad),DipDir (rad),X,Y,Z\n0.66,3.05,5,5,5\n")
+        self.warned(ROCK + table, "Dip (rad), DipDir (rad) are converted, times 57.29578 deg")
 
     def test_gravity_that_points_up_or_acts_alone(self):
         self.warned("gravity = [0, 0, 9.81]\n" + ROCK, "m.toml:1:11: gravity: points up")
