@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "host/files/text.hpp"
 #include "src/model/text/numbers/units.hpp"
 
@@ -12,6 +14,13 @@ namespace rockfold {
 namespace {
 
 constexpr std::string_view opening = "([{", closing = ")]}";
+
+/// What columns hold, and the unit that it is used in.
+struct Quantity {
+  const char *name, *wanted;
+};
+constexpr Quantity quantities[] = {
+    {"lengths", "m"}, {"angles", "deg"}, {"times", "s"}, {"accelerations", "m/s2"}};
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -39,32 +48,73 @@ std::string plain_letters(std::string_view text) {
   return lower_case(plain);
 }
 
+/// Other names of units, as plain_unit() finds them. "grad" is a gon, whatever a Grad is in German: what is converted is told.
+constexpr std::pair<std::string_view, std::string_view> other_unit_names[] = {
+    {"metres", "m"},      {"meters", "m"},
+    {"metre", "m"},       {"meter", "m"},
+    {"mtr", "m"},         {"mts", "m"},
+    {"metros", "m"},      {"feet", "ft"},
+    {"foot", "ft"},       {"'", "ft"},
+    {"intlft", "ft"},     {"intft", "ft"},
+    {"ftus", "usft"},     {"us-ft", "usft"},
+    {"us_ft", "usft"},    {"usfeet", "usft"},
+    {"usfoot", "usft"},   {"ussurveyft", "usft"},
+    {"sft", "usft"},      {"ussurveyfeet", "usft"},
+    {"surveyft", "usft"}, {"surveyfeet", "usft"},
+    {"yard", "yd"},       {"ussurveyfoot", "usft"},
+    {"yards", "yd"},      {"inch", "in"},
+    {"inches", "in"},     {"surveyfoot", "usft"},
+    {"degrees", "deg"},   {"degree", "deg"},
+    {"\xC2\xB0", "deg"},  {"\xB0", "deg"},
+    {"radians", "rad"},   {"radian", "rad"},
+    {"gons", "gon"},      {"grads", "grad"},
+    {"seconds", "s"},     {"second", "s"},
+    {"sec", "s"},         {"m/s/s", "m/s2"},
+    {"m/sec2", "m/s2"},   {"ms-2", "m/s2"},
+    {"mps2", "m/s2"},     {"cm/s/s", "cm/s2"},
+    {"cms-2", "cm/s2"},   {"gal", "cm/s2"},
+    {"cm/sec2", "cm/s2"}, {"percent", "%"}};
+
+/// Behind a unit of heights, as bare_name() has them: above which level they count.
+constexpr std::string_view datums[] = {"ahd", "asl", "amsl", "msl", "od",     "aod",    "rl",
+                                       "nn",  "unn", "nhn",  "nap", "navd88", "ngvd29", "slm",
+                                       "um",  "snm", "nmm",  "ngf", "nzvd",   "odn"};
+
 /// "m/s2" for "m/s²", "m/s^2", "M / S2"; "" for "".
 std::string plain_unit(std::string_view text) {
   std::string unit;
   for (std::size_t i = 0; i < text.size(); ++i)
     if (text.substr(i, 2) == "²")
       unit += '2', ++i;
-    else if (text[i] != '^' && text[i] != ' ' && text[i] != '*')
+    else if (std::string_view("^ *.\t").find(text[i]) == std::string_view::npos)
       unit += text[i];
   unit = lower_case(unit);
-  constexpr std::pair<std::string_view, std::string_view> same[] = {
-      {"metres", "m"},   {"meters", "m"},      {"metre", "m"},      {"meter", "m"},
-      {"mtr", "m"},      {"feet", "ft"},       {"foot", "ft"},      {"degrees", "deg"},
-      {"degree", "deg"}, {"\xC2\xB0", "deg"},  {"\xB0", "deg"},     {"seconds", "s"},
-      {"second", "s"},   {"sec", "s"},         {"m/s/s", "m/s2"},   {"m/sec2", "m/s2"},
-      {"ms-2", "m/s2"},  {"mps2", "m/s2"},     {"cm/s/s", "cm/s2"}, {"cms-2", "cm/s2"},
-      {"gal", "cm/s2"},  {"cm/sec2", "cm/s2"}, {"percent", "%"},    {"radians", "rad"},
-      {"radian", "rad"}};
-  for (const auto& [from, to] : same)
+  for (const auto& [from, to] : other_unit_names)
     if (unit == from) return std::string(to);
   return unit;
 }
 
 bool is_unit(std::string_view unit) {
-  constexpr std::string_view known[] = {"m",   "cm", "mm", "km", "ft",   "in",    "deg", "rad",
-                                        "gon", "s",  "ms", "g",  "m/s2", "cm/s2", "%",   "-"};
-  return std::find(std::begin(known), std::end(known), unit) != std::end(known);
+  if (unit == "%" || unit == "-") return true;
+  return std::any_of(std::begin(quantities), std::end(quantities), [&](const Quantity& quantity) {
+    return number_with_unit("1 " + std::string(unit), quantity.wanted).has_value();
+  });
+}
+
+/// "m" of "mahd", "ft" of "ftnavd88"; as it is where no datum stands behind it.
+std::string without_datum(const std::string& unit) {
+  const std::string bare = bare_name(unit);
+  for (const std::string_view length : {"m", "ft", "usft"})
+    if (bare.starts_with(length) && std::find(std::begin(datums), std::end(datums),
+                                              bare.substr(length.size())) != std::end(datums))
+      return std::string(length);
+  return unit;
+}
+
+bool is_axis(const std::string& unit) {
+  const std::string bare = bare_name(unit);
+  return std::any_of(std::begin(name_kinds), std::end(name_kinds),
+                     [&](NameKind kind) { return axis_called(bare, kind).has_value(); });
 }
 
 using WordList = std::vector<std::string_view>;
@@ -154,7 +204,7 @@ std::vector<Field> split_fields(std::string_view line, char separator, int numbe
 
 std::string bare_name(std::string_view heading) {
   std::string bare;
-  for (const char c : plain_letters(heading.substr(0, heading.find_first_of(opening))))
+  for (const char c : plain_letters(heading.substr(0, heading.find_first_of("([{,"))))
     if ((c >= 'a' && c <= 'z') || is_digit(c)) bare += c;
   return bare;
 }
@@ -165,10 +215,16 @@ std::string unit_in(std::string_view heading) {
     const auto end = std::min(heading.find_first_of(closing, begin), heading.size());
     return plain_unit(heading.substr(begin + 1, end - begin - 1));
   }
+  const auto comma = heading.find_last_of(',');
+  if (comma != std::string_view::npos) return plain_unit(heading.substr(comma + 1));
   const auto blank = heading.find_last_of(" \t");
   if (blank == std::string_view::npos) return "";
   const std::string last = plain_unit(heading.substr(blank + 1));
   return is_unit(last) ? last : "";
+}
+
+ColumnUnit unit_of_heading(const Field& heading, int line) {
+  return {unit_in(heading.text), heading.text, line, heading.column};
 }
 
 std::optional<std::string> unit_alone(std::string_view text) {
@@ -179,8 +235,25 @@ std::optional<std::string> unit_alone(std::string_view text) {
   return is_unit(unit) ? std::optional(unit) : std::nullopt;
 }
 
-Real unit_factor(const std::string& unit, std::string_view wanted) {
-  return unit.empty() ? 1 : number_with_unit("1 " + unit, wanted).value_or(1);
+std::optional<Real> unit_factor(const std::string& unit, std::string_view wanted) {
+  if (unit.empty()) return 1;
+  if (wanted != "m") return number_with_unit("1 " + unit, wanted);
+  if (is_axis(unit)) return 1;
+  return number_with_unit("1 " + without_datum(unit), wanted);
+}
+
+std::string unknown_unit(std::string_view said_in, std::string_view wanted) {
+  const auto quantity = std::find_if(std::begin(quantities), std::end(quantities),
+                                     [&](const Quantity& q) { return q.wanted == wanted; });
+  return fmt::format("the unit of {} is not known: {} are in {}", quoted(said_in),
+                     quantity == std::end(quantities) ? "its numbers" : quantity->name,
+                     units_of(wanted));
+}
+
+Real unit_factor(const ColumnUnit& unit, std::string_view wanted, Faults& faults) {
+  const auto factor = unit_factor(unit.text, wanted);
+  if (!factor) faults.add(unit.line, unit.column, unknown_unit(unit.said_in, wanted));
+  return factor.value_or(1);
 }
 
 bool are_units(const std::vector<Field>& fields) {

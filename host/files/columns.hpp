@@ -23,17 +23,31 @@ char separator_of(std::string_view line);
 /// are then neither empty nor quoted.
 std::vector<Field> split_fields(std::string_view line, char separator, int number, Faults& faults);
 
-/// "dipdir" of "Dip dir. (deg)", "hohe" of "Höhe [m]": lower case, without accents, signs and what stands in brackets.
+/// "dipdir" of "Dip dir. (deg)", "hohe" of "Höhe [m]": lower case, without accents, signs and what stands in brackets or behind a comma.
 std::string bare_name(std::string_view heading);
 
-/// "m/s2" of "Acc. (m/s²)", "%" of "Persistence [%]", "g" of "acc in g": lower case; "" where a heading names none.
+/// What the numbers of a column are in, and where the file says so.
+struct ColumnUnit {
+  std::string text = {};     ///< lower case, as of unit_in(); "": nothing says a unit
+  std::string said_in = {};  ///< the heading, or the field below it
+  int line = 0, column = 0;
+};
+
+/// "m/s2" of "Acc. (m/s²)", "%" of "Persistence [%]", "usft" of "North, US ft", "g" of "acc in g": lower case; "" where a heading
+/// names none. Behind a bracket or a comma any text is one, behind a blank a unit that is known.
 std::string unit_in(std::string_view heading);
+ColumnUnit unit_of_heading(const Field& heading, int line);
 
 /// A text that is a unit and nothing else, as unit_in() has it: of "(deg)", "[m]", "m/s^2"; none of other texts.
 std::optional<std::string> unit_alone(std::string_view text);
 
-/// One `unit` in `wanted` ("m", "deg", "s", "m/s2"); 1 where the unit is not known, or is "".
-Real unit_factor(const std::string& unit, std::string_view wanted);
+/// One `unit` in `wanted` ("m", "deg", "s", "m/s2"); 1 of "", none where it is not known. Behind a length the datum of its height may
+/// stand ("m AHD"), and in its place the name of an axis ("Easting (X)").
+std::optional<Real> unit_factor(const std::string& unit, std::string_view wanted);
+/// Why a unit is refused: "the unit of 'North (furlong)' is not known: lengths are in m, mm, …".
+std::string unknown_unit(std::string_view said_in, std::string_view wanted);
+/// The factor; 1 after a fault, which is added.
+Real unit_factor(const ColumnUnit& unit, std::string_view wanted, Faults& faults);
 
 /// Whether these fields stand below a heading and say nothing but units: "(deg)", "(m)", "".
 bool are_units(const std::vector<Field>& fields);

@@ -7,7 +7,6 @@
 
 #include "host/files/text.hpp"
 #include "src/model/text/nearest.hpp"
-#include "src/model/text/numbers/units.hpp"
 
 namespace rockfold {
 
@@ -90,10 +89,6 @@ std::optional<std::array<Field, 2>> two_in_one(const Field& field) {
   return parts;
 }
 
-bool is_length(const std::string& unit) {
-  return number_with_unit("1 " + unit, "m").has_value();
-}
-
 }  // namespace
 
 const char* unit_of(JointColumn column) {
@@ -118,7 +113,7 @@ void JointHeading::read(std::vector<Field> fields, int line, Faults& faults) {
     } else {
       fields_.push_back(std::move(fields[i]));
     }
-  for (const Field& field : fields_) unit_.push_back(unit_in(field.text));
+  for (const Field& field : fields_) unit_.push_back(unit_of_heading(field, line));
   find_columns(faults);
   find_plane_equation();
   find_names();
@@ -131,18 +126,20 @@ void JointHeading::take_for_planes() {
   for (const Column column : {Column::nx, Column::ny, Column::nz, Column::d}) place(column) = at++;
 }
 
-void JointHeading::read_units(const std::vector<Field>& fields) {
+void JointHeading::read_units(const std::vector<Field>& fields, int line) {
   for (std::size_t i = 0; i < std::min(fields.size(), unit_.size()); ++i)
-    if (unit_[i].empty() && !fields[i].text.empty())
-      unit_[i] = unit_alone(fields[i].text).value_or("");
+    if (unit_[i].text.empty() && !fields[i].text.empty())
+      unit_[i] = {unit_alone(fields[i].text).value_or(""), fields[i].text, line, fields[i].column};
 }
 
 bool JointHeading::find(JointColumn column, const auto& wanted, Faults& faults) {
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     if (!wanted(fields_[i].text)) continue;
     if (has(column))
-      faults.add(line_, fields_[i].column,
-                 fmt::format("two columns {}", column_names[static_cast<std::size_t>(column)]));
+      faults.add(
+          line_, fields_[i].column,
+          fmt::format("two columns {}: {} and {}", column_names[static_cast<std::size_t>(column)],
+                      quoted(fields_[*at(column)].text), quoted(fields_[i].text)));
     else
       place(column) = i;
   }
@@ -240,8 +237,28 @@ void JointHeading::require_columns(Faults& faults) {
           line_, fields_[i].column,
           fmt::format("unknown column {}, did you mean \"{}\"?", quoted(fields_[i].text), nearest));
   }
-  if (!missing.empty())
-    faults.add(line_, 0, fmt::format("the heading has no column {}", fmt::join(missing, ", ")));
+  if (missing.empty()) return;
+  const bool is_nowhere = missing == std::vector<std::string>{"x", "y", "z"};
+  faults.add(line_, 0,
+             fmt::format("the heading has no column {}{}", fmt::join(missing, ", "),
+                         is_nowhere ? ": a table is of joints at known places. Of orientations "
+                                      "without a place take each set's mean dip, dip_direction and "
+                                      "spacing as a [[joint_set]]"
+                                    : ""));
+}
+
+void JointHeading::settle(JointTable::Extent extent, Faults& faults) {
+  choose_extent(extent, faults);
+  settle_units(faults);
+}
+
+/// Of the columns that are read.
+void JointHeading::settle_units(Faults& faults) {
+  for (std::size_t c = 0; c < column_count; ++c) {
+    const std::string_view wanted = unit_of(static_cast<Column>(c));
+    if (place_[c] && *place_[c] < unit_.size() && !wanted.empty())
+      factor_[c] = unit_factor(unit_[*place_[c]], wanted, faults);
+  }
 }
 
 void JointHeading::choose_extent(JointTable::Extent extent, Faults& faults) {
@@ -252,15 +269,16 @@ void JointHeading::choose_extent(JointTable::Extent extent, Faults& faults) {
   };
   if (extent == JointTable::Extent::through_going) return drop_others();
   const std::string unit =
-      has(Column::persistence) ? unit_[*at(Column::persistence)] : std::string();
-  if (is_length(unit)) extent_ = Column::persistence;
+      has(Column::persistence) ? unit_[*at(Column::persistence)].text : std::string();
+  const bool is_share = unit == "%" || unit == "-" || unit == "1";
+  if (!unit.empty() && unit_factor(unit, "m")) extent_ = Column::persistence;
   if (has(Column::radius) || has(Column::diameter)) extent_.reset();
   for (const Column column :
        {Column::radius, Column::diameter, Column::extent, Column::trace_length, Column::length})
     if (!extent_ && has(column)) extent_ = column;
   if (!extent_ && has(Column::persistence)) {
     extent_ = Column::persistence;
-    if (!unit.empty()) faults.add(line_, fields_[*at(Column::persistence)].column, share_fault());
+    if (is_share) faults.add(line_, fields_[*at(Column::persistence)].column, share_fault());
   }
   drop_others();
 }
@@ -273,7 +291,7 @@ std::string JointHeading::share_fault() const {
 }
 
 bool JointHeading::may_be_share() const {
-  return extent_ == Column::persistence && unit_[*at(Column::persistence)].empty();
+  return extent_ == Column::persistence && !has_unit(Column::persistence);
 }
 
 std::vector<Field> JointHeading::expanded(std::vector<Field> fields, int line,
@@ -305,10 +323,8 @@ std::string JointHeading::name_of(JointColumn column) const {
              : column_names[static_cast<std::size_t>(column)];
 }
 
-Real JointHeading::factor(JointColumn column) const {
-  return has(column) && *at(column) < unit_.size()
-             ? unit_factor(unit_[*at(column)], unit_of(column))
-             : 1;
+bool JointHeading::has_unit(JointColumn column) const {
+  return has(column) && *at(column) < unit_.size() && !unit_[*at(column)].text.empty();
 }
 
 bool JointHeading::is_read(std::size_t field) const {
@@ -326,6 +342,31 @@ std::string JointHeading::passed_over(int& column) const {
   return fmt::format("{} passed over: {}",
                      names.size() == 1 ? "a column is" : counted(names.size(), "column") + " are",
                      fmt::join(names, ", "));
+}
+
+std::vector<std::string> JointHeading::converted() const {
+  struct Factor {
+    Real factor;
+    std::string unit, names;
+    int count;
+  };
+  std::vector<Factor> found;
+  for (std::size_t c = 0; c < column_count; ++c) {
+    if (!place_[c] || factor_[c] == 1) continue;
+    const auto column = static_cast<Column>(c);
+    const auto same = std::find_if(found.begin(), found.end(), [&](const Factor& f) {
+      return f.factor == factor_[c] && f.unit == unit_of(column);
+    });
+    if (same == found.end())
+      found.push_back({factor_[c], unit_of(column), name_of(column), 1});
+    else
+      same->names += ", " + name_of(column), ++same->count;
+  }
+  std::vector<std::string> lines;
+  for (const Factor& f : found)
+    lines.push_back(fmt::format("{} {} converted, times {:.8g} {}", f.names,
+                                f.count == 1 ? "is" : "are", f.factor, f.unit));
+  return lines;
 }
 
 }  // namespace rockfold

@@ -39,14 +39,16 @@ enum class JointColumn {
 /// The columns of a table by its heading. A heading that gives two values in one, "Dip/DipDir", counts as two fields.
 class JointHeading {
  public:
+  JointHeading() { factor_.fill(1); }
   /// Adds to `faults` what is missing, twice there or near to a name that is missing.
   void read(std::vector<Field> fields, int line, Faults& faults);
   /// Of rows A B C D without a heading, whose planes are A x + B y + C z + D = 0.
   void take_for_planes();
   /// A row of units below the heading.
-  void read_units(const std::vector<Field>& fields);
-  /// Once all units are known: decides what says how far joints reach. Adds a fault where that is a share, not an extent.
-  void choose_extent(JointTable::Extent extent, Faults& faults);
+  void read_units(const std::vector<Field>& fields, int line);
+  /// Once all units are read: decides what says how far joints reach. Adds a fault where that is a share, not an extent, and for
+  /// each unit that is not known.
+  void settle(JointTable::Extent extent, Faults& faults);
 
   /// Two fields of each that the heading gives in one; others as they are. Adds a fault where a field is not two.
   std::vector<Field> expanded(std::vector<Field> fields, int line, Faults& faults) const;
@@ -59,7 +61,9 @@ class JointHeading {
   /// As the heading calls it; its name where there is no heading.
   std::string name_of(JointColumn column) const;
   /// One of the column's numbers in deg or m.
-  Real factor(JointColumn column) const;
+  Real factor(JointColumn column) const { return factor_[static_cast<std::size_t>(column)]; }
+  /// Whether the file says what the column's numbers are in.
+  bool has_unit(JointColumn column) const;
   /// The column that names sets or joints.
   const std::optional<std::size_t>& name_column() const { return name_; }
   /// The column of extents that counts.
@@ -72,9 +76,13 @@ class JointHeading {
 
   /// "2 columns are passed over: RMS, Surface"; "" if all are read. `column` is that of the first, from 1.
   std::string passed_over(int& column) const;
+  /// "x (ft), y (ft) are converted, times 0.3048 m", a line for each factor.
+  std::vector<std::string> converted() const;
 
  private:
   void find_columns(Faults& faults);
+  void choose_extent(JointTable::Extent extent, Faults& faults);
+  void settle_units(Faults& faults);
   bool find(JointColumn column, const auto& wanted, Faults& faults);
   void find_plane_equation();
   void find_names();
@@ -86,9 +94,10 @@ class JointHeading {
   }
 
   std::vector<Field> fields_;        ///< of the heading, expanded
-  std::vector<std::string> unit_;    ///< [fields]
+  std::vector<ColumnUnit> unit_;     ///< [fields]
   std::vector<std::size_t> double_;  ///< fields of a line that are two
   std::array<std::optional<std::size_t>, static_cast<std::size_t>(JointColumn::count)> place_;
+  std::array<Real, static_cast<std::size_t>(JointColumn::count)> factor_;
   std::optional<std::size_t> name_;
   std::optional<JointColumn> extent_;
   int line_ = 0;

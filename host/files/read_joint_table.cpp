@@ -30,6 +30,9 @@ constexpr Real infinite = std::numeric_limits<Real>::infinity();
 /// Normals of unit length in a table without a heading are rounded to three decimals at least.
 constexpr Real unit_normal_tolerance = 2e-3;
 
+/// A little over π/2 and 2π.
+constexpr Real most_dip_in_radians = 1.6, most_direction_in_radians = 6.3;
+
 bool is_number(const Field& field) {
   return parse_number(field.text) || has_decimal_comma(field.text);
 }
@@ -81,6 +84,7 @@ class TableReader {
       faults_.add(heading_.line(), 0, heading_.share_fault());
     tell_of_columns();
     tell_of_commas();
+    tell_of_radians();
     faults_.throw_if_any();
     return std::move(rows_);
   }
@@ -105,7 +109,7 @@ class TableReader {
   /// Once all that stands before the rows is read.
   void begin_rows() {
     rows_begun_ = true;
-    heading_.choose_extent(table_.extent, faults_);
+    heading_.settle(table_.extent, faults_);
     faults_.throw_if_any();
   }
 
@@ -127,6 +131,7 @@ class TableReader {
           "rows of four numbers without a heading, the first three of length 1, are taken for "
           "planes A x + B y + C z + D = 0");
     tell_of_extents(notes);
+    for (std::string& line : heading_.converted()) notes.push_back(std::move(line));
     if (warnings_ && !notes.empty())
       warnings_->push_back({place, fmt::format("{}", fmt::join(notes, "; "))});
   }
@@ -140,9 +145,9 @@ class TableReader {
       notes.emplace_back("half of diameter is taken for radius");
     else if (*extent != Column::radius)
       notes.push_back(fmt::format(
-          "{} is taken for the diameter of discs (m); extents = \"through_going\" takes all joints "
+          "{} is taken for the diameter of discs{}; extents = \"through_going\" takes all joints "
           "as through-going",
-          heading_.name_of(*extent)));
+          heading_.name_of(*extent), heading_.factor(*extent) == 1 ? " (m)" : ""));
     if (extent && *extent != Column::radius && *extent != Column::diameter && without_extent_ > 0)
       notes.push_back(fmt::format("{} without it {} through-going", counted(without_extent_, "row"),
                                   without_extent_ == 1 ? "is" : "are"));
@@ -152,7 +157,7 @@ class TableReader {
     auto fields = split_fields(line, separator_, line_, faults_);
     if (fields.empty()) return;
     if (!rows_begun_ && !without_heading_ && are_units(fields)) {
-      heading_.read_units(heading_.expanded(std::move(fields), line_, faults_));
+      heading_.read_units(heading_.expanded(std::move(fields), line_, faults_), line_);
       return begin_rows();
     }
     if (!rows_begun_) begin_rows();
@@ -165,10 +170,12 @@ class TableReader {
     fields = heading_.expanded(std::move(fields), line_, faults_);
     if (fields.empty()) return;
     JointTable::Row row;
-    if (heading_.has(Column::nx))
+    if (heading_.has(Column::nx)) {
       read_normal(fields, row);
-    else
+    } else {
       row.orientation = orientation(fields);
+      look_at_angles(row.orientation, fields);
+    }
     if (!heading_.is_planes())
       row.center = {number(fields, Column::x), number(fields, Column::y),
                     number(fields, Column::z)};
@@ -270,6 +277,31 @@ class TableReader {
     return parse_number(english);
   }
 
+  /// All angles are as small as radians, and not all dips whole numbers. A unit in the heading is taken at its word.
+  void tell_of_radians() {
+    if (heading_.has(Column::nx) || heading_.has_unit(Column::dip) || !warnings_) return;
+    if (heading_.has_unit(Column::dip_direction) || heading_.has_unit(Column::strike)) return;
+    if (!faults_.empty() || !fractions_ || largest_dip_ == 0 || largest_direction_ == 0) return;
+    if (largest_dip_ >= most_dip_in_radians || largest_direction_ >= most_direction_in_radians)
+      return;
+    Place place = place_of_file_;
+    place.line = heading_.line();
+    warnings_->push_back(
+        {place, fmt::format("no dip is over {:g} deg and no direction over {:g} deg: did you mean "
+                            "radians? Then say so in the heading, as {} (rad)",
+                            largest_dip_, largest_direction_, heading_.name_of(Column::dip))});
+  }
+
+  void look_at_angles(const DipOrientation& plane, const std::vector<Field>& fields) {
+    largest_dip_ = std::max(largest_dip_, plane.dip);
+    // A strike's own number, not the dip direction that follows from it; quadrants are degrees.
+    const Column column = heading_.has(Column::strike) ? Column::strike : Column::dip_direction;
+    const auto direction = value_of(fields[*heading_.at(column)]);
+    largest_direction_ =
+        std::max(largest_direction_, direction.value_or(most_direction_in_radians));
+    fractions_ |= plane.dip != std::floor(plane.dip);
+  }
+
   void tell_of_commas() {
     if (comma_.line == 0) return;
     if (point_.line != 0)
@@ -299,8 +331,11 @@ class TableReader {
     if (const auto value = value_of(field))
       return in_range(field, column, *value * heading_.factor(column));
     faults_.add(line_, field.column,
-                fmt::format("{} {}, is {}{}", called(column), range_of(column).text(),
-                            quoted(field.text), decimal_comma_hint(field.text)));
+                fmt::format("{} {}, is {}{}{}", called(column), range_of(column).text(),
+                            quoted(field.text), decimal_comma_hint(field.text),
+                            heading_.extent() == column && !has_decimal_comma(field.text)
+                                ? "; an empty field is a through-going joint"
+                                : ""));
     return 0;
   }
 
@@ -340,9 +375,11 @@ class TableReader {
   std::size_t fields_in_line_ = 0;  ///< 0 = the heading has not been read
   bool without_heading_ = false, rows_begun_ = false;
   int line_ = 0;
-  bool by_rule_ = false;            ///< a strike's dip direction is that of the rule
-  std::size_t without_extent_ = 0;  ///< rows
-  Real largest_extent_ = 0;         ///< m
+  bool by_rule_ = false;                          ///< a strike's dip direction is that of the rule
+  std::size_t without_extent_ = 0;                ///< rows
+  Real largest_extent_ = 0;                       ///< m
+  Real largest_dip_ = 0, largest_direction_ = 0;  ///< deg
+  bool fractions_ = false;                        ///< a dip is no whole number
   struct Seen {
     int line = 0, column = 0;  ///< 0 = none
     std::string text;

@@ -20,7 +20,6 @@ namespace rockfold {
 namespace {
 
 constexpr const char* separators = ",;";
-constexpr const char* known_units = "m/s2, cm/s2, gal, g";
 
 /// m/s²: strong shaking, in scaled records too, is more than this, and numbers in g are less.
 constexpr Real weak = 1.5;
@@ -118,7 +117,7 @@ class RecordReader {
       if (at_[*column])
         faults_.add(line_, fields[i].column, fmt::format("two columns {}", column_names[*column]));
       at_[*column] = i;
-      take_unit(*column, unit_in(fields[i].text), fields[i]);
+      take_unit(*column, unit_of_heading(fields[i], line_));
     }
     if (at_[ax] || at_[ay] || at_[az]) at_[one].reset();
     if (!at_[time]) faults_.add(line_, 0, "the heading names no column for the time: t (s)");
@@ -131,16 +130,14 @@ class RecordReader {
     tell_of_columns(unknown);
   }
 
-  void take_unit(Column column, const std::string& unit, const Field& field) {
-    if (unit.empty() || (base_.unit && column != time)) return;
-    const auto factor = number_with_unit("1 " + unit, column == time ? "s" : "m/s2");
-    if (!factor)
-      faults_.add(line_, field.column,
-                  column == time ? fmt::format("times are seconds, {} is none", quoted(unit))
-                                 : fmt::format("{} is no unit of acceleration: must be {} (or give "
-                                               "base_acceleration.unit)",
-                                               quoted(unit), known_units));
-    factor_[column] = factor.value_or(1);
+  void take_unit(Column column, const ColumnUnit& unit) {
+    if (unit.text.empty()) return;
+    if (base_.unit && column != time) {
+      const auto factor = unit_factor(unit.text, "m/s2");
+      if (factor && *factor != *base_.unit && !contradiction_) contradiction_ = unit;
+      return;
+    }
+    factor_[column] = unit_factor(unit, column == time ? "s" : "m/s2", faults_);
     unit_known_ |= column != time;
   }
 
@@ -150,7 +147,8 @@ class RecordReader {
     for (std::size_t c = 0; c < column_count; ++c)
       if (at_[c] && *at_[c] < fields.size())
         if (const auto unit = unit_alone(fields[*at_[c]].text))
-          take_unit(static_cast<Column>(c), *unit, fields[*at_[c]]);
+          take_unit(static_cast<Column>(c),
+                    {*unit, fields[*at_[c]].text, line_, fields[*at_[c]].column});
     return true;
   }
 
@@ -227,14 +225,21 @@ class RecordReader {
     return text;
   }
 
-  /// Without a unit anywhere: whether it is a size that accelerations in m/s² have.
+  /// Without a unit anywhere: whether it is a size that accelerations in m/s² have. With two: what each of them makes of it.
   void tell_of_size() {
-    if (base_.unit || unit_known_) return;
     Real largest = 0;
     for (const Vec3& a : table_.value)
       for (const Real component : a) largest = std::max(largest, std::abs(component));
     const Real scaled = largest * std::abs(base_.scale);
     const Real g = *number_with_unit("1 g", "m/s2");
+    if (contradiction_)
+      warn(fmt::format("{} contradicts base_acceleration.unit, which goes before it: the largest "
+                       "acceleration is then {:.3g} g, by the file {:.3g} g. Take the wrong one of "
+                       "the two out",
+                       quoted(contradiction_->said_in), scaled / g,
+                       scaled / g * *unit_factor(contradiction_->text, "m/s2") / *base_.unit),
+           contradiction_->line);
+    if (base_.unit || unit_known_) return;
     if (scaled > 0 && scaled < weak)
       warn(
           fmt::format("no unit is given, so that the largest acceleration, {:.3g}, is {:.2g} g: "
@@ -265,6 +270,7 @@ class RecordReader {
   std::array<Real, column_count> factor_{1, 1, 1, 1, 1};     ///< s, m/s²: one of its numbers
   std::size_t width_ = 0;  ///< columns of a line; 0: none is read yet
   bool has_heading_ = false, unit_known_ = false;
+  std::optional<ColumnUnit> contradiction_;  ///< of the file with the model
   int line_ = 0;
   TimeTable table_;
 };

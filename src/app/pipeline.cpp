@@ -33,9 +33,11 @@
 #include "src/check/held_rock.hpp"
 #include "src/check/key_use.hpp"
 #include "src/check/needs.hpp"
+#include "src/check/record_check.hpp"
 #include "src/check/rock_check.hpp"
 #include "src/check/whole_model.hpp"
 #include "src/io/exports/export.hpp"
+#include "src/model/jointed.hpp"
 #include "src/model/openings.hpp"
 #include "src/page/write_page.hpp"
 #include "src/printed/printed_report.hpp"
@@ -271,12 +273,14 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
     check_contact(model, blocks, terminal);
     warn_of_contact_stiffness(model, blocks, terminal);
     warn_of_unbalanced_start(model, blocks_in_touch(model, blocks) > 0, terminal);
+    warn_of_record(model, terminal);
     warn_of_keys_without_use(model, terminal);
     warn_of_conditional_stability(model, terminal);
     rock = clock.measure("cover", [&] { return cover_rock(cutting, model, blocks, terminal); });
     warn_of_long_contact_steps(model, blocks, rock->covering.arrays, rock->fixed, rock->velocities,
                                terminal);
     warn_of_held_rock(model, blocks, rock->covering.arrays, rock->fixed, terminal);
+    warn_of_unheld_rock(model, blocks, rock->covering.arrays, rock->fixed, terminal);
   }
 
   // From here on the flat arrays say all, but for those exports.
@@ -410,8 +414,10 @@ void warn_of_uncut_held_rock(const Model& model, Terminal& terminal) try {
   Progress silent;
   const Cutting cutting = cut_blocks(model, silent);
   const Covering covering = build_covers(cutting, model, silent);
-  warn_of_held_rock(model, flatten_blocks(cutting, model), covering.arrays,
-                    fixed_points(cutting, covering, model), terminal);
+  const BlockArrays blocks = flatten_blocks(cutting, model);
+  const FixedPoints fixed = fixed_points(cutting, covering, model);
+  warn_of_held_rock(model, blocks, covering.arrays, fixed, terminal);
+  warn_of_unheld_rock(model, blocks, covering.arrays, fixed, terminal);
 } catch (const Error&) {
 }
 
@@ -423,7 +429,10 @@ int check_model(const Options& options, Terminal& terminal) {
   if (!model.solids.empty()) warn_of_joints_beside_rock(model, terminal);
   if (model.support) warn_of_free_rock(model, terminal);
   warn_of_unbalanced_start(model, has_joints(model), terminal);
-  if (may_hold_all(model) && !options.estimate) warn_of_uncut_held_rock(model, terminal);
+  warn_of_record(model, terminal);
+  const bool block_covers = model.cover && model.cover->lattice == LatticeKind::block;
+  if ((may_hold_all(model) || (block_covers && may_leave_rock_unheld(model))) && !options.estimate)
+    warn_of_uncut_held_rock(model, terminal);
   std::optional<Estimate> estimate;
   if (options.estimate) estimate = estimate_model(options, model, terminal);
   print_check(options, model, named_extents(model), estimate ? &*estimate : nullptr, terminal);

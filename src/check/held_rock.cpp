@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "src/base/vector.hpp"
+#include "src/model/jointed.hpp"
 #include "src/model/openings.hpp"
 #include "src/report/error_text.hpp"
 #include "src/space/shape_functions.hpp"
@@ -79,7 +82,97 @@ bool is_held_whole(const Model& model, const CoverArrays& covers, const FixedPoi
   });
 }
 
+/// [B] 1: no [[fixed]] holds any of it.
+std::vector<std::uint8_t> unheld_blocks(const BlockArrays& blocks, const CoverArrays& covers,
+                                        const FixedPoints& fixed) {
+  std::vector<std::uint8_t> unheld(blocks.volume.size(), 1);
+  for (const Index e : fixed.points.element)
+    if (e != none) unheld[block_of(covers, e)] = 0;
+  return unheld;
+}
+
+/// Elevations against gravity: faces that look down, and lie beyond which the rock goes on or at the bottom of all rock.
+class Undersides {
+ public:
+  Undersides(const BlockArrays& blocks, const Vec3& gravity)
+      : blocks_(blocks), down_(normalized(gravity)) {
+    Real high = std::numeric_limits<Real>::infinity();
+    for (const Vec3& v : blocks.vertex) {
+      lowest_ = std::max(lowest_, dot(v, down_));
+      high = std::min(high, dot(v, down_));
+    }
+    tolerance_ = 1e-6 * (lowest_ - high);
+  }
+
+  /// Whether a block has such a face.
+  bool reach(Index block) const {
+    for (Index f = blocks_.face_begin[block]; f < blocks_.face_begin[block + 1]; ++f) {
+      const FaceOrigin& origin = blocks_.origins[blocks_.face_origin[f]];
+      if (origin.kind != FaceOrigin::Kind::solid_face || !looks_down(f)) continue;
+      if (origin.continues || is_lowest(f)) return true;
+    }
+    return false;
+  }
+
+ private:
+  bool looks_down(Index f) const {
+    constexpr Real steep = 0.7071;  // faces within 45° of level
+    return dot(blocks_.face_normal[f], down_) > steep;
+  }
+
+  bool is_lowest(Index f) const {
+    const Index corner = blocks_.corner_begin[blocks_.loop_begin[f]];
+    return dot(blocks_.vertex[blocks_.corner_vertex[corner]], down_) > lowest_ - tolerance_;
+  }
+
+  const BlockArrays& blocks_;
+  Vec3 down_;
+  Real lowest_ = -std::numeric_limits<Real>::infinity(), tolerance_ = 0;
+};
+
 }  // namespace
+
+bool may_leave_rock_unheld(const Model& model) {
+  const bool all_falls = model.fixed.empty() && model.analysis &&
+                         model.analysis->has(AnalysisType::dynamic);  // another warning says so
+  return model.cover && model.analysis && has_contact(model) && model.gravity != Vec3{} &&
+         has_joints(model) && !all_falls &&
+         std::any_of(model.solids.begin(), model.solids.end(), [](const Solid& solid) {
+           return std::find(solid.continues.begin(), solid.continues.end(), true) !=
+                  solid.continues.end();
+         });
+}
+
+void warn_of_unheld_rock(const Model& model, const BlockArrays& blocks, const CoverArrays& covers,
+                         const FixedPoints& fixed, Terminal& terminal) {
+  if (!may_leave_rock_unheld(model)) return;
+  constexpr std::size_t most = 5;
+  const auto unheld = unheld_blocks(blocks, covers, fixed);
+  const Undersides undersides(blocks, model.gravity);
+  std::vector<Index> found;
+  for (Index b = 0; b < blocks.block_count(); ++b)
+    if (unheld[b] && !blocks.finite[b] && is_there_at_first(model, blocks.stage[b]) &&
+        undersides.reach(b))
+      found.push_back(b);
+  if (found.empty()) return;
+  std::stable_sort(found.begin(), found.end(),
+                   [&](Index a, Index b) { return blocks.volume[a] > blocks.volume[b]; });
+  std::string names;
+  for (std::size_t i = 0; i < std::min(most, found.size()); ++i)
+    names += fmt::format("{}{}", i == 0 ? "" : ", ", found[i] + 1);
+  if (found.size() > most) names += fmt::format(" and {} more", found.size() - most);
+  const bool one = found.size() == 1;
+  Place place = model.fixed.empty() ? model.analysis->place : model.fixed.front().place;
+  place.key = "fixed";
+  terminal.warn(diagnostic_line(
+      {place,
+       fmt::format("holds no point of block{} {}, the rock of which goes on beyond the model: "
+                   "nothing stops {} fall. Hold {}, as in where = {{block_at = [{:.5g}, {:.5g}, "
+                   "{:.5g}]}}",
+                   one ? "" : "s", names, one ? "its" : "their", one ? "it" : "them",
+                   blocks.centroid[found[0]][0], blocks.centroid[found[0]][1],
+                   blocks.centroid[found[0]][2])}));
+}
 
 bool may_hold_all(const Model& model) {
   return model.cover && model.cover->lattice == LatticeKind::block && model.analysis &&

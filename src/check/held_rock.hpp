@@ -1,4 +1,4 @@
-// Rock that its supports leave no motion, since its block has one cover alone.
+// Rock that its supports leave no motion, and rock that none of them holds.
 #pragma once
 
 #include "src/arrays/block_arrays.hpp"
@@ -15,5 +15,13 @@ bool may_hold_all(const Model& model);
 /// held. Whatever acts on it, it neither moves nor strains. Not where [[fixed]] names the block itself: that is meant.
 void warn_of_held_rock(const Model& model, const BlockArrays& blocks, const CoverArrays& covers,
                        const FixedPoints& fixed, Terminal& terminal);
+
+/// Whether a model may have rock that goes on beyond it and that no [[fixed]] holds.
+bool may_leave_rock_unheld(const Model& model);
+
+/// With contact: blocks that go on beyond the model, whose underside does or is the model's, and that no [[fixed]] holds. Nothing stops
+/// their fall.
+void warn_of_unheld_rock(const Model& model, const BlockArrays& blocks, const CoverArrays& covers,
+                         const FixedPoints& fixed, Terminal& terminal);
 
 }  // namespace rockfold

@@ -18,6 +18,7 @@
 #include "src/base/vector.hpp"
 #include "src/check/key_use.hpp"
 #include "src/check/whole_model.hpp"
+#include "src/model/jointed.hpp"
 #include "src/model/openings.hpp"
 #include "src/model/read/read_model.hpp"
 #include "src/report/error_text.hpp"
@@ -149,11 +150,6 @@ void warn_of_joints_beside_rock(const Model& model, Terminal& terminal) {
     terminal.warn(diagnostic_line(warning));
   for (const Diagnostic& warning : joints_beside_rock(model))
     terminal.warn(diagnostic_line(warning));
-}
-
-bool has_joints(const Model& model) {
-  return !model.joints.empty() || !model.joint_sets.empty() || !model.joint_meshes.empty() ||
-         !model.joint_tables.empty();
 }
 
 void warn_of_free_rock(const Model& model, Terminal& terminal) {

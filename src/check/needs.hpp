@@ -45,8 +45,6 @@ void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& mode
 void warn_of_immobile_blocks(const BlockArrays& blocks, Terminal& terminal);
 /// Blocks that slide on a contact of next to no area, at most five of them by name.
 void warn_of_thin_contacts(const KeyblockReport& keyblocks, Terminal& terminal);
-/// Whether the model has joints, known before the rock is cut.
-bool has_joints(const Model& model);
 /// Under small kinematics strains are linear in the displacement, which is right for small rotations only.
 void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal);
 /// Average acceleration keeps the energy: where it does not, the solver has not found the motion.

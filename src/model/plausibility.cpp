@@ -10,6 +10,7 @@
 #include <string>
 
 #include "src/base/vector.hpp"
+#include "src/model/jointed.hpp"
 #include "src/model/read/draft.hpp"
 #include "src/model/read/geometry/read_shapes.hpp"
 #include "src/model/read/read_value.hpp"
@@ -150,8 +151,8 @@ class Plausibility {
     return result;
   }
 
-  /// All angles are as small as radians: of a model in degrees some dip or friction is larger. Where some are larger, a friction may
-  /// be in radians alone.
+  /// All angles are as small as radians: of a model in degrees some dip or friction is larger. Where some are larger, a friction or the
+  /// angles of one plane may be in radians alone.
   void look_for_radians() {
     const Value* first = nullptr;
     std::string first_path;
@@ -166,12 +167,32 @@ class Plausibility {
                     });
     if (!all_small || count < 2) {
       for (const Slip& slip : friction_slips) look_for(slip);
+      for (const char* section : {"joint_set", "joint"}) look_at_planes(section);
       return;
     }
     add(*first, first_path,
         "is " + described(*first) +
             " deg, and no dip or friction angle is over 1.6 deg: did you mean radians? Angles are "
             "in degrees");
+  }
+
+  /// Both angles of a plane are as small as radians: in degrees, of planes of all directions, some 2 % of those that lie so flat. Whole
+  /// numbers are degrees.
+  void look_at_planes(const char* section) {
+    const Entry* list = root_.find(section);
+    const auto* entries = list ? std::get_if<Array>(&list->value.data) : nullptr;
+    for (std::size_t i = 0; entries && i < entries->size(); ++i) {
+      const auto* table = std::get_if<Table>(&(*entries)[i].data);
+      const Entry* dip = table ? table->find("dip") : nullptr;
+      const Entry* direction = table ? table->find("dip_direction") : nullptr;
+      if (!dip || !direction) continue;
+      const auto a = number(dip->value), b = number(direction->value);
+      if (!a || !b || !(*a > 0 && *a < 1.6 && *b > 0 && *b < 6.3)) continue;
+      if (*a == std::floor(*a) && *b == std::floor(*b)) continue;
+      add(dip->value, item_path(section, i) + ".dip",
+          "is " + described(dip->value) + " deg, and dip_direction " + described(direction->value) +
+              " deg: did you mean radians? Angles are in degrees");
+    }
   }
 
   bool anything_acts() const {
@@ -234,14 +255,10 @@ class Plausibility {
     return fastest;
   }
 
-  bool jointed() const {
-    return !model_.joints.empty() || !model_.joint_sets.empty() || !model_.joint_meshes.empty() ||
-           !model_.joint_tables.empty();
-  }
-
   /// A rock mass, which something must hold; a lone body may well fly.
   bool is_rock_mass() const {
-    return jointed() || std::any_of(model_.solids.begin(), model_.solids.end(), [](const Solid& s) {
+    return has_joints(model_) ||
+           std::any_of(model_.solids.begin(), model_.solids.end(), [](const Solid& s) {
              return std::find(s.continues.begin(), s.continues.end(), true) != s.continues.end();
            });
   }
@@ -276,7 +293,7 @@ class Plausibility {
   void look_at_statics() {
     const Entry* analysis = root_.find("analysis");
     if (!analysis || !model_.analysis || !model_.analysis->has(AnalysisType::static_) ||
-        !model_.cover || model_.cover->joints == JointTreatment::welded || !jointed())
+        !model_.cover || model_.cover->joints == JointTreatment::welded || !has_joints(model_))
       return;
     add(analysis->value, "analysis.type",
         "is \"static\", and the blocks come apart at the joints: those that no [[fixed]] holds are "

@@ -131,6 +131,10 @@ std::vector<Confirmed> confirmed_motion(const RunReport& report) {
   const Reasons reasons(report);
   for (Confirmed& c : list)
     if (!c.agrees) c.reason = reason_name(reasons.of(c));
+  const SupportSpec& spec = *report.model.support;
+  const bool other_loads = spec.water_pressure != 0 || spec.seismic_coefficient != Vec3{} ||
+                           !report.model.waters.empty();
+  for (Confirmed& c : list) c.other_loads = other_loads;
   return list;
 }
 
@@ -150,6 +154,7 @@ Json confirmed_json(const RunReport& report) {
                      {"rotation", c.rotation},    {"began", c.began},
                      {"off_direction", c.off}};
     entry["agree"] = c.agrees;
+    entry["other_loads"] = c.other_loads;
     entry["reason"] = c.reason.empty() ? Json(nullptr) : Json(c.reason);
     list.push_back(std::move(entry));
   }

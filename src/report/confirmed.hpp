@@ -21,7 +21,9 @@ struct Confirmed {
   Vec3 direction{};  ///< unit, in which it began to move; 0 of what stays
   Real began = 0;    ///< s; NaN of what stays
   Real off = 0;  ///< deg between that direction and the one predicted; NaN where there are not both
-  std::string reason;   ///< why not as predicted, most likely; empty where it agrees
+  std::string reason;  ///< why not as predicted, most likely; empty where it agrees
+  /// What was predicted counts loads that do not act in the analysis (water, seismic_coefficient).
+  bool other_loads = false;
   bool agrees = false;  ///< as predicted: the mode, and the direction within 5°
 };
 

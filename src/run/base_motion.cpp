@@ -1,5 +1,7 @@
 #include "src/run/base_motion.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "src/base/vector.hpp"
@@ -41,6 +43,18 @@ TimeTable base_acceleration(const Model& model) {
   const Analysis& analysis = *model.analysis;
   return begun_at(start_of_stage(analysis, base.stage), analysis.stages[base.stage].time_step,
                   table);
+}
+
+RecordSpan record_span(const Model& model) {
+  const BaseAcceleration& base = *model.base_acceleration;
+  RecordSpan span;
+  if (base.table.empty()) return span;
+  for (const Vec3& a : base.table.value)
+    span.peak = std::max(span.peak, std::abs(base.scale) * norm(a));
+  const Real start = start_of_stage(*model.analysis, base.stage);
+  span.from = start + base.table.time.front();
+  span.to = start + base.table.time.back();
+  return span;
 }
 
 BaseRecord::BaseRecord(TimeTable acceleration) : acceleration_(std::move(acceleration)) {

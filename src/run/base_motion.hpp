@@ -16,6 +16,14 @@ Real start_of_stage(const Analysis& analysis, Index stage);
 /// empty if the base is at rest.
 TimeTable base_acceleration(const Model& model);
 
+/// A record as the model gives it, with its scale.
+struct RecordSpan {
+  Real peak = 0;          ///< m/s²
+  Real from = 0, to = 0;  ///< s of the analysis, its first and last row
+};
+/// Of a model with a record and an analysis.
+RecordSpan record_span(const Model& model);
+
 /// At rest in place at t = 0; velocity and displacement are the exact integrals of the record, which is linear between its rows.
 class BaseRecord {
  public:

@@ -236,8 +236,21 @@ class Implausible(ProgramTest):
         self.warned(radians + joint.format(1.047, 2.1), "joint[1].dip: is 1.047 deg", "radians?")
         for text in (radians, radians + joint.format(60, 2.1), radians + joint.format(1, 120)):
             self.warned(text, "joint_material[1].friction_angle: is 0.52 deg: did you mean 29.79 (0.52 rad)?")
-        for text in (ROCK + joint.format(1.047, 2.1), radians.replace("0.52", "0") + joint.format(0, 0), radians.replace("0.52", "1")):
+        for text in (ROCK + joint.format(1, 2), ROCK + joint.format(1.047, 0), radians.replace("0.52", "0") + joint.format(0, 0), radians.replace("0.52", "1")):
             self.assertEqual(self.warnings(text), [])
+
+    def test_angles_in_radians_beside_others_in_degrees(self):
+        joint = "[[joint_set]]\nspacing = 9\ndip = {}\ndip_direction = {}\n"
+        self.warned(ROCK + joint.format(60, 120) + joint.format(0.66, 3.05), "joint_set[2].dip: is 0.66 deg, and dip_direction 3.05 deg: did you mean radians?")
+        table = "[[joint_table]]\nfile = 'map.csv'\nextents = 'through_going'\n"
+        for rows, told in (("0.66,3.05,5,5,5\n1.2,1.05,5,5,5\n", True), ("0.66,3.05,5,5,5\n60,1.05,5,5,5\n", False), ("1,3,5,5,5\n", False)):
+            self.write("map.csv", "Dip,DipDir,X,Y,Z\n" + rows)
+            if told:
+                self.warned(ROCK + table, "map.csv:1: joint_table[1].file: no dip is over 1.2 deg and no direction over 3.05 deg: did you mean radians?")
+            else:
+                self.assertEqual(self.warnings(ROCK + table), [])
+        self.write("map.csv", "Dip (rad),DipDir (rad),X,Y,Z\n0.66,3.05,5,5,5\n")
+        self.warned(ROCK + table, "Dip (rad), DipDir (rad) are converted, times 57.29578 deg")
 
     def test_gravity_that_points_up_or_acts_alone(self):
         self.warned("gravity = [0, 0, 9.81]\n" + ROCK, "m.toml:1:11: gravity: points up")
@@ -341,6 +354,35 @@ class Implausible(ProgramTest):
                      held.replace(joint, "") + dynamic):
             self.assertEqual(self.warnings(text), [])
 
+    def test_records_that_do_not_lie_within_their_step(self):
+        model = ROCK + "[cover]\nlattice = 'block'\n[[fixed]]\nwhere = {face = 'rock.zmin'}\n" \
+            "[base_acceleration]\nfile = 'quake.csv'\nunit = 'g'\ndirection = [1, 0, 0]\nstep = 'shaking'\n" \
+            "[[step]]\ntype = 'quasi_static'\nsteps = 10\ntime_step = 0.1\n[[step]]\nname = 'shaking'\ntype = 'dynamic'\ntime_step = 0.01\nend_time = 8\n"
+        line = 1 + model[:model.index("[base_acceleration]")].count("\n")
+        whole = ((0, 0), (4, 0.3), (8, 0))
+
+        def record(rows):
+            self.write("quake.csv", "time,acc\n" + "".join(f"{t},{a}\n" for t, a in rows))
+            return model
+
+        def shifted(shift, rows=whole):
+            return record([(t + shift, a) for t, a in rows])
+
+        self.assertEqual(self.warnings(record(whole)), [])
+        self.assertRegex(self.run_program("check", "m.toml").stdout, r"(?m)^ +record +peak 0.3 g, 8 s, from t = 1 to 9 s$")
+        place = f"m.toml:{line}:1: base_acceleration: "
+        self.warned(shifted(20), place + 'lies beside step "shaking", which takes t = 1 to 9 s: it begins at t = 21 s',
+                    "its first value, 0 g")
+        self.warned(shifted(-4, whole[:2]), "it ends at t = 1 s, and all that acts there is its last value, 0.3 g")
+        self.warned(record(whole[:2]), place + "ends at t = 5 s with 0.3 g, which goes on acting to the end of the analysis, t = 9 s")
+        self.warned(shifted(2), "goes on to t = 11 s, and the analysis ends at t = 9 s: the last 2 s, up to 0.15 g, do not act")
+        self.warned(shifted(-2, ((0, 0), (4, 0.3), (10, 0))), "begins 2 s before its step", "up to 0.15 g")
+        self.warned(record(((2, 0.3), (8, 0))), "begins at t = 3 s with 0.3 g, which acts from the start of its step, t = 1 s, on")
+        self.assertEqual(self.warnings(record(((0, 0), (4, 0.3), (8, 0.002)))), [])
+        ramp = model.replace("file = 'quake.csv'", "table = [[0, 0], [1, 0.1]]")
+        self.assertEqual(self.warnings(ramp), [], "goes up and stays there")
+        self.warned(ramp.replace("[1, 0.1]", "[1, 0.1], [2, 0.05]"), "ends at t = 3 s with 0.05 g")
+
     def test_statics_that_only_contact_could_hold(self):
         joint = "[[joint]]\ndip = 50\ndip_direction = 90\n" + POINT
         self.warned(ROCK + STATIC + joint, "analysis.type", "welded", "quasi_static")
@@ -352,6 +394,8 @@ class Implausible(ProgramTest):
         self.warned(free, "solid[1].continues: no solid has any", command="support")
         self.assertEqual(self.warnings(ROCK + joint, "support"), [])
         self.assertEqual(self.warnings(free, "cut"), [])
+        parted = ROCK.replace('continues = ["zmin"]\n', "") + "[[solid]]\nshape = 'box'\nmin = [0, 0, 30]\nmax = [5, 5, 35]\ninterface = 'joint_material1'\n"
+        self.warned(parted, "solid[1].continues: no solid has any", command="support")
 
 
 class Ends(ProgramTest):

@@ -241,6 +241,71 @@ TEST(JointTables, MayGiveUnitsInARow) {
                     1e-12);
 }
 
+TEST(JointTables, MayBeInFeetOfSurveysAndInGons) {
+  const Real foot = 1200.0 / 3937;
+  for (const char* unit : {"usft", "US ft", "ftUS", "US survey ft", "sft", "U.S. Survey Feet"}) {
+    const auto rows =
+        rows_of(std::string("Dip,DipDir,X,Y,Z,Radius (") + unit + ")\n60,135,5,5,5,3\n");
+    EXPECT_DOUBLE_EQ(rows[0].radius, 3 * foot) << unit;
+  }
+  EXPECT_DOUBLE_EQ(rows_of("Dip;DipDir;X, yd;Y, yd;Z [yd]\n60;135;5;5;5\n")[0].center[2],
+                   5 * 0.9144);
+  EXPECT_NEAR(rows_of("Dip (grad),DipDir (gon),X,Y,Z\n50,150,5,5,5\n")[0].orientation.dip, 45,
+              1e-12);
+  EXPECT_EQ(told("Dip (grad),DipDir,X (ft),Y (ft),Z (m AHD),Radius\n50,150,5,5,5,1\n"),
+            "Dip (grad) is converted, times 0.9 deg; X (ft), Y (ft) are converted, times 0.3048 m");
+  EXPECT_NE(told("Dip,DipDir,X,Y,Z,Persistence (ft)\n60,135,5,5,5,6\n")
+                .find("Persistence (ft) is taken for the diameter of discs; "),
+            std::string::npos);
+}
+
+TEST(JointTables, RefuseUnitsThatAreNotKnown) {
+  struct Wrong {
+    const char* text;
+    int line, column;
+    const char* says;
+  };
+  const Wrong cases[] = {
+      {"Dip (mil),DipDir,X,Y,Z\n60,135,5,5,5\n", 1, 1,
+       "the unit of 'Dip (mil)' is not known: angles are in deg, \xC2\xB0, rad, gon, grad"},
+      {"Dip,DipDir,X,Y,Z,Radius [furlong]\n60,135,5,5,5,1\n", 1, 18,
+       "the unit of 'Radius [furlong]' is not known: lengths are in m, "},
+      {"Dip;DipDir;X;Y;Z, furlong\n60;135;5;5;5\n", 1, 16, "'Z, furlong' is not known"},
+      {"Dip,DipDir,X,Y,Z,Persistence (furlong)\n60,135,5,5,5,0.5\n", 1, 18,
+       "'Persistence (furlong)' is not known: lengths"},
+      {"Dip,DipDir,X,Y,Z\n(deg),(deg),(m),(chain),(m)\n60,135,5,5,5\n", 2, 17,
+       "the unit of '(chain)' is not known"},
+  };
+  for (const auto& wrong : cases) {
+    const auto errors = errors_of_reading([&] { rows_of(wrong.text); });
+    ASSERT_EQ(errors.size(), 1u) << wrong.text;
+    EXPECT_EQ(errors[0].place.line, wrong.line) << listed(errors);
+    EXPECT_EQ(errors[0].place.column, wrong.column) << listed(errors);
+    EXPECT_NE(errors[0].message.find(wrong.says), std::string::npos) << listed(errors);
+  }
+  EXPECT_EQ(fault("Dip,DipDir,Easting (X),Northing (Y),Z,Note (old)\n60,135,5,5,5,a\n"), "");
+}
+
+TEST(JointTables, SayWhatToDoWithoutPlacesAndWithoutExtents) {
+  EXPECT_NE(fault("Dip,DipDir,Spacing,Set\n60,135,1,J1\n").find("x, y, z: a table is of joints at"),
+            std::string::npos);
+  for (const char* extent : {">10", "20+", "n/a"})
+    EXPECT_NE(fault(std::string("Dip,DipDir,X,Y,Z,Persistence (m)\n60,135,5,5,5,") + extent + "\n")
+                  .find("; an empty field is a through-going joint"),
+              std::string::npos)
+        << extent;
+}
+
+TEST(JointTables, TellOfAnglesThatMayBeRadians) {
+  const std::string head = "Dip,DipDir,X,Y,Z,radius\n";
+  EXPECT_NE(told(head + "0.66,3.05,5,5,5,1\n1.2,1.05,5,5,5,1\n").find("did you mean radians?"),
+            std::string::npos);
+  for (const char* rows : {"0.66,3.05,5,5,5,1\n1.7,1.05,5,5,5,1\n", "0.66,30,5,5,5,1\n",
+                           "1,3,5,5,5,1\n", "0.5,0,5,5,5,1\n", "0.5,N3E,5,5,5,1\n"})
+    EXPECT_EQ(told(head + rows), "") << rows;
+  EXPECT_EQ(told("Dip (deg),DipDir (deg),X,Y,Z,radius\n0.66,3.05,5,5,5,1\n"), "");
+}
+
 /// A x + B y + C z + D = 0: the plane of the first line is 0.612372·(x − y) + 0.5·z = 2.5, through (5, 5, 5).
 TEST(JointTables, MayGivePlanesByTheirEquations) {
   const std::string rows =
@@ -304,7 +369,8 @@ TEST(JointTables, ThatAreWrongSayWhereAndWhy) {
       {"# nothing\n\n", 0, 0, "must begin with a heading"},
       {"dip,dip_direction,x,y,z,radius\n", 0, 0, "no joints"},
       {"dip,trend,x,y,z,radius\n", 1, 0, "no column dip_direction"},
-      {"dip,dip dir.,azimuth,x,y,z,radius\n", 1, 14, "two columns dip_direction"},
+      {"dip,dip dir.,azimuth,x,y,z,radius\n", 1, 14,
+       "two columns dip_direction: 'dip dir.' and 'azimuth'"},
       {"dip,dip_direction,x,y,z,radus\n", 1, 25,
        "unknown column 'radus', did you mean \"radius\"?"},
       {"dip,dip_drection,x,y,z,radius\n", 1, 5, "did you mean \"dip_direction\"?"},

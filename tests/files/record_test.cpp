@@ -74,7 +74,23 @@ TEST(Record, HasTheUnitsOfItsHeadingOrOfTheModel) {
   BaseAcceleration base = along({1, 0, 0});
   base.unit = 9.81;
   EXPECT_EQ(read_record("t,a (cm/s2)\n0,0.5\n", base, place).value[0][0], 0.5 * 9.81);
-  EXPECT_EQ(fault("t,a (m/s)\n0,1\n", along({1, 0, 0})).substr(0, 5), "1:3: ");
+  EXPECT_EQ(fault("t,a (m/s)\n0,1\n", along({1, 0, 0})),
+            "1:3: the unit of 'a (m/s)' is not known: accelerations are in m/s2, cm/s2, g");
+  EXPECT_EQ(fault("t (d),a (g)\n0,1\n", along({1, 0, 0})),
+            "1:1: the unit of 't (d)' is not known: times are in s, ms, min, h");
+}
+
+TEST(Record, TellsWhereTheModelContradictsItsUnit) {
+  BaseAcceleration base = along({1, 0, 0});
+  base.unit = 9.81;
+  for (const char* text : {"t,acc (m/s2)\n0,0.3\n", "t,acc\n(s),(m/s2)\n0,0.3\n"})
+    EXPECT_NE(warning(text, base)
+                  .find("contradicts base_acceleration.unit, which goes before it: "
+                        "the largest acceleration is then 0.3 g, by the file 0.0306 g"),
+              std::string::npos)
+        << warning(text, base);
+  for (const char* text : {"t,acc (g)\n0,0.3\n", "t,acc\n0,0.3\n"})
+    EXPECT_EQ(warning(text, base), "") << text;
 }
 
 /// Strong shaking is 1 to 20 m/s², which is 0.1 to 2 g and 100 to 2,000 gal.

@@ -257,6 +257,38 @@ TEST(XyzPosts, MayBeInFeetIfTheHeadingSaysSo) {
   EXPECT_EQ(warnings[0].message, "Z (ft) is converted to metres, times 0.3048");
 }
 
+TEST(XyzPosts, MayBeInFeetOfSurveysAndAboveADatum) {
+  const auto ground = ground_of("N (usft),E (US ft),Z (ftUS)\n0,0,10\n0,2,20\n5,0,30\n");
+  EXPECT_DOUBLE_EQ(ground.vertices[0][2], 10 * 1200.0 / 3937);
+  for (const char* datum : {"mAHD", "m AHD", "m a.s.l.", "m \xC3\xBC. M.", "m+NN", "RL"}) {
+    const auto high =
+        ground_of(std::string("N,E,Elevation (") + datum + ")\n0,0,10\n0,2,20\n5,0,30\n");
+    EXPECT_EQ(high.vertices[0][2], 10) << datum;
+  }
+}
+
+TEST(XyzPosts, InUnitsThatAreNotKnownAreRefused) {
+  struct Wrong {
+    const char* text;
+    int line, column;
+  };
+  for (const Wrong& wrong : {Wrong{"ID,North (furlong),East (m),Elev (m)\n0,5,2,1\n", 1, 4},
+                             Wrong{"North, furlong;East, m;Elev, m\n5;2;1\n", 1, 1},
+                             Wrong{"# x,y,z (furlong)\n5,2,1\n", 1, 7},
+                             Wrong{"N,E,Z\n(m),(furlong),(m)\n5,2,1\n", 2, 5}}) {
+    const auto errors = errors_of_reading([&] { ground_of(wrong.text); });
+    ASSERT_FALSE(errors.empty()) << wrong.text;
+    EXPECT_EQ(errors[0].place.line, wrong.line) << listed(errors);
+    EXPECT_EQ(errors[0].place.column, wrong.column) << listed(errors);
+    EXPECT_NE(
+        errors[0].message.find("is not known: lengths are in m, mm, cm, km, ft, usft, yd, in"),
+        std::string::npos)
+        << listed(errors);
+  }
+  EXPECT_NE(columns_fault({"n", "e", "z (furlong)"}).find("'z (furlong)' is not known"),
+            std::string::npos);
+}
+
 TEST(XyzPosts, OfOtherColumnsTell) {
   std::vector<Diagnostic> warnings;
   read_terrain("Point,Northing,Easting,Elevation,Code\n7,0,0,1,a\n9,0,2,2,b\n8,5,0,3,c\n",

@@ -21,7 +21,8 @@ TEST(Units, AreThoseOfTheKey) {
       {"35 deg", "deg", 35},           {"0.5 rad", "deg clockwise from north", 28.6478897565},
       {"150 kN", "N", 150e3},          {"1 kip", "N", 4448.2216},
       {"+2 MPa/mm", "Pa/m", 2e9},      {"20 ms", "s", 0.02},
-      {"1 g", "m/s2", 9.81},
+      {"1 g", "m/s2", 9.81},           {"3937 usft", "m", 1200},
+      {"2 yd", "m", 1.8288},           {"50 grad", "deg", 45},
   };
   for (const auto& [text, wanted, value] : cases) {
     const auto found = number_with_unit(text, wanted);
@@ -34,6 +35,8 @@ TEST(Units, OfOtherQuantitiesAreNone) {
   for (const char* text : {"25 MPa", "25", "m", "", "25 ", "2,5 m", "25 furlong"})
     EXPECT_FALSE(number_with_unit(text, "m")) << text;
   EXPECT_FALSE(number_with_unit("3 m", ""));
+  EXPECT_EQ(units_of("deg"), "deg, °, rad, gon, grad");
+  EXPECT_EQ(units_of("barrels"), "");
 }
 
 DipOrientation dip_of(const std::string& keys) {

@@ -45,7 +45,9 @@ std::size_t PostColumns::last() const {
 }
 
 bool PostColumns::is_plain() const {
-  return at == std::array<std::size_t, 3>{0, 1, 2} && factor == std::array<Real, 3>{1, 1, 1};
+  return at == std::array<std::size_t, 3>{0, 1, 2} &&
+         std::all_of(unit.begin(), unit.end(),
+                     [](const ColumnUnit& u) { return unit_factor(u.text, "m") == 1; });
 }
 
 std::vector<std::string> PostColumns::others() const {
@@ -56,7 +58,8 @@ std::vector<std::string> PostColumns::others() const {
   return others;
 }
 
-std::optional<PostColumns> columns_of_heading(std::vector<Field> names, std::string& missing) {
+std::optional<PostColumns> columns_of_heading(std::vector<Field> names, int line,
+                                              std::string& missing) {
   PostColumns columns;
   std::vector<std::string> absent;
   for (std::size_t d = 0; d < 3; ++d) {
@@ -69,7 +72,7 @@ std::optional<PostColumns> columns_of_heading(std::vector<Field> names, std::str
       return {};
     } else {
       columns.at[d] = found.front();
-      columns.factor[d] = unit_factor(unit_in(names[found.front()].text), "m");
+      columns.unit[d] = unit_of_heading(names[found.front()], line);
     }
   }
   if (!absent.empty()) {
@@ -84,14 +87,29 @@ std::optional<PostColumns> columns_of_model(const std::vector<std::string>& colu
                                             std::string& missing) {
   std::vector<Field> names;
   for (const std::string& column : columns) names.push_back({column, 0});
-  return columns_of_heading(std::move(names), missing);
+  auto found = columns_of_heading(std::move(names), 0, missing);
+  if (!found) return {};
+  for (std::size_t d = 0; d < 3; ++d) {
+    const auto factor = unit_factor(found->unit[d].text, "m");
+    if (!factor) {
+      missing = unknown_unit(found->unit[d].said_in, "m");
+      return {};
+    }
+    found->factor[d] = *factor;
+  }
+  return found;
 }
 
-void take_units(PostColumns& columns, const std::vector<Field>& units) {
-  for (std::size_t d = 0; d < 3; ++d)
-    if (columns.at[d] < units.size() && unit_in(columns.names[columns.at[d]].text).empty())
-      columns.factor[d] =
-          unit_factor(unit_alone(units[columns.at[d]].text).value_or(std::string()), "m");
+void take_units(PostColumns& columns, const std::vector<Field>& units, int line) {
+  for (std::size_t d = 0; d < 3; ++d) {
+    if (columns.at[d] >= units.size() || !columns.unit[d].text.empty()) continue;
+    const Field& field = units[columns.at[d]];
+    columns.unit[d] = {unit_alone(field.text).value_or(""), field.text, line, field.column};
+  }
+}
+
+void settle_units(PostColumns& columns, Faults& faults) {
+  for (std::size_t d = 0; d < 3; ++d) columns.factor[d] = unit_factor(columns.unit[d], "m", faults);
 }
 
 std::string suggested_columns(std::size_t count) {

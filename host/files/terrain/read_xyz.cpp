@@ -126,8 +126,9 @@ class PostReader {
     std::string missing;
     const auto heading = line.substr(begin);
     Faults unheard(place_);
-    columns_ =
-        columns_of_heading(split_fields(heading, separator_of(heading), number, unheard), missing);
+    auto fields = split_fields(heading, separator_of(heading), number, unheard);
+    for (Field& field : fields) field.column += static_cast<int>(begin);
+    columns_ = columns_of_heading(std::move(fields), number, missing);
     is_of_comment_ = columns_.has_value();
     if (columns_) line_of_heading_ = number;
   }
@@ -160,7 +161,7 @@ class PostReader {
       return true;
     }
     if (columns_ && are_units(fields)) {
-      take_units(*columns_, fields);
+      take_units(*columns_, fields, lines.number());
       return true;
     }
     begin_rows(line, fields.size());
@@ -195,7 +196,7 @@ class PostReader {
                                "heading above them, or say it in the model, as {}",
                                quoted(fields[0].text), suggested_columns(fields.size())));
     std::string missing;
-    const auto named = columns_of_heading(fields, missing);
+    const auto named = columns_of_heading(fields, number, missing);
     if (!named && columns_) return;  // a comment has said it
     columns_ = named;
     is_of_comment_ = false;
@@ -216,6 +217,8 @@ class PostReader {
   void begin_rows(std::string_view line, std::size_t fields) {
     rows_begun_ = true;
     check_comment(fields);
+    if (columns_) settle_units(*columns_, faults_);
+    faults_.throw_if_any();
     if (count_ && !columns_)  // a number alone, and no heading that tells of a count
       faults_.fail(line_of_count_, 1,
                    "holds one number: there must be three numbers, x, y and z, in a line");

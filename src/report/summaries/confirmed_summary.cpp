@@ -45,7 +45,9 @@ std::vector<std::string> keyblock_row(const Confirmed& c, bool residual) {
                                fmt::format("{:.3g}", norm(c.displacement)),
                                number_or_dash(c.off, 1),
                                moved ? fmt::format("{:.1f}", c.rotation) : "-",
-                               c.agrees ? "yes" : "no: " + c.reason};
+                               !c.agrees       ? "no: " + c.reason
+                               : c.other_loads ? "yes, under other loads"
+                                               : "yes"};
   if (residual)
     row.insert(row.begin() + residual_column, number_or_dash(c.key->residual_factor_of_safety, 2));
   return row;
@@ -105,6 +107,13 @@ std::string weaker_note(const RunReport& report, const std::vector<Confirmed>& k
       fmt::join(slipped, ", "));
 }
 
+std::string loads_note(const std::vector<Confirmed>& keys) {
+  if (std::none_of(keys.begin(), keys.end(), [](const Confirmed& c) { return c.other_loads; }))
+    return "";
+  return "\n  Block theory counts water or a seismic coefficient here, which do not act in the "
+         "analysis.\n";
+}
+
 }  // namespace
 
 std::string confirmed_summary(const RunReport& report, std::size_t most) {
@@ -124,7 +133,7 @@ std::string confirmed_summary(const RunReport& report, std::size_t most) {
   std::string text;
   if (other_count > 0) text += fact("others that move", others);
   if (keys.empty()) return text;
-  const std::string note = weaker_note(report, keys);
+  const std::string note = weaker_note(report, keys) + loads_note(keys);
   return fact("key blocks that move", counts(keys)) + text + "\n" +
          keyblock_table(keys, most, any_residual_factor(*report.keyblocks)) + note;
 }

@@ -17,6 +17,7 @@
 #include "src/report/names.hpp"
 #include "src/report/progress_line.hpp"
 #include "src/report/summaries/table.hpp"
+#include "src/run/base_motion.hpp"
 
 namespace rockfold {
 
@@ -65,6 +66,16 @@ std::string extent_text(const NamedExtent& extent) {
                      high[0], low[1], high[1], low[2], high[2]);
 }
 
+/// "peak 0.3 g, 8 s, from t = 1 to 9 s"; "" without a record.
+std::string record_fact(const Model& model) {
+  if (!model.base_acceleration || !model.analysis || model.base_acceleration->table.empty())
+    return "";
+  constexpr Real g = 9.81;  // m/s²
+  const RecordSpan span = record_span(model);
+  return fact("record", fmt::format("peak {:.3g} g, {:.4g} s, from t = {:.4g} to {:.4g} s",
+                                    span.peak / g, span.to - span.from, span.from, span.to));
+}
+
 std::string analysis_name(AnalysisType type) {
   switch (type) {
     case AnalysisType::static_:
@@ -106,6 +117,7 @@ std::string check_summary(const Model& model, const std::vector<NamedExtent>& ex
           fmt::format("{}, {}", analysis_name(stage.type), counted(stage.steps, "step", "steps")) +
               (stage.excavate != 0 ? fmt::format(", without the rock of stage {}", stage.excavate)
                                    : ""));
+  text += record_fact(model);
   for (const auto& [command, purpose] :
        {std::pair{"support", Purpose::support}, {"run", Purpose::run}})
     for (const auto& lack : missing_for(model, purpose))
@@ -341,6 +353,7 @@ std::string run_summary(const RunReport& report) {
   text +=
       fact("steps", fmt::format("{} to t = {:.6g} s, {} solver iterations ({})", steps, run.time,
                                 grouped(run.iterations.pcg), preconditioner_text(run)));
+  text += record_fact(report.model);
   const LargestDisplacement& largest = run.largest_displacement;
   const bool counts_anew = resets(report.model);
   if (largest.block != none)

@@ -15,6 +15,7 @@ struct Unit {
 
 constexpr Real g = 9.81;  // m/s2, the default gravity: a unit weight of 26.487 kN/m3 is 2700 kg/m3
 constexpr Real foot = 0.3048, inch = 0.0254, pound = 0.45359237;  // exact, 1959
+constexpr Real survey_foot = 1200.0 / 3937;                       // of surveys in the USA, 1893
 constexpr Real pound_force = pound * 9.80665, psi = pound_force / (inch * inch);
 
 constexpr Unit units[] = {
@@ -42,11 +43,14 @@ constexpr Unit units[] = {
     {"m", "cm", 1e-2},
     {"m", "km", 1e3},
     {"m", "ft", foot},
+    {"m", "usft", survey_foot},
+    {"m", "yd", 3 * foot},
     {"m", "in", inch},
     {"deg", "deg", 1},
     {"deg", "°", 1},
     {"deg", "rad", 180 / std::numbers::pi},
     {"deg", "gon", 0.9},
+    {"deg", "grad", 0.9},
     {"N", "N", 1},
     {"N", "kN", 1e3},
     {"N", "MN", 1e6},
@@ -111,10 +115,15 @@ std::optional<Real> number_with_unit(std::string_view text, std::string_view wan
   return {};
 }
 
-std::string other_units(std::string_view wanted) {
+std::string units_of(std::string_view wanted) {
   std::string list;
   for (const Unit& unit : units)
     if (unit.wanted == plain(wanted)) list += (list.empty() ? "" : ", ") + std::string(unit.name);
+  return list;
+}
+
+std::string other_units(std::string_view wanted) {
+  const std::string list = units_of(wanted);
   return list.empty() ? "" : ", or text with a unit: " + list;
 }
 
