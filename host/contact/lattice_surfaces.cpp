@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "host/flatten/near_vertices.hpp"
@@ -103,7 +102,8 @@ class Division {
       while (part < in_.part_count() && in_.part_block[part] == b) ++part;
       if (part > first) divide_block(b, first, part);
     }
-    find_edges(out_);
+    add_hull_faces();
+    find_edges(out_, edges_);
     return std::move(out_);
   }
 
@@ -124,7 +124,7 @@ class Division {
         divide_face(f, parts);
       const Index before = out_.part_count();
       for (const auto& [at, faces] : parts) add_part(b, faces, centre, shift, merger);
-      add_far_faces(before);
+      add_bounds(p, before, [&](Index v) { return shift + merger.add(in_.vertex[v] - centre); });
     }
     for (const Vec3& x : merger.vertices()) {
       out_.vertex.push_back(x + centre);
@@ -225,22 +225,53 @@ class Division {
       visit({corners[0], corners[i], corners[i + 1]});
   }
 
-  /// Gives each part from `first` on, all of one convex part, a piece of each face of that which looks another way than all of its own.
-  void add_far_faces(Index first) {
-    std::map<Index, Index> piece;
-    for (Index f = out_.part_face_begin[first]; f < out_.face_count(); ++f)
-      piece.try_emplace(whole_[f], f);
-    for (Index p = first; p < out_.part_count(); ++p) {
-      std::set<Index> own;
-      for (Index f = out_.part_face_begin[p]; f < out_.part_face_begin[p + 1]; ++f)
-        own.insert(whole_[f]);
-      for (const auto& [whole, f] : piece) {
-        const Vec3 n = normal(whole);
-        const auto looks_alike = [&](Index other) { return dot(normal(other), n) > alike; };
-        if (std::none_of(own.begin(), own.end(), looks_alike)) out_.part_far_face.push_back(f);
+  /// Gives each part from `first` on, all of convex part p, what bounds that where it looks another way than all of its own.
+  /// `number`: of a vertex of the blocks.
+  template <class Number>
+  void add_bounds(Index p, Index first, const Number& number) {
+    if (first == out_.part_count()) return;
+    const auto& begin = in_.has_hull(p) ? in_.part_hull_begin : in_.part_face_begin;
+    const Index shift = static_cast<Index>(hull_faces_.size()) - begin[p];
+    for (Index f = begin[p]; f < begin[p + 1]; ++f) {
+      hull_faces_.emplace_back();
+      for (Index c = in_.corner_begin[f]; c < in_.corner_begin[f + 1]; ++c)
+        hull_faces_.back().push_back(number(in_.corner_vertex[c]));
+    }
+    std::vector<PartEdge> edges;
+    for (Index e = in_.part_edge_begin[p]; e < in_.part_edge_begin[p + 1]; ++e)
+      edges.push_back({none,
+                       {number(in_.edge_vertex[2 * e]), number(in_.edge_vertex[2 * e + 1])},
+                       {shift + in_.edge_face[2 * e], shift + in_.edge_face[2 * e + 1]}});
+    for (Index part = first; part < out_.part_count(); ++part) {
+      std::vector<std::uint8_t> far;
+      for (Index f = begin[p]; f < begin[p + 1]; ++f) {
+        far.push_back(looks_another_way(part, f) ? 1 : 0);
+        if (far.back() != 0) out_.part_far_face.push_back(shift + f);
       }
       out_.part_far_begin.push_back(static_cast<Index>(out_.part_far_face.size()));
+      for (PartEdge e : edges) {
+        e.part = part;
+        e.far = far[e.face[0] - shift - begin[p]] & far[e.face[1] - shift - begin[p]];
+        edges_.push_back(e);
+      }
     }
+  }
+
+  bool looks_another_way(Index part, Index f) const {
+    const Vec3 n = normal(f);
+    for (Index g = out_.part_face_begin[part]; g < out_.part_face_begin[part + 1]; ++g)
+      if (dot(normal(whole_[g]), n) > alike) return false;
+    return true;
+  }
+
+  /// Numbers them after the faces of all parts.
+  void add_hull_faces() {
+    const Index shift = out_.face_count();
+    for (const std::vector<Index>& corners : hull_faces_) add_hull_face(corners, out_);
+    out_.face_centre.resize(out_.face_count(), none);
+    for (Index& f : out_.part_far_face) f += shift;
+    for (PartEdge& e : edges_)
+      for (Index& f : e.face) f += shift;
   }
 
   /// The unit outward normal of a face of the blocks.
@@ -258,7 +289,9 @@ class Division {
   bool curved_;
   Real tolerance_;  ///< that of the surfaces in units of the lattice's shortest edge
   SurfaceArrays out_;
-  std::vector<Index> whole_;  ///< [F] of out_, into the faces of in_
+  std::vector<Index> whole_;                    ///< [F] of out_, into the faces of in_
+  std::vector<std::vector<Index>> hull_faces_;  ///< corners of each
+  std::vector<PartEdge> edges_;                 ///< of what the parts are patches of
 };
 
 }  // namespace

@@ -16,9 +16,9 @@ namespace {
 
 /// A convex polygon of a cell's boundary, counter-clockwise seen from outside.
 struct CellPolygon {
-  Index cell = none;
-  Index origin = none;        ///< into the origins
-  std::vector<Vec3> corners;  ///< m, about the table's centre
+  Index cell = none, face = none;  ///< local face
+  Index origin = none;             ///< into the origins
+  std::vector<Vec3> corners;       ///< m, about the table's centre
 };
 
 std::vector<Vec3> corners_of(const Polygon& polygon, bool backwards) {
@@ -36,8 +36,8 @@ class CellPolygons {
     for (const Fragment& f : complex.fragments) add(f);
     for (const FreePart& f : complex.free_parts)
       if (f.gap == none && wanted(f.cell))
-        polygons_.push_back(
-            {f.cell, f.origin, corners_of(complex.polygon_of(f), lies_above(f.cell, f.face))});
+        polygons_.push_back({f.cell, f.face, f.origin,
+                             corners_of(complex.polygon_of(f), lies_above(f.cell, f.face))});
     for (const Beam& b : complex.beams) add(b);
     std::stable_sort(polygons_.begin(), polygons_.end(),
                      [](const CellPolygon& a, const CellPolygon& b) { return a.cell < b.cell; });
@@ -46,7 +46,7 @@ class CellPolygons {
   /// Those of a cell.
   std::span<const CellPolygon> of(Index cell) const {
     const auto [begin, end] = std::equal_range(
-        polygons_.begin(), polygons_.end(), CellPolygon{cell, none, {}},
+        polygons_.begin(), polygons_.end(), CellPolygon{cell, none, none, {}},
         [](const CellPolygon& a, const CellPolygon& b) { return a.cell < b.cell; });
     return {begin, end};
   }
@@ -65,14 +65,15 @@ class CellPolygons {
       return;  // inside a block; or what beams stand for
     for (int side = 0; side < 2; ++side)
       if (wanted(f.cell[side]))
-        polygons_.push_back({f.cell[side], f.joint, corners_of(complex_.polygon_of(f), side == 1)});
+        polygons_.push_back(
+            {f.cell[side], f.face[side], f.joint, corners_of(complex_.polygon_of(f), side == 1)});
   }
 
   void add(const Beam& b) {
     if (b.narrow || !wanted(b.cell[0])) return;
     const bool ends = b.cell[1] == none;
     if (!ends && complex_.cell_block[b.cell[0]] == complex_.cell_block[b.cell[1]]) return;
-    polygons_.push_back({b.cell[0], ends ? b.origin : b.joint, b.polygon});
+    polygons_.push_back({b.cell[0], b.face[0], ends ? b.origin : b.joint, b.polygon});
   }
 
   const Complex& complex_;
@@ -109,6 +110,7 @@ class Builder {
         add_block(b, polygon, last_polygon, std::span(cell).subspan(first, next - first));
       polygon = last_polygon;
     }
+    add_hulls();
     find_edges(out_);
     return std::move(out_);
   }
@@ -152,7 +154,10 @@ class Builder {
       std::sort(corners.begin(), corners.end());
       corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
       out_.part_vertex.insert(out_.part_vertex.end(), corners.begin(), corners.end());
-      for (const CellPolygon& p : cell_polygons_.of(c)) add_polygon(p, first, merger);
+      std::vector<bool> shown(complex_.cells[c].faces.size(), false);
+      for (const CellPolygon& p : cell_polygons_.of(c))
+        if (add_polygon(p, first, merger)) shown[p.face] = true;
+      note_hull(complex_.cells[c], shown, first, merger);
       end_part(b);
     }
     for (const Vec3& x : merger.vertices()) {
@@ -161,17 +166,51 @@ class Builder {
     }
   }
 
-  /// Without corners that became one with their neighbours; nothing, where fewer than three are left.
-  void add_polygon(const CellPolygon& p, Index first, VertexMerger& merger) {
+  /// The vertices of a polygon without those that became one with their neighbours.
+  static std::vector<Index> merged(const std::vector<Vec3>& polygon, Index first,
+                                   VertexMerger& merger) {
     std::vector<Index> corners;
-    for (const Vec3& x : p.corners) {
+    for (const Vec3& x : polygon) {
       const Index v = first + merger.add(x);
       if (corners.empty() || corners.back() != v) corners.push_back(v);
     }
     while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
-    if (corners.size() < 3) return;
+    return corners;
+  }
+
+  /// Whether three corners are left.
+  bool add_polygon(const CellPolygon& p, Index first, VertexMerger& merger) {
+    const std::vector<Index> corners = merged(p.corners, first, merger);
+    if (corners.size() < 3) return false;
     out_.corner_vertex.insert(out_.corner_vertex.end(), corners.begin(), corners.end());
     end_face(p.origin);
+    return true;
+  }
+
+  /// The faces of a part's cell; far are those on which it shows nothing.
+  void note_hull(const CellView& cell, const std::vector<bool>& shown, Index first,
+                 VertexMerger& merger) {
+    for (std::size_t f = 0; f < cell.faces.size(); ++f) {
+      std::vector<Vec3> polygon;
+      for (Index c = 0; c < cell.faces[f].count; ++c)
+        polygon.push_back(cell.vertices[cell.corners[cell.faces[f].begin + c].vertex].x);
+      const std::vector<Index> corners = merged(polygon, first, merger);
+      if (corners.size() >= 3) hull_faces_.push_back({out_.part_count(), corners, !shown[f]});
+    }
+  }
+
+  void add_hulls() {
+    std::size_t next = 0;
+    for (Index p = 0; p < out_.part_count(); ++p) {
+      out_.part_hull_begin.push_back(out_.face_count());
+      out_.part_far_begin.push_back(static_cast<Index>(out_.part_far_face.size()));
+      for (; next < hull_faces_.size() && hull_faces_[next].part == p; ++next) {
+        if (hull_faces_[next].far) out_.part_far_face.push_back(out_.face_count());
+        add_hull_face(hull_faces_[next].corners, out_);
+      }
+    }
+    out_.part_hull_begin.push_back(out_.face_count());
+    out_.part_far_begin.push_back(static_cast<Index>(out_.part_far_face.size()));
   }
 
   void end_face(Index origin) {
@@ -197,6 +236,12 @@ class Builder {
   const PolygonMesh polygons_;
   const CellPolygons cell_polygons_;
   bool goes_on_the_way_ = false;  ///< some rock
+  struct HullFace {
+    Index part;
+    std::vector<Index> corners;
+    bool far;
+  };
+  std::vector<HullFace> hull_faces_;  ///< of cells, by part
   SurfaceArrays out_;
 };
 

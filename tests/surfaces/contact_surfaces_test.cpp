@@ -1,4 +1,5 @@
 // The surfaces that contact gets of a cutting: they close, hold the blocks' volume and areas, and detection finds the joints in them.
+#include <algorithm>
 #include <map>
 #include <random>
 
@@ -91,6 +92,91 @@ TEST(ContactSurfaces, OfConvexBlocksHaveTheirEdges) {
               r.blocks.edge_count[p]);
 }
 
+/// A cube cut by 13 discs in three sets: some of its blocks are not convex.
+Model cube_with_discs(int seed) {
+  Model model = box_model({0, 0, 0}, {10, 10, 10});
+  const DipOrientation mean[] = {{62, 225}, {82, 355}, {38, 175}};
+  for (const DipOrientation& dip : mean) {
+    JointSet set;
+    set.name = std::string("J").append(std::to_string(model.joint_sets.size() + 2));
+    set.orientation = dip;
+    set.radius = 5;
+    set.random = RandomSet{};
+    set.random->seed = static_cast<std::uint64_t>(seed + 1000 * model.joint_sets.size());
+    set.random->fisher_kappa = model.joint_sets.size() == 1 ? 80 : 60;
+    set.random->count = model.joint_sets.size() < 2 ? 5 : 3;
+    model.joint_sets.push_back(set);
+  }
+  return model;
+}
+
+// The hull of a cell is closed (Euler), and is far where the cell shows nothing.
+TEST(ContactSurfaces, OfCellsHaveTheirHulls) {
+  const Rock r = make_rock(cube_with_discs(1));
+  const SurfaceArrays& s = r.surfaces;
+  int far_edges = 0;
+  for (Index p = 0; p < s.part_count(); ++p) {
+    const Index faces = s.part_hull_begin[p + 1] - s.part_hull_begin[p],
+                edges = s.part_edge_begin[p + 1] - s.part_edge_begin[p],
+                vertices = s.part_vertex_begin[p + 1] - s.part_vertex_begin[p];
+    if (r.blocks.convex[s.part_block[p]] != 0) {
+      EXPECT_EQ(faces, 0);
+      continue;
+    }
+    EXPECT_EQ(vertices - edges + faces, 2);
+    const bool shows = s.part_face_begin[p] < s.part_face_begin[p + 1];
+    EXPECT_EQ(s.part_far_begin[p + 1] - s.part_far_begin[p] == faces, !shows);
+    for (Index e = s.part_edge_begin[p]; e < s.part_edge_begin[p + 1]; ++e)
+      far_edges += s.edge_far[e];
+  }
+  EXPECT_GT(far_edges, 0);
+}
+
+/// Cells of 2 m whose planes run through the models' faces, or through nothing.
+Lattice lattice_over(const BlockArrays& blocks, LatticeKind kind, bool aligned) {
+  Lattice lattice;
+  lattice.kind = kind;
+  Vec3 low = blocks.vertex[0], high = low;
+  for (const Vec3& x : blocks.vertex)
+    for (int d = 0; d < 3; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
+  for (int d = 0; d < 3; ++d) {
+    lattice.origin[d] = low[d] - (aligned ? 2 : 1.37);
+    lattice.edge[d][d] = 2;
+    lattice.cells[d] = static_cast<Index>((high[d] - lattice.origin[d]) / 2) + 2;
+  }
+  return lattice;
+}
+
+/// m: how deep the deepest point lies as detection begins.
+Real deepest(const SurfaceArrays& surfaces) {
+  ContactOptions options;
+  options.laws.emplace_back();
+  options.search_distance = 0.1;
+  options.skin = 0.5;
+  Contacts contacts(surfaces, options);
+  contacts.detect(surfaces.vertex);
+  Real most = 0;
+  for (const ContactPoint& p : contacts.points()) {
+    Vec3 d{};
+    for (int k = 0; k < 6; ++k) d += p.weight[k] * surfaces.vertex[p.vertex[k]];
+    most = std::max(most, -dot({p.normal[0], p.normal[1], p.normal[2]}, d) - p.offset);
+  }
+  return most;
+}
+
+// Cells never overlap. What parts two of them is often a virtual face of one, or an edge of such.
+TEST(ContactSurfaces, OfBlocksCutByDiscsOverlapNowhere) {
+  for (int seed = 1; seed <= 60; ++seed) {
+    const Rock r = make_rock(cube_with_discs(seed));
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    EXPECT_LT(deepest(r.surfaces), r.surfaces.tolerance);
+    if (seed % 20 != 0) continue;
+    for (const LatticeKind kind : {LatticeKind::hex8, LatticeKind::tet6})
+      EXPECT_LT(deepest(divide_surfaces(r.surfaces, lattice_over(r.blocks, kind, false))),
+                r.surfaces.tolerance);
+  }
+}
+
 /// Expects the joints whole, and nothing else pressed.
 void expect_joints(const SurfaceArrays& surfaces, const BlockArrays& blocks) {
   ContactOptions options;
@@ -140,21 +226,6 @@ std::vector<Real> areas(const SurfaceArrays& s) {
       area[s.part_block[p]] += 0.5 * norm(sum);
     }
   return area;
-}
-
-/// Cells of 2 m whose planes run through the models' faces, or through nothing.
-Lattice lattice_over(const BlockArrays& blocks, LatticeKind kind, bool aligned) {
-  Lattice lattice;
-  lattice.kind = kind;
-  Vec3 low = blocks.vertex[0], high = low;
-  for (const Vec3& x : blocks.vertex)
-    for (int d = 0; d < 3; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
-  for (int d = 0; d < 3; ++d) {
-    lattice.origin[d] = low[d] - (aligned ? 2 : 1.37);
-    lattice.edge[d][d] = 2;
-    lattice.cells[d] = static_cast<Index>((high[d] - lattice.origin[d]) / 2) + 2;
-  }
-  return lattice;
 }
 
 TEST(DividedSurfaces, LieInOnePartOfACellEachAndHoldTheJoints) {

@@ -36,7 +36,9 @@ KOKKOS_INLINE_FUNCTION bool find_plane(const Scene& e, Index pair, Plane& plane)
       // It still separates them.
       if (gap > 0) return gap < e.points.search_distance && !is_far(e.s, a, b, plane);
       q.near = n;
-      if (!(gap_along(e.s, e.before, a, b, plane, m) > 0)) q.how = Search::local;
+      // What had come beyond a plane where nothing touches is looked at from all sides.
+      if (!is_far(e.s, a, b, plane) && !(gap_along(e.s, e.before, a, b, plane, m) > 0))
+        q.how = Search::local;
     }
   }
   Choice best = PlaneSearch(e.s, e.before, e.now, q).run();
@@ -293,7 +295,7 @@ void serve(DeviceContacts& c) {
 Real largest_turn(const DeviceContacts& c) {
   const Field from = c.before.normal, to = c.now.normal;
   return device::largest(
-      "rockfold::contact::turn", c.surfaces.faces, KOKKOS_LAMBDA(const Index f) {
+      "rockfold::contact::turn", c.surfaces.shown_faces, KOKKOS_LAMBDA(const Index f) {
         const Vector n = at(from, f), m = at(to, f);
         return math::atan2(length(cross(n, m)), dot(n, m));
       });

@@ -74,14 +74,15 @@ KOKKOS_INLINE_FUNCTION bool is_of(const Surfaces& s, Index part, Index f) {
   return f >= s.part_face_begin(part) && f < s.part_face_begin(part + 1);
 }
 
-/// Whether the plane is a face of neither part but of the convex body that one of them is a patch of: what comes near to it there
-/// touches another patch.
+/// Whether the plane lies on nothing that the parts show: on a virtual face, on an edge of virtual faces, or on what bounds another patch of
+/// the convex body that a part is one of. What comes near to it there touches another part.
 KOKKOS_INLINE_FUNCTION bool is_far(const Surfaces& s, Index a, Index b, const Plane& p) {
+  if (p.kind == Plane::edges) return s.edge_far(p.first) != 0 || s.edge_far(p.second) != 0;
   return (p.kind == Plane::face_of_a && !is_of(s, a, p.first)) ||
          (p.kind == Plane::face_of_b && !is_of(s, b, p.first));
 }
 
-/// The gap along n, the normal of a face of a or b or of the bodies that these are patches of. The face is extreme there.
+/// The gap along n, the normal of a face or a far face of a or b. The face is extreme there.
 KOKKOS_INLINE_FUNCTION Real gap_on_face(const Surfaces& s, const Pose& pose, Index a, Index b,
                                         const Plane& p, const Vector& n) {
   const Real place = dot(n, at(pose.x, s.corner_vertex(s.corner_begin(p.first))));
@@ -92,14 +93,15 @@ KOKKOS_INLINE_FUNCTION Real gap_on_face(const Surfaces& s, const Pose& pose, Ind
 /// The gap along a plane found in another pose: its face or edges may no longer be extreme.
 KOKKOS_INLINE_FUNCTION Real gap_along(const Surfaces& s, const Pose& pose, Index a, Index b,
                                       const Plane& p, const Vector& n) {
-  return is_far(s, a, b, p) ? gap_on_face(s, pose, a, b, p, n) : gap_along(s, pose, a, b, n);
+  return p.kind != Plane::edges && is_far(s, a, b, p) ? gap_on_face(s, pose, a, b, p, n)
+                                                      : gap_along(s, pose, a, b, n);
 }
 
 /// How a plane is chosen.
 enum class Search {
   widest,  ///< the largest gap at the end
-  swept,  ///< of those that were open at the start: the largest gap at the end, or the one crossed last
-  local  ///< the largest gap at the end among those near `direction`
+  swept,  ///< of those that were open at the start: the largest gap at the end, or the one crossed last; far ones where they still part
+  local   ///< the largest gap at the end among those near `direction` that are not far
 };
 
 struct Query {
@@ -125,9 +127,9 @@ class PlaneSearch {
     try_faces(q_.a, Plane::face_of_a);
     try_faces(q_.b, Plane::face_of_b);
     for (Index ea = s_.part_edge_begin(q_.a); ea < s_.part_edge_begin(q_.a + 1) && !done_; ++ea) {
-      if (q_.how == Search::local && !may_be_near(ea, -q_.near)) continue;
+      if (q_.how == Search::local && (s_.edge_far(ea) || !may_be_near(ea, -q_.near))) continue;
       for (Index eb = s_.part_edge_begin(q_.b); eb < s_.part_edge_begin(q_.b + 1) && !done_; ++eb) {
-        if (q_.how == Search::local && !may_be_near(eb, q_.near)) continue;
+        if (q_.how == Search::local && (s_.edge_far(eb) || !may_be_near(eb, q_.near))) continue;
         if (arcs_cross(s_, now_, ea, eb)) try_plane({Plane::edges, ea, eb});
       }
     }
@@ -138,6 +140,7 @@ class PlaneSearch {
   KOKKOS_INLINE_FUNCTION void try_faces(Index part, Plane::Kind kind) {
     for (Index f = s_.part_face_begin(part); f < s_.part_face_begin(part + 1) && !done_; ++f)
       try_plane({kind, f, none});
+    if (q_.how == Search::local) return;
     for (Index i = s_.part_far_begin(part); i < s_.part_far_begin(part + 1) && !done_; ++i)
       try_plane({kind, s_.part_far_face(i), none});
   }
@@ -163,6 +166,7 @@ class PlaneSearch {
                                          Real& score) const {
     score = gap;
     if (q_.how != Search::swept) return true;
+    if (!(gap > 0) && is_far(s_, q_.a, q_.b, p)) return false;
     // Edges that were not extreme at the start say nothing about it: there the direction itself is asked.
     const Vector m = direction(s_, before_, p);
     if (!(dot(m, n) > near_direction)) return false;
@@ -186,7 +190,7 @@ class PlaneSearch {
     Real gap = gap_of(now_, p, n), score = 0;
     if (!find_score(p, n, gap, score) || !is_better(p, score)) return;
     // Of edges that are parallel but for rounding, and of faces that are no wider than it, it may point anywhere: then parts reach beyond.
-    const Real whole = gap_along(s_, now_, q_.a, q_.b, p, n);
+    const Real whole = gap_along(s_, now_, q_.a, q_.b, n);
     if (p.kind == Plane::edges ? whole < gap - s_.tolerance : whole < gap - q_.enough) {
       gap = whole;
       if (!find_score(p, n, gap, score) || !is_better(p, score)) return;

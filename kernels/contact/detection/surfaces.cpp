@@ -8,6 +8,7 @@ Surfaces upload(const SurfaceArrays& h) {
   s.parts = h.part_count();
   s.vertices = h.vertex_count();
   s.faces = h.face_count();
+  s.shown_faces = h.part_face_begin.back();
   s.tolerance = h.tolerance;
   s.block_mass = to_device("contact::block_mass", h.block_mass);
   s.part_block = to_device("contact::part_block", h.part_block);
@@ -33,6 +34,7 @@ Surfaces upload(const SurfaceArrays& h) {
   s.corner_face = to_device("contact::corner_face", corner_face);
   s.edge_vertex = to_device("contact::edge_vertex", h.edge_vertex);
   s.edge_face = to_device("contact::edge_face", h.edge_face);
+  s.edge_far = to_device("contact::edge_far", h.edge_far);
   return s;
 }
 

@@ -9,6 +9,7 @@ namespace rockfold::contact {
 /// The arrays of SurfaceArrays by the same names.
 struct Surfaces {
   Index parts = 0, vertices = 0, faces = 0;
+  Index shown_faces = 0;  ///< those that are no hull faces come first
   Real tolerance = 0;
   Array<Real> block_mass;
   Array<Index> part_block, part_vertex_begin, part_vertex, part_face_begin, part_edge_begin;
@@ -17,6 +18,7 @@ struct Surfaces {
   Array<Index> face_centre;  ///< [F] a vertex, or none
   Array<Index> corner_face;  ///< [C] the face of each corner
   Array<Index> edge_vertex, edge_face;
+  Array<std::uint8_t> edge_far;
 };
 Surfaces upload(const SurfaceArrays& surfaces);
 
