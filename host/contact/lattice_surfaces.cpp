@@ -237,8 +237,8 @@ class Division {
       for (Index c = in_.corner_begin[f]; c < in_.corner_begin[f + 1]; ++c)
         hull_faces_.back().push_back(number(in_.corner_vertex[c]));
     }
-    std::vector<PartEdge> edges;
-    for (Index e = in_.part_edge_begin[p]; e < in_.part_edge_begin[p + 1]; ++e)
+    std::vector<PartEdge> edges;  // of a convex block, patches have all that is near them
+    for (Index e = in_.part_edge_begin[p]; in_.has_hull(p) && e < in_.part_edge_begin[p + 1]; ++e)
       edges.push_back({none,
                        {number(in_.edge_vertex[2 * e]), number(in_.edge_vertex[2 * e + 1])},
                        {shift + in_.edge_face[2 * e], shift + in_.edge_face[2 * e + 1]}});
