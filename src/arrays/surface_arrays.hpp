@@ -3,8 +3,8 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "src/base/types.hpp"
@@ -75,7 +75,11 @@ struct PartEdge {
   Index part;
   std::array<Index, 2> vertex, face;
   std::uint8_t far = 0;
-  auto operator<=>(const PartEdge&) const = default;
+  bool operator==(const PartEdge&) const = default;
+  bool operator<(const PartEdge& other) const {
+    return std::tie(part, vertex, face, far) <
+           std::tie(other.part, other.vertex, other.face, other.far);
+  }
 };
 
 /// Adds a face on which nothing is shown.
