@@ -75,7 +75,6 @@ struct PartEdge {
   Index part;
   std::array<Index, 2> vertex, face;
   std::uint8_t far = 0;
-  bool operator==(const PartEdge&) const = default;
   bool operator<(const PartEdge& other) const {
     return std::tie(part, vertex, face, far) <
            std::tie(other.part, other.vertex, other.face, other.far);
