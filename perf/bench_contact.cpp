@@ -76,7 +76,7 @@ Answer run(const std::string& text) {
   ContactSurfaces contact;
   contact.surfaces = contact_surfaces(cutting, blocks, covering.arrays);
   contact.points =
-      locate_vertices(covering, contact.surfaces.vertex, contact.surfaces.vertex_block);
+      locate_surface(covering, contact.surfaces.vertex, contact.surfaces.vertex_block);
   RunInput input{model, covering.arrays, blocks,     fixed,   monitors,
                  loads, quiet,           velocities, vertices};
   input.contact = &contact;

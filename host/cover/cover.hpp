@@ -34,9 +34,10 @@ MaterialPoints locate_points(const Covering& covering, const std::vector<Vec3>& 
 
 /// The vertices of the blocks, in the order of BlockArrays::vertex, each in its own block; slivers are passed over.
 MaterialPoints locate_block_vertices(const Covering& covering, const BlockArrays& blocks);
-/// The same of vertices `x` of blocks `block`.
-MaterialPoints locate_vertices(const Covering& covering, const std::vector<Vec3>& x,
-                               const std::vector<Index>& block);
+/// Vertices `x` of the surfaces that blocks touch with, each of its block. The stress in a sliver is in balance with the tractions on its surface: these act
+/// on its own functions. They are pressures, and press it by as much as it is small.
+MaterialPoints locate_surface(const Covering& covering, const std::vector<Vec3>& x,
+                              const std::vector<Index>& block);
 
 /// The points at which the model's [[fixed]] hold, by springs of 1000 E/h per area (penalty) or exactly. Throws Error(model) naming the `fixed` entry where a region holds nothing.
 FixedPoints fixed_points(const Cutting& cutting, const Covering& covering, const Model& model);

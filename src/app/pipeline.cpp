@@ -84,7 +84,7 @@ CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockAr
   if (has_contact(model) && blocks.block_count() > 1) {
     SurfaceArrays surfaces =
         contact_surfaces(cutting, blocks, rock.covering.arrays, intact_law(model));
-    MaterialPoints points = locate_vertices(rock.covering, surfaces.vertex, surfaces.vertex_block);
+    MaterialPoints points = locate_surface(rock.covering, surfaces.vertex, surfaces.vertex_block);
     rock.contact = ContactSurfaces{std::move(surfaces), std::move(points)};
   }
   rock.mesh = make_element_mesh(rock.covering.arrays);

@@ -50,7 +50,7 @@ inline void run_model(const std::string& text, ModelAnswer& answer,
   if (has_contact(model) && blocks.block_count() > 1) {
     contact.surfaces = contact_surfaces(cutting, blocks, covering.arrays, intact_law(model));
     contact.points =
-        locate_vertices(covering, contact.surfaces.vertex, contact.surfaces.vertex_block);
+        locate_surface(covering, contact.surfaces.vertex, contact.surfaces.vertex_block);
     input.contact = &contact;
   }
   answer.result = run_analysis(input, store, silent);

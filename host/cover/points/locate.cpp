@@ -147,9 +147,9 @@ Holder Locator::find_firm(const Vec3& x, Index block) const {
   return firm_for(x, find(x, block));
 }
 
-Holder Locator::of_vertex(const Vec3& x, Index block) const {
+Holder Locator::of_vertex(const Vec3& x, Index block, Slivers slivers) const {
   if (covers_.lattice.kind != LatticeKind::block) {
-    const Holder own = find_firm(x, block);
+    const Holder own = slivers == Slivers::passed_over ? find_firm(x, block) : find(x, block);
     return own.found() ? own : nearest_of(x, block);
   }
   const IndexRange own = elements_of_cell(covers_, block);
@@ -255,13 +255,22 @@ MaterialPoints locate_points(const Covering& covering, const std::vector<Vec3>& 
   return result;
 }
 
+namespace {
+
 MaterialPoints locate_vertices(const Covering& covering, const std::vector<Vec3>& x,
-                               const std::vector<Index>& block) {
+                               const std::vector<Index>& block, Slivers slivers) {
   const Locator locator(covering);
   MaterialPoints result;
   for (std::size_t v = 0; v < x.size(); ++v)
-    locator.add(x[v], locator.of_vertex(x[v], block[v]), result);
+    locator.add(x[v], locator.of_vertex(x[v], block[v], slivers), result);
   return result;
+}
+
+}  // namespace
+
+MaterialPoints locate_surface(const Covering& covering, const std::vector<Vec3>& x,
+                              const std::vector<Index>& block) {
+  return locate_vertices(covering, x, block, Slivers::as_they_are);
 }
 
 MaterialPoints locate_block_vertices(const Covering& covering, const BlockArrays& blocks) {
@@ -269,7 +278,7 @@ MaterialPoints locate_block_vertices(const Covering& covering, const BlockArrays
   block.reserve(blocks.vertex.size());
   for (Index b = 0; b < blocks.block_count(); ++b)
     block.insert(block.end(), blocks.vertex_begin[b + 1] - blocks.vertex_begin[b], b);
-  return locate_vertices(covering, blocks.vertex, block);
+  return locate_vertices(covering, blocks.vertex, block, Slivers::passed_over);
 }
 
 }  // namespace rockfold

@@ -39,7 +39,7 @@ class Locator {
 
   /// That of a vertex of a block, which the block holds, but for the rounding of what is as thin as that. Of kind `block` a block of one material is one element: then nothing is
   /// searched, and only `element` is filled.
-  Holder of_vertex(const Vec3& x, Index block) const;
+  Holder of_vertex(const Vec3& x, Index block, Slivers slivers) const;
 
   /// The element of the second of two overlaid splits that holds x where `holder` does; none if there is one split.
   Index find_other(const Vec3& x, const Holder& holder) const;
