@@ -19,6 +19,7 @@
 #include "src/run/contact_setup.hpp"
 #include "src/run/gone_rock.hpp"
 #include "src/run/loose_parts.hpp"
+#include "src/run/made_energy.hpp"
 #include "src/run/records/block_motion.hpp"
 #include "src/run/records/block_stress.hpp"
 #include "src/run/records/contact_samples.hpp"
@@ -194,6 +195,7 @@ class Run {
   void settle(const AnalysisStage& stage);
   StepCourse course_to(Real end) const;
   void record_start();
+  void watch_energy(Index step);
   void go_on(const AnalysisStage& stage, Progress& progress);
   void pass(Archive& archive);
   void save_checkpoint();
@@ -311,6 +313,7 @@ bool Run::take_step(Index step, Real dt) {
     const bool goes_far = watched_ && motion_.largest_increment() > limit_;
     if (!makes_energy && !goes_far) {
       ++at.done;
+      note_gain(input_, motion_, result_.made);
     } else if (makes_energy || at.parts < most_substeps) {
       halve();
     } else {
@@ -468,6 +471,20 @@ void Run::record_start() {
   start_ = motion_.contact_points();
   record_contacts();
   recorder_.record(motion_, 0, result_.interrupted);
+  count_made_energy(nullptr, result_.energies.front(), result_.made);
+}
+
+/// Ends the run where contact makes energy, with the states so far.
+void Run::watch_energy(Index step) {
+  if (!input_.contact) return;
+  const auto n = result_.energies.size();
+  count_made_energy(&result_.energies[n - 2], result_.energies[n - 1], result_.made);
+  try {
+    require_little_made(result_.made, step, motion_.time());
+  } catch (const Error&) {
+    recorder_.store(motion_, step);
+    throw;
+  }
 }
 
 /// Where, how far and what has been recorded; the motion's own bytes follow.
@@ -529,6 +546,7 @@ void Run::go_on(const AnalysisStage& stage, Progress& progress) {
     ++at_.step;
     record_contacts();
     recorder_.record(motion_, step, last);
+    watch_energy(step);
     if (watch_)
       then_ = watch_(
           {at_.stage, at_.step, motion_.time(), start_, motion_.state().displacement, moments_});

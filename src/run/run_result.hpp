@@ -149,6 +149,18 @@ inline bool is_far_from_balance(const Unbalanced& unbalanced) {
   return unbalanced.share > 0.01;
 }
 
+/// What contact has made out of nothing.
+struct MadeEnergy {
+  Real energy = 0;                ///< J, in all steps together
+  Real turned_over = 0;           ///< J, by all that moves, stores and dissipates
+  Index steps = 0;                ///< in which it made some
+  Real largest = 0;               ///< J, that one pair made at once: …
+  Index block[2] = {none, none};  ///< … these …
+  Vec3 place{};                   ///< m, … here
+
+  Real share() const { return turned_over > 0 ? energy / turned_over : 0; }
+};
+
 struct RunResult {
   Index steps = 0;           ///< steps done
   Real time = 0;             ///< s reached
@@ -163,6 +175,7 @@ struct RunResult {
   Energy energy;                     ///< J, at the end
   std::vector<Real> energy_time;     ///< s, t = 0 and each step done
   std::vector<Energy> energies;      ///< J, likewise
+  MadeEnergy made;                   ///< out of nothing
   ContactCount contacts;             ///< at the end
   ContactHistory contact_history;    ///< at the times of the energies; empty without contact
   std::optional<Rest> rest;          ///< with contact

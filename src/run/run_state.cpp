@@ -48,7 +48,8 @@ CheckpointFacts checkpoint_facts(std::span<const std::byte> checkpoint) {
 void pass_histories(Archive& archive, RunResult& result) {
   archive.all(result.steps, result.base, result.energy_time, result.energies, result.contacts,
               result.support_gap, result.iterations, result.preconditioner, result.largest_substeps,
-              result.divided_steps, result.divided_in_stage, result.most_parts, result.settled);
+              result.divided_steps, result.divided_in_stage, result.most_parts, result.settled,
+              result.made);
   ContactHistory& contact = result.contact_history;
   archive.all(contact.open, contact.stick, contact.slide, contact.iterations, contact.substeps);
   for (MonitorHistory& m : result.monitors)
