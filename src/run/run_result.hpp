@@ -61,7 +61,8 @@ struct BlockMotion {
   Real volume = 0;  ///< m³, under large kinematics of the deformed block
 };
 
-/// The point of the rock that has moved furthest: displacement is linear in each element, so it is a vertex of one.
+/// The point of the rock that has moved furthest: displacement is linear in each element, so it is a vertex of one. Under large kinematics
+/// none where all is within rounding (way_of_rounding).
 struct LargestDisplacement {
   Real length = 0;     ///< m
   Vec3 point{};        ///< m, before the motion
@@ -183,6 +184,7 @@ struct RunResult {
   std::vector<BlockCourse> courses;      ///< [B] with contact
   std::vector<std::uint8_t> gone;        ///< [B] 1: excavated on the way; empty where nothing goes
   std::vector<Settled> settled;          ///< of the stages that rock settles in before they go on
+  std::optional<Settled> settling;       ///< of the one in which a signal found it settling
   Real walls = 0;                        ///< share of the forces on walls that is left at the end
   std::vector<JointHistory>
       joint_monitors;  ///< in the order of those of Model::monitors that have a joint
