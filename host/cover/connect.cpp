@@ -24,6 +24,7 @@ class Connector {
             PieceIndex& index)
       : complex_(complex),
         model_(model),
+        heals_dead_ends_(heals_dead_ends(complex, model)),
         pieces_(pieces),
         is_block_(covers.lattice.kind == LatticeKind::block),
         covers_(covers),
@@ -104,16 +105,23 @@ class Connector {
 
   // Glue between cells of the complex. Inside a part it joins pieces of one material to one element.
   void find_virtual_links() {
-    const bool welded = model_.cover->joints == JointTreatment::welded;
     for (const Fragment& f : complex_.fragments) {
-      if ((f.joint != none && !welded) || f.narrow || complex_.touches_sliver(f)) continue;
+      if (parts_covers(f) || f.narrow || complex_.touches_sliver(f)) continue;
       if (!complex_.is_analysed(f.cell[0]) || !complex_.is_analysed(f.cell[1])) continue;
       glue_.visit(f, [&](const GlueArea& c) { add_links(c); });
     }
     for (const Beam& b : complex_.beams)
-      if (b.cell[1] != none && (b.joint == none || welded) && !b.narrow &&
-          complex_.is_analysed(b.cell[0]) && complex_.is_analysed(b.cell[1]))
+      if (b.cell[1] != none && !parts_covers(b) && !b.narrow && complex_.is_analysed(b.cell[0]) &&
+          complex_.is_analysed(b.cell[1]))
         add_beam_links(b);
+  }
+
+  // Whether a joint lies between two cells, and covers do not go on across it. `between`: a fragment, or a beam that ends in a cell.
+  template <class Between>
+  bool parts_covers(const Between& between) const {
+    if (between.joint == none || model_.cover->joints == JointTreatment::welded) return false;
+    return !heals_dead_ends_ ||
+           complex_.cell_block[between.cell[0]] != complex_.cell_block[between.cell[1]];
   }
 
   // Both cells' pieces by the beam; where the lattice runs through the sliver between them, in neighbouring parts.
@@ -430,6 +438,7 @@ class Connector {
 
   const Complex& complex_;
   const Model& model_;
+  const bool heals_dead_ends_;
   const Pieces& pieces_;
   const bool is_block_;
   CoverArrays& covers_;
@@ -460,6 +469,10 @@ void refuse_elements(const CoverSpec& cover, Real elements, bool at_least) {
                                                     : "1e300",
                           cover.max_elements),
               Place{cover.place.file, cover.place.line, cover.place.column, "cover.spacing"});
+}
+
+bool heals_dead_ends(const Complex& complex, const Model& model) {
+  return has_contact(model) && complex.block_count > 1;
 }
 
 void connect(const Complex& complex, const Model& model, const Pieces& pieces, CoverArrays& covers,

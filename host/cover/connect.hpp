@@ -10,7 +10,11 @@
 
 namespace rockfold {
 
-/// Fills everything of `covers` but the lattice and the order, and of `index` but its planes. Welded joints join too.
+/// Whether covers go on across dead ends, joints with one block on both sides. They do where blocks touch each other: contact is between
+/// blocks, so that the sides of a dead end would part and pass through each other, and initial stress would have nothing to press against.
+bool heals_dead_ends(const Complex& complex, const Model& model);
+
+/// Fills everything of `covers` but the lattice and the order, and of `index` but its planes. Welded joints join too, and dead ends that heal.
 /// O(n log n) in the number of cut pieces, O(n α) in regular lattice cells. Throws Error(model) if there are more than
 /// cover.max_elements elements.
 void connect(const Complex& complex, const Model& model, const Pieces& pieces, CoverArrays& covers,

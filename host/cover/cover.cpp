@@ -89,7 +89,7 @@ Covering build_covers(const Cutting& cutting, const Model& model, Progress& prog
                       ? block_pieces(complex, lattice)
                       : cut_pieces(complex, lattice, planes, progress);
   if (cover.joint_tips == JointTips::extend && cover.joints == JointTreatment::separate &&
-      cover.lattice != LatticeKind::block)
+      cover.lattice != LatticeKind::block && !heals_dead_ends(complex, model))
     extend_joint_tips(complex, model, lattice, planes, pieces);
   give_slivers_owners(complex, lattice, planes, pieces);
   Covering covering;
