@@ -48,6 +48,7 @@ struct DeviceContacts {
   Array<ContactPoint> staged;  ///< [near][capacity]
   Index capacity = 16;         ///< points of a pair; doubled where a pair has more
   Array<Real> partial, total;  ///< of sums
+  Array<Real> gain;            ///< [pairs] J; work space
 };
 
 DeviceContacts make_contacts(const SurfaceArrays& surfaces, const ContactOptions& options);
@@ -74,6 +75,10 @@ Index hold_reversed(DeviceContacts& contacts, const Motion& motion, const Field&
 
 /// Breaks the bonds that do not bear the tractions of this motion, for the step and all that detection finds in it. Returns how many.
 Index break_bonds(DeviceContacts& contacts, const Motion& motion);
+
+/// Of the step that ends with this motion, before it is accepted: the pair that stores and loses most beyond what it stored before and what
+/// the rock's work has given it.
+EnergyGain find_largest_gain(DeviceContacts& contacts, const Motion& motion);
 
 /// Makes the end of a step the start of the next: memories, planes, places and speeds. Returns the elastic energy of its points, J.
 Real accept(DeviceContacts& contacts, const Motion& motion);

@@ -163,6 +163,52 @@ Index break_bonds(DeviceContacts& c, const Motion& m) {
   return broken;
 }
 
+EnergyGain find_largest_gain(DeviceContacts& c, const Motion& m) {
+  const PointSet now = c.current, accepted = c.accepted;
+  device::grow(c.gain, "contact::gain", now.pairs.count);
+  const auto gain = c.gain;
+  const auto laws = c.laws;
+  const Field start = c.before.x;
+  const Real restitution = c.options.restitution;
+  device::for_each(
+      "rockfold::contact::gain", now.pairs.count, KOKKOS_LAMBDA(const Index pair) {
+        Real sum = 0;
+        for (Index i = now.point_begin(pair); i < now.point_begin(pair + 1); ++i) {
+          const ContactPoint& p = now.point(i);
+          const LocalMotion l = local_motion(p, m);
+          const PointTraction t = traction_at(p, l, laws, restitution, m.dt);
+          const Vector way = between(p, m.x) - between(p, start);
+          sum += p.area * (t.elastic + t.friction) + dot(force_of(t, l, p.area), way);
+        }
+        const Index old = find_pair(accepted.pairs, now.pairs.a(pair), now.pairs.b(pair));
+        if (old != none)
+          for (Index j = accepted.point_begin(old); j < accepted.point_begin(old + 1); ++j) {
+            const ContactPoint& p = accepted.point(j);
+            sum -= p.area * elastic_energy(p, laws(p.law));
+          }
+        gain(pair) = sum;
+      });
+  EnergyGain found;
+  found.energy = device::largest(
+      "rockfold::contact::largest_gain", now.pairs.count,
+      KOKKOS_LAMBDA(const Index pair) { return gain(pair); });
+  if (!(found.energy > 0)) return {};
+  const Real most = found.energy;
+  Index first = now.pairs.count;
+  Kokkos::parallel_reduce(
+      "rockfold::contact::first_gain", device::Range(0, now.pairs.count),
+      KOKKOS_LAMBDA(const Index pair, Index& least) {
+        if (gain(pair) == most && pair < least) least = pair;
+      },
+      Kokkos::Min<Index>(first));
+  // A pair without points stores nothing, and gains nothing.
+  const Index at = device::to_host(
+      Array<Index>(Kokkos::subview(now.point_begin, std::pair<Index, Index>(first, first + 1))))[0];
+  found.point = device::to_host(
+      Array<ContactPoint>(Kokkos::subview(now.point, std::pair<Index, Index>(at, at + 1))))[0];
+  return found;
+}
+
 Real accept(DeviceContacts& c, const Motion& m) {
   make_room_for_sums(c, c.current.count);
   const auto point = c.current.point;

@@ -125,7 +125,10 @@ void end_contact(Motion::Data& m, const Step& step) {
   const ContactEnergy& energy = m.contact->energy;
   Work& work = m.now.work;
   work.friction += energy.friction;
-  const Real stored = contact::accept(m.contact->contacts, m.contact->motion);
+  contact::DeviceContacts& contacts = m.contact->contacts;
+  const bool gains = energy.impact + (m.now.contact_energy - energy.before) < 0;
+  m.gain = gains ? contact::find_largest_gain(contacts, m.contact->motion) : EnergyGain{};
+  const Real stored = contact::accept(contacts, m.contact->motion);
   // Points found anew, before the step and at its end, have other areas and planes than those whose forces worked: what they store more or
   // less is counted with the impacts.
   const Real lost =

@@ -185,6 +185,9 @@ Real Motion::largest_increment() const {
 Real Motion::energy_made() const {
   return data_->energy_made;
 }
+const EnergyGain& Motion::largest_gain() const {
+  return data_->gain;
+}
 
 void Motion::save() {
   Data& m = *data_;

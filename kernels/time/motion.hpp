@@ -113,6 +113,8 @@ class Motion {
   /// Of kinetic energy and that stored in joints: what the last step has made out of nothing, by the rule that blocks which overlap far
   /// and turn change the planes and areas on which they touch. In proportion to its length.
   Real energy_made() const;
+  /// Where in the last step contact has made most of what it made out of nothing; energy 0: it lost on the whole.
+  const EnergyGain& largest_gain() const;
 
   /// rad/s: the largest natural frequency of the rock on its supports as it is now, within about a percent, from below.
   /// Schemes with β < γ/2 are stable up to dt = 1 / (frequency √(γ/2 − β)) (Hughes 1987, §9.1.2), for γ ≥ 1/2.

@@ -90,6 +90,7 @@ struct Motion::Data {
   Real step_length = 0;     ///< that the system is prepared for; 0 = for none
   Real largest_increment = 0;
   Real energy_made = 0;    ///< see Motion::energy_made
+  EnergyGain gain;         ///< see Motion::largest_gain
   Real mean_over = 0;      ///< see Motion::mean_over
   Real initial_force = 0;  ///< N, norm of the forces of the initial stress in place
   Real least_load =

@@ -182,13 +182,22 @@ void write_exports(const Options& options, const Model& model, const Cutting& cu
                   path);
 }
 
+/// Where a run was interrupted within letting go what a step excavates; "" elsewhere.
+std::string settling_place(const RunResult& run, const Model& model) {
+  if (!run.settling) return "";
+  const AnalysisStage& stage = model.analysis->stages[run.settling->stage];
+  return fmt::format(
+      ", and {} quasi-static steps in which stage {} is let go before \"{}\" goes on",
+      run.settling->steps, stage.excavate, stage.name);
+}
+
 /// The limit that ended the run, if one did.
 std::optional<Error> limit_met(const RunResult& run, const Model& model, const Options& options,
                                const std::string& path) {
   if (!run.interrupted) return {};
   return stop_error(
-      fmt::format("stopped after {} of {} steps, t = {:.6g} s; {}", run.steps,
-                  model.analysis->steps(), run.time,
+      fmt::format("stopped after {} of {} steps, t = {:.6g} s{}; {}", run.steps,
+                  model.analysis->steps(), run.time, settling_place(run, model),
                   options.no_result
                       ? "nothing is stored (--no-result)"
                       : fmt::format("{} holds the states so far, and `rockfold resume {}` goes on",

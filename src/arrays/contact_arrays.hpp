@@ -117,6 +117,12 @@ struct ContactEnergy {
       0;  ///< lost in the step otherwise: by restitution, and by the rule at the step's end
 };
 
+/// Where contact made most energy out of nothing.
+struct EnergyGain {
+  Real energy = 0;     ///< J, of the pair of parts that gained most in a step
+  ContactPoint point;  ///< a point of that pair
+};
+
 /// A place where two blocks touch, or are within reach of it.
 struct ContactSample {
   Vec3 place{};         ///< m, of the first side

@@ -8,6 +8,7 @@
 #include "src/base/error.hpp"
 #include "src/model/openings.hpp"
 #include "src/report/error_text.hpp"
+#include "src/run/made_energy.hpp"
 
 namespace rockfold {
 
@@ -62,7 +63,7 @@ namespace {
 
 /// Times E/h: joints as stiff as a hundred of these yield a hundredth of what the rock does; the iterations grow with k h/E.
 constexpr Real stiff = 1000;
-/// Of the energy that the rock has given, what contact may make out of nothing before it shows in the motion.
+/// Of the energy turned over, what contact may make out of nothing before the user should know.
 constexpr Real largest_made_share = 0.01;
 
 /// m: the cube root of the mean volume.
@@ -110,22 +111,7 @@ void warn_of_unbalanced_start(const Model& model, bool meet, Terminal& terminal)
 }
 
 void warn_of_made_energy(const RunResult& run, Terminal& terminal) {
-  Real made = 0, given = 0;
-  Index steps = 0;
-  for (std::size_t n = 1; n < run.energies.size(); ++n) {
-    const Energy &now = run.energies[n], &before = run.energies[n - 1];
-    given = std::max({given, std::abs(now.potential), now.kinetic, now.dissipated});
-    if (now.impact >= before.impact) continue;
-    made += before.impact - now.impact;
-    ++steps;
-  }
-  if (made <= largest_made_share * given) return;
-  terminal.warn(fmt::format(
-      "contact made {:.3g} J out of nothing in {} of {} steps (energy.impact falls there), {:.2g} "
-      "% "
-      "of what the rock gave: blocks that overlap slide or turn onto larger areas. Stiffer "
-      "joints (normal_stiffness) overlap less; in impacts a shorter time_step helps too",
-      made, steps, run.steps, 100 * made / given));
+  if (run.made.share() > largest_made_share) terminal.warn(made_energy_text(run.made));
 }
 
 }  // namespace rockfold

@@ -57,19 +57,33 @@ Index most_of_rock(const Model& model, const BlockArrays& blocks) {
   return largest != none && blocks.volume[largest] > 0.5 * rock ? largest : none;
 }
 
-bool names_block(const Model& model, Index condition) {
-  return condition != none && std::holds_alternative<BlockRegion>(model.fixed[condition].where);
+/// [B] the fixed points of each block.
+using PointsOfBlocks = std::vector<std::vector<std::size_t>>;
+
+PointsOfBlocks points_of_blocks(const BlockArrays& blocks, const CoverArrays& covers,
+                                const FixedPoints& fixed) {
+  PointsOfBlocks points(blocks.volume.size());
+  for (std::size_t n = 0; n < fixed.points.size(); ++n)
+    if (const Index e = fixed.points.element[n]; e != none)
+      points[block_of(covers, e)].push_back(n);
+  return points;
 }
 
-/// Whether what is held of a block leaves none of the functions of its cover.
-bool is_held_whole(const Model& model, const CoverArrays& covers, const FixedPoints& fixed,
-                   Index block) {
+/// Whether a [[fixed]] that holds some of these points names its block.
+bool is_named(const Model& model, const FixedPoints& fixed,
+              const std::vector<std::size_t>& points) {
+  return !fixed.condition.empty() && std::any_of(points.begin(), points.end(), [&](std::size_t n) {
+    const Index condition = fixed.condition[n];
+    return condition != none && std::holds_alternative<BlockRegion>(model.fixed[condition].where);
+  });
+}
+
+/// Whether what these points of a block hold leaves none of the functions of its cover.
+bool is_held_whole(const CoverArrays& covers, const FixedPoints& fixed,
+                   const std::vector<std::size_t>& points) {
   const auto functions = static_cast<std::size_t>(covers.functions());
   std::array<std::vector<Row>, 3> rows;
-  for (std::size_t n = 0; n < fixed.points.size(); ++n) {
-    const Index e = fixed.points.element[n];
-    if (e == none || block_of(covers, e) != block) continue;
-    if (!fixed.condition.empty() && names_block(model, fixed.condition[n])) return false;
+  for (const std::size_t n : points) {
     Row row(functions, 0);
     for (Index i = fixed.points.begin[n]; i < fixed.points.begin[n + 1]; ++i)
       row[static_cast<std::size_t>(fixed.points.unknown[i] / covers.cover_count())] +=
@@ -80,6 +94,22 @@ bool is_held_whole(const Model& model, const CoverArrays& covers, const FixedPoi
   return std::all_of(rows.begin(), rows.end(), [&](std::vector<Row>& of_axis) {
     return rank_of(std::move(of_axis), functions) == functions;
   });
+}
+
+/// Whether it keeps points where they are: neither by springs, which give, nor on a way.
+bool holds_in_place(const Fixed& fixed) {
+  return !fixed.stiffness && fixed.method != FixMethod::penalty && fixed.value == Vec3{} &&
+         fixed.table.empty();
+}
+
+/// Whether no block that is there as the analysis begins has an unknown left.
+bool all_are_held(const Model& model, const BlockArrays& blocks, const CoverArrays& covers,
+                  const FixedPoints& fixed, const PointsOfBlocks& points) {
+  if (!std::all_of(model.fixed.begin(), model.fixed.end(), holds_in_place)) return false;
+  for (Index b = 0; b < blocks.block_count(); ++b)
+    if (is_there_at_first(model, blocks.stage[b]) && !is_held_whole(covers, fixed, points[b]))
+      return false;
+  return blocks.block_count() > 0;
 }
 
 /// [B] 1: no [[fixed]] holds any of it.
@@ -183,19 +213,26 @@ bool may_hold_all(const Model& model) {
 
 void warn_of_held_rock(const Model& model, const BlockArrays& blocks, const CoverArrays& covers,
                        const FixedPoints& fixed, Terminal& terminal) {
-  if (!may_hold_all(model)) return;
+  if (!model.analysis || !model.cover || model.cover->lattice != LatticeKind::block) return;
+  const PointsOfBlocks points = points_of_blocks(blocks, covers, fixed);
+  const bool all = all_are_held(model, blocks, covers, fixed, points);
   const Index block = most_of_rock(model, blocks);
-  if (block == none || !is_held_whole(model, covers, fixed, block)) return;
+  if (!all && (block == none || is_named(model, fixed, points[block]) ||
+               !is_held_whole(covers, fixed, points[block])))
+    return;
   const Real rock = std::accumulate(blocks.volume.begin(), blocks.volume.end(), Real{0});
   Place place = model.cover->place;
   place.key += ".lattice";
   terminal.warn(diagnostic_line(
       {place,
-       fmt::format("\"block\" gives block {}, {:.3g} % of the rock, one cover, and [[fixed]] "
-                   "holds all of its {} unknowns: it neither moves nor strains, and round an "
-                   "opening in it displacements are 0. A lattice such as \"tet6\" with a "
-                   "cover.spacing lets it deform",
-                   block + 1, 100 * blocks.volume[block] / rock, 3 * covers.functions())}));
+       fmt::format(
+           "\"block\" gives {} one cover, and [[fixed]] holds all of its {} unknowns: it neither "
+           "moves nor strains, {}. A lattice such as \"tet6\" with a cover.spacing lets it deform",
+           all ? "each block"
+               : fmt::format("block {}, {:.3g} % of the rock,", block + 1,
+                             100 * blocks.volume[block] / rock),
+           3 * covers.functions(),
+           all ? "and nothing can move" : "and round an opening in it displacements are 0")}));
 }
 
 }  // namespace rockfold

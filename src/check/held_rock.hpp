@@ -12,7 +12,8 @@ namespace rockfold {
 bool may_hold_all(const Model& model);
 
 /// With block covers: a block that is more than half of the rock there is as the analysis begins, all unknowns of whose cover are
-/// held. Whatever acts on it, it neither moves nor strains. Not where [[fixed]] names the block itself: that is meant.
+/// held. Whatever acts on it, it neither moves nor strains. Not where [[fixed]] names the block itself: that is meant, unless all
+/// blocks are held so, and nothing can move.
 void warn_of_held_rock(const Model& model, const BlockArrays& blocks, const CoverArrays& covers,
                        const FixedPoints& fixed, Terminal& terminal);
 

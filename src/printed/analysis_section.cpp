@@ -9,6 +9,7 @@
 
 #include "src/printed/plot.hpp"
 #include "src/printed/sections.hpp"
+#include "src/report/documents/settled.hpp"
 
 namespace rockfold {
 
@@ -105,24 +106,17 @@ std::string largest_text(const Json& largest) {
                      blocks.at(0).get<Index>(), blocks.at(1).get<Index>());
 }
 
-/// How rock that a step takes away was let go before the step went on.
-std::string settled_text(const Json& s) {
-  const std::string first =
-      s.at("block").is_null()
-          ? "nothing moved"
-          : fmt::format("block {} moved {}, most of all", s.at("block").get<Index>(),
-                        quantity(s.at("largest_displacement"), "m"));
-  const std::string then =
-      !s.at("settled").get<bool>() ? "not all of the rock came to rest"
-      : s.at("at_rest").get<bool>()
-          ? "all came to rest"
-          : fmt::format(
-                "{} blocks nothing holds any more, block {} "
-                "first of all",
-                s.at("moving_blocks").get<Index>(), s.at("fastest_block").get<Index>());
-  return fmt::format("stage {} let go over {} quasi-static steps: {}; {}",
-                     s.at("stage").get<Index>(), s.at("quasi_static_steps").get<Index>(), first,
-                     then);
+std::string largest_displacement_text(const Json& totals) {
+  const auto block = totals.at("largest_displacement_block").get<Index>();
+  if (block == 0) return "none: nothing moved";
+  return fmt::format("{}, of block {}", quantity(totals.at("largest_displacement"), "m"), block);
+}
+
+void add_excavation(std::vector<std::pair<std::string, std::string>>& facts,
+                    const Json& excavation) {
+  for (const Json& s : excavation.at("settled")) facts.emplace_back("Excavation", settled_text(s));
+  if (excavation.contains("settling"))
+    facts.emplace_back("Excavation", settling_text(excavation.at("settling")));
 }
 
 void add_totals(Html& html, const Json& answer) {
@@ -131,9 +125,7 @@ void add_totals(Html& html, const Json& answer) {
       {"Unknowns", digits(totals.at("dof"), 9)},
       {"Reached", fmt::format("{} s after {} steps", digits(totals.at("time")),
                               totals.at("steps").get<Index>())},
-      {"Largest displacement",
-       fmt::format("{}, of block {}", quantity(totals.at("largest_displacement"), "m"),
-                   totals.at("largest_displacement_block").get<Index>())},
+      {"Largest displacement", largest_displacement_text(totals)},
       {"Sum of reactions", vector_text(answer.at("reaction")) + " N"}};
   if (answer.contains("rest")) {
     const Json& rest = answer.at("rest");
@@ -146,9 +138,7 @@ void add_totals(Html& html, const Json& answer) {
                         : "the fastest moves at " + quantity(rest.at("speed"), "m/s")));
     facts.emplace_back("Largest slip", largest_text(rest.at("largest_slip")));
     facts.emplace_back("Largest opening", largest_text(rest.at("largest_opening")));
-    if (answer.contains("excavation"))
-      for (const Json& s : answer.at("excavation").at("settled"))
-        facts.emplace_back("Before “" + s.at("step").get<std::string>() + "”", settled_text(s));
+    if (answer.contains("excavation")) add_excavation(facts, answer.at("excavation"));
     const Json& c = answer.at("contacts");
     facts.emplace_back(
         "Contact points",

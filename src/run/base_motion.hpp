@@ -2,6 +2,7 @@
 #pragma once
 
 #include "src/arrays/time_table.hpp"
+#include "src/base/archive.hpp"
 #include "src/model/model.hpp"
 #include "src/run/run_result.hpp"
 
@@ -31,6 +32,8 @@ class BaseRecord {
 
   /// Times must not decrease.
   const BaseMotion& at(Real time);
+  /// How far it has come: a sum of the same parts in the same order, so that a resumed run has the same digits.
+  void pass(Archive& archive) { archive.all(time_, motion_); }
 
  private:
   void advance(Real time);

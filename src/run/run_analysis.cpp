@@ -5,25 +5,25 @@
 #include <functional>
 #include <limits>
 #include <optional>
-#include <sstream>
 
 #include "host/direct/multifrontal.hpp"
 #include "kernels/integrate/moments.hpp"
 #include "kernels/time/motion.hpp"
 #include "src/base/error.hpp"
 #include "src/base/interrupt.hpp"
-#include "src/base/place_text.hpp"
 #include "src/base/timer.hpp"
 #include "src/base/vector.hpp"
 #include "src/run/base_motion.hpp"
 #include "src/run/contact_setup.hpp"
 #include "src/run/gone_rock.hpp"
+#include "src/run/letting_go.hpp"
 #include "src/run/loose_parts.hpp"
+#include "src/run/made_energy.hpp"
 #include "src/run/records/block_motion.hpp"
 #include "src/run/records/block_stress.hpp"
-#include "src/run/records/contact_samples.hpp"
 #include "src/run/records/recorder.hpp"
 #include "src/run/records/rest.hpp"
+#include "src/run/refusal.hpp"
 #include "src/run/rigid_motion.hpp"
 #include "src/run/speck_advice.hpp"
 #include "src/space/shape_functions.hpp"
@@ -34,8 +34,6 @@ namespace {
 /// Of its energy, what contact may make out of nothing in a step; more, and it is taken in parts, in these at most.
 constexpr Real most_energy_made = 1e-3;
 constexpr Index most_exact_parts = 16;
-/// Each doubling of the substeps halves the way of a substep; this many and the motion is not a motion any more.
-constexpr int most_substeps = 1024;
 
 std::vector<ElasticMaterial> elastic_materials(const Model& model) {
   std::vector<ElasticMaterial> materials;
@@ -83,84 +81,6 @@ Real half_height(const RunInput& input) {
   return 0.5 * (high - low);
 }
 
-std::string number(Real value) {
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
-
-/// Two blocks that press each other, and where.
-struct Trouble {
-  Index block[2] = {none, none};
-  Vec3 place{};
-};
-
-/// Of the block with the largest unbalanced force the contact that is closed most.
-Trouble find_trouble(const RunInput& input, const Motion& motion) {
-  const Index cover = motion.most_unbalanced_cover();
-  const MaterialPoints& vertices = input.contact->points;
-  Index block = none;
-  for (std::size_t v = 0; v < vertices.size() && block == none; ++v)
-    if (vertices.unknown[vertices.begin[v]] == cover)
-      block = input.contact->surfaces.vertex_block[v];
-  const auto samples = contact_samples(input, contact_options(input.model, input.blocks).laws,
-                                       motion.contact_points(), motion.state().displacement);
-  Trouble found;
-  Real deepest = std::numeric_limits<Real>::infinity();
-  for (const ContactSample& s : samples) {
-    if ((s.block[0] != block && s.block[1] != block) || !(s.gap < deepest)) continue;
-    deepest = s.gap;
-    found = {{s.block[0], s.block[1]}, s.place};
-  }
-  return found;
-}
-
-std::string contact_trouble(const SolveReport& report, const Trouble& trouble) {
-  std::string what = "contact does not settle";
-  if (trouble.block[0] != none)
-    what += " between blocks " + std::to_string(trouble.block[0] + 1) + " and " +
-            std::to_string(trouble.block[1] + 1) + " near " + place_text(trouble.place);
-  return what + ", in " + std::to_string(most_substeps) + " parts of the step too: residual " +
-         number(report.residual) +
-         " (analysis.time_step, contact.max_iterations, solver.max_iterations, "
-         "joint_material.normal_stiffness)";
-}
-
-[[noreturn]] void refuse(const SolveReport& report, const Trouble& trouble, Index step, Real time,
-                         const RunInput& input) {
-  std::string what = "step " + std::to_string(step) + ", time " + number(time) + " s: ";
-  if (report.inverted != none) {
-    const Vec3 at =
-        input.covers.lattice.cell_centre(element_nodes(input.covers, report.inverted).cell);
-    what += "block " + std::to_string(block_of(input.covers, report.inverted) + 1) +
-            " is turned inside out near " + place_text(at) +
-            ": loads or velocities are too large for its stiffness (material.young_modulus)";
-  } else if (!std::isfinite(report.residual)) {
-    what += !input.model.analysis->has(AnalysisType::dynamic)
-                ? "the solver broke down (solver.preconditioner), or nothing resists the loads"
-                : "the motion grew beyond all numbers: it is not stable (analysis.time_step, "
-                  "analysis.newmark), or nothing resists it";
-  } else if (input.contact) {
-    what += contact_trouble(report, trouble);
-  } else {
-    const SolverSpec& solver = input.model.solver;
-    if (report.residual <= solver.tolerance)
-      what += "the forces are balanced (residual " + number(report.residual) +
-              "), but supports are still " + number(report.gap) +
-              " of the largest displacement from their places after " +
-              std::to_string(report.iterations) +
-              " iterations: held points contradict each other "
-              "([[fixed]]), or are too many for the covers near them (cover.spacing)";
-    else
-      what += "the solver did not converge: residual " + number(report.residual) + " after " +
-              std::to_string(report.iterations) + " iterations, tolerance " +
-              number(solver.tolerance) + " (solver.tolerance, solver.max_iterations)";
-  }
-  throw Error(ErrorKind::analysis,
-              what + speck_advice(input.blocks, input.model.cut, trouble.block[0]));
-}
-
 /// The analysis under way: what its three kinds share.
 class Run {
  public:
@@ -173,7 +93,8 @@ class Run {
         motion_(motion),
         recorder_(input, moments, store, result),
         checkpoints_(checkpoints),
-        watch_(watch) {
+        watch_(watch),
+        letting_go_(input, moments) {
     if (!analysis_.max_displacement_ratio) return;
     watched_.emplace(input.block_vertices);
     limit_ = *analysis_.max_displacement_ratio * half_height(input);
@@ -187,16 +108,17 @@ class Run {
 
  private:
   void find_imbalance();
-  void begin(const AnalysisStage& stage);
+  void begin(const AnalysisStage& stage, Progress& progress);
   void excavate();
-  bool settles(const AnalysisStage& stage) const;
-  void begin_settling(const AnalysisStage& stage);
-  void settle(const AnalysisStage& stage);
+  void settle(const AnalysisStage& stage, Progress& progress);
+  void begin_phase(Progress& progress);
   StepCourse course_to(Real end) const;
   void record_start();
+  void watch_energy(Index step);
   void go_on(const AnalysisStage& stage, Progress& progress);
   void pass(Archive& archive);
   void save_checkpoint();
+  void save_checkpoint_if_due();
   void save_motion();
   void solve_static();
   void start(const AnalysisStage& stage);
@@ -217,8 +139,8 @@ class Run {
   Then then_ = Then::go_on;  ///< what the watch says
   Timer since_checkpoint_;
   RunPosition at_;
-  Settling settling_;               ///< of the stage
-  std::vector<Vec3> settles_from_;  ///< displacement of the covers when settling began
+  Index told_from_ = 0;   ///< steps before the phase of progress under way
+  LettingGo letting_go_;  ///< of the stage
   /// What save_motion() keeps of the counts: a part of a step that a signal ends has not been.
   struct Counts {
     RunResult::Iterations iterations;
@@ -293,6 +215,7 @@ bool Run::take_step(Index step, Real dt) {
     at.done *= 2;
   };
   while (at.done < at.parts) {
+    if (at.parts > 1) save_checkpoint_if_due();
     save_motion();
     SolveReport report = motion_.step(dt / at.parts, at.done == 0, watched_ ? &*watched_ : nullptr,
                                       course_to(motion_.time() + dt / at.parts));
@@ -311,14 +234,16 @@ bool Run::take_step(Index step, Real dt) {
     const bool goes_far = watched_ && motion_.largest_increment() > limit_;
     if (!makes_energy && !goes_far) {
       ++at.done;
+      note_gain(input_, motion_, result_.made);
     } else if (makes_energy || at.parts < most_substeps) {
       halve();
     } else {
       throw Error(ErrorKind::analysis,
-                  "step " + std::to_string(step) + ", time " + number(at.end - dt) + " s: even " +
-                      std::to_string(most_substeps) + " substeps move a block vertex by " +
-                      number(motion_.largest_increment()) + " m each, more than " + number(limit_) +
-                      " m (analysis.max_displacement_ratio)" +
+                  "step " + std::to_string(step) + ", time " + three_digits(at.end - dt) +
+                      " s: even " + std::to_string(most_substeps) +
+                      " substeps move a block vertex by " +
+                      three_digits(motion_.largest_increment()) + " m each, more than " +
+                      three_digits(limit_) + " m (analysis.max_displacement_ratio)" +
                       speck_advice(input_.blocks, input_.model.cut, none));
     }
   }
@@ -343,10 +268,10 @@ void Run::require_stable_step(const AnalysisStage& stage) {
   const Real critical = 1 / (frequency * std::sqrt(gamma / 2 - beta));
   if (stage.time_step <= critical) return;
   throw Error(ErrorKind::model,
-              "found " + number(stage.time_step) + " s, longer than the critical step " +
-                  number(critical) + " s of newmark = {beta = " + number(beta) +
-                  ", gamma = " + number(gamma) + "} on these covers (largest natural frequency " +
-                  number(frequency) +
+              "found " + three_digits(stage.time_step) + " s, longer than the critical step " +
+                  three_digits(critical) + " s of newmark = {beta = " + three_digits(beta) +
+                  ", gamma = " + three_digits(gamma) +
+                  "} on these covers (largest natural frequency " + three_digits(frequency) +
                   " rad/s): use a shorter one, or beta >= gamma / 2, which is stable for any step",
               Place{stage.place.file, stage.place.line, stage.place.column,
                     stage.place.key + ".time_step"});
@@ -383,17 +308,11 @@ void Run::excavate() {
   recorder_.leave_out(gone);
 }
 
-/// Whether a stage takes rock away that is let go before it goes on: in motion, unless the model says how it is.
-bool Run::settles(const AnalysisStage& stage) const {
-  const auto& taken_at = input_.blocks.stage;
-  return stage.excavate != 0 && stage.type == AnalysisType::dynamic && stage.release.empty() &&
-         std::count(taken_at.begin(), taken_at.end(), stage.excavate) > 0;
-}
-
-void Run::begin(const AnalysisStage& stage) {
+void Run::begin(const AnalysisStage& stage, Progress& progress) {
   if (!at_.begun) {
+    const bool settles = lets_go(stage, input_.blocks);
     at_.stage_began = motion_.time();
-    if (at_.stage > 0) motion_.begin_stage(settles(stage) ? 0 : stage.share_handed_on());
+    if (at_.stage > 0) motion_.begin_stage(settles ? 0 : stage.share_handed_on());
     if (stage.excavate != 0) {
       excavate();
     } else if (!stage.release.empty()) {
@@ -401,55 +320,42 @@ void Run::begin(const AnalysisStage& stage) {
       motion_.begin_release();
     }
     if (stage.reset_displacement) recorder_.count_from(motion_.state().displacement);
-    at_.settled = settles(stage) ? 0 : 1;
-    if (!at_.settled)
-      begin_settling(stage);
+    at_.settled = settles ? 0 : 1;
+    if (settles)
+      letting_go_.begin(stage, motion_.state().displacement);
     else
       motion_.set_walls(course_to(motion_.time()).walls);
     at_.begun = 1;
   }
-  if (!at_.settled) settle(stage);
+  if (!at_.settled) settle(stage, progress);
   if (!at_.started && !result_.interrupted && stage.type != AnalysisType::static_) start(stage);
   if (!result_.interrupted) at_.started = 1;
 }
 
-void Run::begin_settling(const AnalysisStage& stage) {
-  const Model& model = input_.model;
-  const bool loaded = !model.tractions.empty() || !model.point_loads.empty();
-  const Real gravity = norm(model.gravity);
-  settling_.begin(stage.time_step, mean_block_size(input_), gravity,
-                  loaded ? std::numeric_limits<Real>::infinity() : gravity);
-  settles_from_ = motion_.state().displacement;
-}
-
-/// [B] m: how far the blocks have gone between two displacements of the covers.
-std::vector<Vec3> block_ways(const RunInput& input, const PieceMoments& moments,
-                             const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
-  std::vector<Vec3> covers(to.size());
-  for (std::size_t p = 0; p < to.size(); ++p) covers[p] = to[p] - from[p];
-  std::vector<Vec3> ways;
-  for (const BlockMotion& block :
-       average_block_motion(input.covers, moments, covers, input.blocks.block_count()))
-    ways.push_back(block.displacement);
-  return ways;
+/// Tells of the steps that are left from here on, at their own rate.
+void Run::begin_phase(Progress& progress) {
+  told_from_ = result_.steps;
+  progress.begin("analysis", analysis_.steps() - told_from_, "steps");
 }
 
 /// Quasi-static steps, while time stands still, until the rock that the stage excavates has been let go.
-void Run::settle(const AnalysisStage& stage) {
-  while (!settling_.done()) {
-    const std::vector<Vec3> before = motion_.state().displacement;
-    if (!take_step(result_.steps + 1, settling_.time_step())) return;
-    const std::vector<Vec3> now = motion_.state().displacement;
-    settling_.add(block_ways(input_, moments_, before, now),
-                  block_ways(input_, moments_, settles_from_, now), substeps_);
+void Run::settle(const AnalysisStage& stage, Progress& progress) {
+  const Settling& settling = letting_go_.settling();
+  progress.begin("letting go stage " + std::to_string(stage.excavate), 0, "steps");
+  while (!settling.done()) {
+    progress.done(settling.settled().steps);
+    if (!take_step(result_.steps + 1, settling.time_step())) return;
+    letting_go_.add(motion_.state().displacement, substeps_);
     result_.interrupted = interrupt_signal != 0;
-    if (result_.interrupted || since_checkpoint_.seconds() >= checkpoints_.every) save_checkpoint();
+    save_checkpoint_if_due();
     if (result_.interrupted) return recorder_.store(motion_, result_.steps);
   }
-  result_.settled.push_back(settling_.settled());
+  progress.done(settling.settled().steps);
+  result_.settled.push_back(settling.settled());
   result_.settled.back().stage = at_.stage;
   motion_.begin_stage(stage.share_handed_on());
   at_.settled = 1;
+  begin_phase(progress);
 }
 
 /// Of a step, or a part of one, to `end` s.
@@ -457,7 +363,7 @@ StepCourse Run::course_to(Real end) const {
   const AnalysisStage& stage = analysis_.stages[at_.stage];
   if (!at_.settled) {
     const Real start = motion_.walls(), left = static_cast<Real>(at_.parts - at_.done);
-    return {true, start + (settling_.walls() - start) / left};
+    return {true, start + (letting_go_.settling().walls() - start) / left};
   }
   if (stage.release.empty()) return {false, stage.excavate != 0 ? 0 : motion_.walls()};
   return {false, walls_left(stage.release, end - at_.stage_began)};
@@ -468,6 +374,20 @@ void Run::record_start() {
   start_ = motion_.contact_points();
   record_contacts();
   recorder_.record(motion_, 0, result_.interrupted);
+  count_made_energy(nullptr, result_.energies.front(), result_.made);
+}
+
+/// Ends the run where contact makes energy, with the states so far.
+void Run::watch_energy(Index step) {
+  if (!input_.contact) return;
+  const auto n = result_.energies.size();
+  count_made_energy(&result_.energies[n - 2], result_.energies[n - 1], result_.made);
+  try {
+    require_little_made(result_.made, step, motion_.time());
+  } catch (const Error&) {
+    recorder_.store(motion_, step);
+    throw;
+  }
 }
 
 /// Where, how far and what has been recorded; the motion's own bytes follow.
@@ -475,8 +395,7 @@ void Run::pass(Archive& archive) {
   archive.pass(at_);
   pass_stages(archive, analysis_, at_.stage, at_.step);
   archive.pass(start_);
-  settling_.pass(archive);
-  archive.pass(settles_from_);
+  letting_go_.pass(archive);
   pass_histories(archive, result_);
   recorder_.pass(archive);
 }
@@ -494,6 +413,10 @@ void Run::save_checkpoint() {
   checkpoints_.save(archive.bytes());
   since_checkpoint_ = {};
   result_.seconds.output += timer.seconds();
+}
+
+void Run::save_checkpoint_if_due() {
+  if (result_.interrupted || since_checkpoint_.seconds() >= checkpoints_.every) save_checkpoint();
 }
 
 void Run::restore(std::span<const std::byte> checkpoint) try {
@@ -529,23 +452,24 @@ void Run::go_on(const AnalysisStage& stage, Progress& progress) {
     ++at_.step;
     record_contacts();
     recorder_.record(motion_, step, last);
+    watch_energy(step);
     if (watch_)
       then_ = watch_(
           {at_.stage, at_.step, motion_.time(), start_, motion_.state().displacement, moments_});
     result_.interrupted = interrupt_signal != 0;
-    if (result_.interrupted || since_checkpoint_.seconds() >= checkpoints_.every) save_checkpoint();
+    save_checkpoint_if_due();
     if (result_.interrupted) recorder_.store(motion_, step);
-    progress.done(step);
+    progress.done(step - told_from_);
   }
 }
 
 void Run::go(Progress& progress) {
-  progress.begin("analysis", analysis_.steps(), "steps");
   if (!checkpoints_.from.empty()) restore(checkpoints_.from);
+  begin_phase(progress);
   while (at_.stage < std::ssize(analysis_.stages) && !result_.interrupted && then_ != Then::end) {
     const AnalysisStage& stage = analysis_.stages[at_.stage];
     then_ = Then::go_on;
-    begin(stage);
+    begin(stage, progress);
     if (result_.energies.empty()) record_start();
     go_on(stage, progress);
     if (result_.interrupted) break;
@@ -570,7 +494,12 @@ void Run::summarise() {
   result.time = motion_.time();
   result.seconds.contact = motion_.contact_seconds();
   result.seconds.solve -= result.seconds.contact;
-  result.energy = result.energies.back();
+  result.energy = motion_.energy();
+  if (input_.contact) result.contacts = motion_.contact_count();
+  if (at_.begun && !at_.settled) {
+    result.settling = letting_go_.settling().settled();
+    result.settling->stage = at_.stage;
+  }
   result.reactions = motion_.reactions();
   const std::vector<Vec3> whole = motion_.state().displacement, counted = recorder_.counted(whole);
   result.gone = recorder_.gone();
@@ -598,6 +527,8 @@ void Run::summarise() {
       if (e != none) result.courses[block_of(input_.covers, e)].held = 1;
   }
   result.largest_displacement = find_largest_displacement(input_.covers, moments_, counted);
+  if (large && result.largest_displacement.length <= way_of_rounding(input_))
+    result.largest_displacement = {};
 }
 
 }  // namespace

@@ -61,7 +61,8 @@ struct BlockMotion {
   Real volume = 0;  ///< m³, under large kinematics of the deformed block
 };
 
-/// The point of the rock that has moved furthest: displacement is linear in each element, so it is a vertex of one.
+/// The point of the rock that has moved furthest: displacement is linear in each element, so it is a vertex of one. Under large kinematics
+/// none where all is within rounding (way_of_rounding).
 struct LargestDisplacement {
   Real length = 0;     ///< m
   Vec3 point{};        ///< m, before the motion
@@ -149,6 +150,18 @@ inline bool is_far_from_balance(const Unbalanced& unbalanced) {
   return unbalanced.share > 0.01;
 }
 
+/// What contact has made out of nothing.
+struct MadeEnergy {
+  Real energy = 0;                ///< J, in all steps together
+  Real turned_over = 0;           ///< J, by all that moves, stores and dissipates
+  Index steps = 0;                ///< in which it made some
+  Real largest = 0;               ///< J, that one pair made at once: …
+  Index block[2] = {none, none};  ///< … these …
+  Vec3 place{};                   ///< m, … here
+
+  Real share() const { return turned_over > 0 ? energy / turned_over : 0; }
+};
+
 struct RunResult {
   Index steps = 0;           ///< steps done
   Real time = 0;             ///< s reached
@@ -163,6 +176,7 @@ struct RunResult {
   Energy energy;                     ///< J, at the end
   std::vector<Real> energy_time;     ///< s, t = 0 and each step done
   std::vector<Energy> energies;      ///< J, likewise
+  MadeEnergy made;                   ///< out of nothing
   ContactCount contacts;             ///< at the end
   ContactHistory contact_history;    ///< at the times of the energies; empty without contact
   std::optional<Rest> rest;          ///< with contact
@@ -170,6 +184,7 @@ struct RunResult {
   std::vector<BlockCourse> courses;      ///< [B] with contact
   std::vector<std::uint8_t> gone;        ///< [B] 1: excavated on the way; empty where nothing goes
   std::vector<Settled> settled;          ///< of the stages that rock settles in before they go on
+  std::optional<Settled> settling;       ///< of the one in which a signal found it settling
   Real walls = 0;                        ///< share of the forces on walls that is left at the end
   std::vector<JointHistory>
       joint_monitors;  ///< in the order of those of Model::monitors that have a joint

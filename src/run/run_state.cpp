@@ -9,7 +9,7 @@ namespace rockfold {
 namespace {
 
 /// Of what follows: changed with it.
-constexpr std::uint64_t format = 0x0004'504b'4843'4652;  // "RFCHKP", 4
+constexpr std::uint64_t format = 0x0005'504b'4843'4652;  // "RFCHKP", 5
 
 struct StageLength {
   std::int64_t steps = 0;
@@ -48,7 +48,8 @@ CheckpointFacts checkpoint_facts(std::span<const std::byte> checkpoint) {
 void pass_histories(Archive& archive, RunResult& result) {
   archive.all(result.steps, result.base, result.energy_time, result.energies, result.contacts,
               result.support_gap, result.iterations, result.preconditioner, result.largest_substeps,
-              result.divided_steps, result.divided_in_stage, result.most_parts, result.settled);
+              result.divided_steps, result.divided_in_stage, result.most_parts, result.settled,
+              result.made);
   ContactHistory& contact = result.contact_history;
   archive.all(contact.open, contact.stick, contact.slide, contact.iterations, contact.substeps);
   for (MonitorHistory& m : result.monitors)

@@ -33,12 +33,13 @@ Real walls_left(const std::vector<std::array<Real, 2>>& release, Real time) {
   return 1 - gone;
 }
 
-void Settling::begin(Real time_step, Real size, Real gravity, Real free) {
+void Settling::begin(Real time_step, Real size, Real gravity, Real free, Real rounding) {
   *this = {};
   time_step_ = time_step;
   size_ = size;
   gravity_ = gravity;
   free_ = free;
+  rounding_ = rounding;
   done_ = false;
 }
 
@@ -82,7 +83,7 @@ void Settling::add(const std::vector<Vec3>& way, const std::vector<Vec3>& since,
   for (std::size_t b = 0; b < way.size(); ++b) {
     acceleration[b] = by_way * way[b];
     largest_way = std::max(largest_way, norm(way[b]));
-    if (norm(since[b]) <= settled_.largest) continue;
+    if (norm(since[b]) <= std::max(settled_.largest, rounding_)) continue;
     settled_.largest = norm(since[b]);
     settled_.block = static_cast<Index>(b);
   }
@@ -101,8 +102,8 @@ void Settling::add(const std::vector<Vec3>& way, const std::vector<Vec3>& since,
 }
 
 void Settling::pass(Archive& archive) {
-  archive.all(settled_, time_step_, size_, gravity_, free_, largest_before_, largest_ever_,
-              acceleration_, done_);
+  archive.all(settled_, time_step_, size_, gravity_, free_, rounding_, largest_before_,
+              largest_ever_, acceleration_, done_);
 }
 
 }  // namespace rockfold

@@ -36,8 +36,8 @@ struct Settled {
 class Settling {
  public:
   /// `time_step`: s, that it begins with. `size`: m, of a block. `gravity`: m/s², ≥ 0. `free`: m/s², with which a block that nothing holds
-  /// accelerates at most; infinite where loads may push it as fast as they like.
-  void begin(Real time_step, Real size, Real gravity, Real free);
+  /// accelerates at most; infinite where loads may push it as fast as they like. `rounding`: m, that of what has not moved.
+  void begin(Real time_step, Real size, Real gravity, Real free, Real rounding = 0);
   bool done() const { return done_; }
   Real time_step() const { return time_step_; }
   /// Share of the forces on walls that is left at the end of the next step.
@@ -53,7 +53,7 @@ class Settling {
   void choose_time_step(Real acceleration, Real way);
 
   Settled settled_;
-  Real time_step_ = 0, size_ = 0, gravity_ = 0, free_ = 0;
+  Real time_step_ = 0, size_ = 0, gravity_ = 0, free_ = 0, rounding_ = 0;
   Real largest_before_ = 0;         ///< m/s², of the step before
   Real largest_ever_ = 0;           ///< m/s²
   std::vector<Vec3> acceleration_;  ///< [B] m/s², of the step before; empty: none

@@ -88,9 +88,31 @@ class HeldRock(ProgramTest):
         foot = '[[fixed]]\nwhere = {face = "rock.zmin"}\n'
         whole = "[[fixed]]\nwhere = {block_at = [2, 2, 2]}\n"  # is meant
         lattice = (HEADING + HELD).replace('lattice = "block"', "spacing = 5")
-        for name, model in (("foot", HEADING + foot), ("whole", HEADING + HELD + whole), ("lattice", lattice)):
+        for name, model in (("foot", HEADING + foot), ("whole", HEADING + whole), ("lattice", lattice)):
             with self.subTest(name):
                 self.assertEqual(self.warnings("check", model), [])
+
+
+class NothingCanMove(ProgramTest):
+    """HEADING's two blocks: the one that the joint cuts off, and the rest of the rock."""
+    NAMED = "[[fixed]]\nwhere = {block_at = [2, 2, 2]}\n[[fixed]]\nwhere = {block_at = [19, 5, 18]}\n"
+
+    def warnings(self, model):
+        self.write("m.toml", model)
+        return [w for w in self.json_of("run", "m.toml", "--no-result")["warnings"] if WORDS in w]
+
+    def test_is_told_once_instead_of_what_the_largest_block_does(self):
+        told, = self.warnings(HEADING + self.NAMED)
+        self.assertIn('"block" gives each block one cover, and [[fixed]] holds all of its 12 unknowns', told)
+        self.assertIn("nothing can move", told)
+        self.assertIn("cover.lattice", told)
+
+    def test_is_not_told_where_a_block_is_free_or_led(self):
+        free = self.NAMED.split("[[fixed]]")[1]
+        led = self.NAMED + "value = [0, 0, 0.001]\n"
+        for name, model in (("free", "[[fixed]]" + free), ("led", led)):
+            with self.subTest(name):
+                self.assertEqual(self.warnings(HEADING + model), [])
 
 
 class UnheldRock(ProgramTest):

@@ -236,6 +236,14 @@ TEST(Settling, EndsWhereNothingMoves) {
   EXPECT_EQ(settling.settled().block, none);
 }
 
+TEST(Settling, TakesNoRoundingForMotion) {
+  Settling settling;
+  settling.begin(0.01, 1, 9.81, 9.81, 1e-11);
+  while (!settling.done()) settling.add({{4.86e-62, 0, 0}}, {{4.86e-62, 0, 0}});
+  EXPECT_EQ(settling.settled().block, none);
+  EXPECT_EQ(settling.settled().largest, 0);
+}
+
 TEST(Settling, DoesNotTakeWhatStressPushesForRockThatFalls) {
   // 30 m/s², the same in each step: joints that unload push a block so, in steps too short to see that they do. Later it falls.
   Settling settling;

@@ -22,9 +22,15 @@ struct ModelAnswer {
   StoredState last;
 };
 
+/// Whom a run tells how far it is, and how it is gone on with.
+struct RunHooks {
+  Progress* progress = nullptr;
+  Checkpoints checkpoints = {};
+};
+
 /// Throws what the parts of the program throw; `answer` then holds the states stored before. `change`: what no key of the text sets.
 inline void run_model(const std::string& text, ModelAnswer& answer,
-                      const std::function<void(Model&)>& change = {}) {
+                      const std::function<void(Model&)>& change = {}, const RunHooks& hooks = {}) {
   Model model = parse_model(text, "m.toml", {}, Purpose::run);
   if (change) change(model);
   Progress silent;
@@ -53,7 +59,8 @@ inline void run_model(const std::string& text, ModelAnswer& answer,
         locate_surface(covering, contact.surfaces.vertex, contact.surfaces.vertex_block);
     input.contact = &contact;
   }
-  answer.result = run_analysis(input, store, silent);
+  answer.result =
+      run_analysis(input, store, hooks.progress ? *hooks.progress : silent, hooks.checkpoints);
 }
 
 inline ModelAnswer run_model(const std::string& text) {

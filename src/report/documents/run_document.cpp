@@ -1,6 +1,7 @@
 #include "src/base/vector.hpp"
 #include "src/io/viewers/stress_measures.hpp"
 #include "src/report/documents/document_parts.hpp"
+#include "src/report/documents/settled.hpp"
 #include "src/report/joint_strength.hpp"
 #include "src/report/names.hpp"
 #include "src/report/shaken_blocks.hpp"
@@ -137,22 +138,14 @@ Json energy_json(const Energy& e) {
 }
 
 /// Rock that steps take away: how what it had pressed its walls with was let go before they went on.
-Json settled_json(const RunReport& report) {
-  const auto or_null = [](Index block) { return block == none ? Json() : Json(block + 1); };
-  Json list = Json::array();
-  for (const Settled& s : report.run.settled) {
-    const AnalysisStage& stage = report.model.analysis->stages[s.stage];
-    list.push_back({{"step", stage.name},
-                    {"stage", stage.excavate},
-                    {"quasi_static_steps", s.steps},
-                    {"largest_displacement", s.largest},
-                    {"block", or_null(s.block)},
-                    {"moving_blocks", s.moving},
-                    {"fastest_block", or_null(s.fastest)},
-                    {"at_rest", s.moving == 0},
-                    {"settled", s.ended}});
-  }
-  return list;
+Json excavation_json(const RunReport& report) {
+  const auto& stages = report.model.analysis->stages;
+  Json excavation{{"walls", report.run.walls}, {"settled", Json::array()}};
+  for (const Settled& s : report.run.settled)
+    excavation["settled"].push_back(settled_json(s, stages[s.stage]));
+  if (const auto& settling = report.run.settling)
+    excavation["settling"] = settling_json(*settling, stages[settling->stage]);
+  return excavation;
 }
 
 Json contacts_json(const RunResult& run) {
@@ -251,8 +244,7 @@ Json run_document(const DocumentHead& head, const RunReport& report, BlockList l
   document["contacts"] = contacts_json(report.run);
   document["contacts_history"] = contacts_history_json(report.run);
   if (report.run.rest) document["rest"] = rest_json(report);
-  if (!report.run.gone.empty())
-    document["excavation"] = {{"walls", report.run.walls}, {"settled", settled_json(report)}};
+  if (!report.run.gone.empty()) document["excavation"] = excavation_json(report);
   if (const auto& unbalanced = report.run.unbalanced)
     document["unbalanced"] = {
         {"share", unbalanced->share},

@@ -13,6 +13,7 @@
 #include "src/model/check_model.hpp"
 #include "src/report/design_names.hpp"
 #include "src/report/documents/document_parts.hpp"
+#include "src/report/documents/settled.hpp"
 #include "src/report/joint_strength.hpp"
 #include "src/report/names.hpp"
 #include "src/report/progress_line.hpp"
@@ -234,26 +235,15 @@ bool resets(const Model& model) {
                      [](const AnalysisStage& step) { return step.reset_displacement; });
 }
 
-/// How rock that a step takes away was let go before it went on.
-std::string settled_text(const Settled& s, const AnalysisStage& stage) {
-  std::string text = fmt::format(
-      "stage {} let go over {} quasi-static steps before \"{}\" goes on: ", stage.excavate, s.steps,
-      stage.name);
-  text += s.block == none
-              ? "nothing moved"
-              : fmt::format("block {} moved {:.3g} m, most of all", s.block + 1, s.largest);
-  if (!s.ended) return text + "; not all of the rock came to rest";
-  if (s.moving == 0) return text + "; all came to rest";
-  return text + fmt::format("; {} nothing holds any more, block {} first of all",
-                            counted(s.moving, "block", "blocks"), s.fastest + 1);
-}
-
 std::string excavation_facts(const RunReport& report) {
   const Index gone = count_true(report.run.gone);
   if (gone == 0) return "";
+  const auto& stages = report.model.analysis->stages;
   std::string text = fact("excavated", counted(gone, "block", "blocks") + " on the way");
   for (const Settled& s : report.run.settled)
-    text += fact("", settled_text(s, report.model.analysis->stages[s.stage]));
+    text += fact("", settled_text(settled_json(s, stages[s.stage])));
+  if (const auto& settling = report.run.settling)
+    text += fact("", settling_text(settling_json(*settling, stages[settling->stage])));
   if (report.run.walls > 0)
     text += fact("", fmt::format("its walls still bear {:.3g} % of what it pressed them with",
                                  100 * report.run.walls));
@@ -356,10 +346,12 @@ std::string run_summary(const RunReport& report) {
   text += record_fact(report.model);
   const LargestDisplacement& largest = run.largest_displacement;
   const bool counts_anew = resets(report.model);
-  if (largest.block != none)
-    text += fact("largest displacement",
-                 fmt::format("{:.4g} m, in block {} at {}{}", largest.length, largest.block + 1,
-                             place_text(largest.point), counts_anew ? ", since the reset" : ""));
+  const std::string since = counts_anew ? ", since the reset" : "";
+  text += fact("largest displacement",
+               largest.block == none
+                   ? "none: nothing moved" + since
+                   : fmt::format("{:.4g} m, in block {} at {}{}", largest.length, largest.block + 1,
+                                 place_text(largest.point), since));
   if (run.rest) text += rest_facts(report);
   if (run.unbalanced) text += unbalanced_fact(*run.unbalanced);
   for (const auto& monitor : run.monitors) text += monitor_facts(monitor);

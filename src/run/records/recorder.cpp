@@ -88,6 +88,7 @@ void Recorder::store(const Motion& motion, Index step) {
 
 void Recorder::pass(Archive& archive) {
   archive.all(stored_, states_, zero_);
+  base_.pass(archive);
   if (!archive.packs() && !zero_.empty()) count_from(std::move(zero_));
   if (joints_) joints_->pass(archive);
   if (courses_) courses_->pass(archive);

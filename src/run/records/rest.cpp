@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "src/base/vector.hpp"
@@ -12,6 +13,10 @@ namespace {
 
 /// Share of √(g h) below which blocks are at rest.
 constexpr Real resting = 1e-3;
+
+/// Of the model's extent: places, frames, gaps and tractions are rounded one after the other (contact::rounding: 4 ε of a place as far off as
+/// the model is large), and what a million points add up to at random is a thousand times as much: 4 · 2.2e-16 · 1e3.
+constexpr Real rounding = 1e-12;
 
 void take_larger(Real value, Index joint, const Index (&block)[2], LargestAtJoint& largest) {
   if (value <= largest.value) return;
@@ -33,6 +38,19 @@ Real mean_block_size(const RunInput& input) {
   const auto& volume = input.blocks.volume;
   const Real rock = std::accumulate(volume.begin(), volume.end(), Real{0});
   return std::cbrt(rock / static_cast<Real>(volume.size()));
+}
+
+Real way_of_rounding(const RunInput& input) {
+  Real extent = 0;
+  for (std::size_t d = 0; d < 3; ++d) {
+    Real low = std::numeric_limits<Real>::infinity(), high = -low;
+    for (const Vec3& v : input.blocks.vertex) {
+      low = std::min(low, v[d]);
+      high = std::max(high, v[d]);
+    }
+    extent = std::max(extent, high - low);
+  }
+  return rounding * extent;
 }
 
 Real resting_speed(const RunInput& input) {
@@ -65,6 +83,8 @@ Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
     take_larger(opening, p.joint, block, rest.opening);
     take_larger(norm(apart - opening * normal), p.joint, block, rest.slip);
   }
+  for (LargestAtJoint* largest : {&rest.slip, &rest.opening})
+    if (largest->value <= way_of_rounding(input)) *largest = {};
   rest.speed = largest_speed(velocity);
   const Real limit = resting_speed(input);
   rest.at_rest = rest.speed <= limit;

@@ -8,6 +8,9 @@ namespace rockfold {
 /// m: the cube root of the blocks' mean volume.
 Real mean_block_size(const RunInput& input);
 
+/// m: where forces depend on places, a shorter way than this may be rounding, and is none.
+Real way_of_rounding(const RunInput& input);
+
 /// m/s: a thousandth of √(g h), h the blocks' mean size; blocks that are slower are at rest.
 Real resting_speed(const RunInput& input);
 
