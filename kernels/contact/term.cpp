@@ -210,6 +210,23 @@ void add_forces(ContactTerm& term, const solve::PointTerms& rows, Real scale, co
   if (rows.any()) solve::scatter(rows, scale, term.force, f);
 }
 
+void add_force_sizes(const ContactTerm& term, const solve::PointTerms& rows, Real scale,
+                     const Array<Real>& acting) {
+  if (!rows.any()) return;
+  const Field force = term.force;
+  const auto row = rows.row, row_begin = rows.row_begin, row_point = rows.row_point;
+  const auto row_weight = rows.row_weight;
+  device::for_each(
+      "rockfold::contact::force_sizes", static_cast<Index>(row.extent(0)),
+      KOKKOS_LAMBDA(const Index r) {
+        Real sum = 0;
+        for (Index i = row_begin(r); i < row_begin(r + 1); ++i)
+          sum += math::fabs(row_weight(i)) * length(at(force, row_point(i)));
+        acting(row(r)) += scale * sum;
+      },
+      16);
+}
+
 void forget_headings(ContactTerm& term) {
   Kokkos::deep_copy(term.heading, 0.0);
 }

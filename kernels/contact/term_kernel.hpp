@@ -39,6 +39,10 @@ DetectReport detect(ContactTerm& term, solve::PointTerms& rows);
 /// Forces and tangents of the points where vertices are now; f += scale · Nᵀ Gᵀ force.
 void add_forces(ContactTerm& term, const solve::PointTerms& rows, Real scale, const Field& f);
 
+/// acting += scale · Σ |weight| ‖force‖ of the points on each unknown, N, of the forces found last.
+void add_force_sizes(const ContactTerm& term, const solve::PointTerms& rows, Real scale,
+                     const Array<Real>& acting);
+
 /// Of the forces found last, those of the points between rock that is gone and rock that is not; others become zero.
 void keep_wall_forces(ContactTerm& term);
 

@@ -63,6 +63,7 @@ Real add_contact_forces(Motion::Data& m, const Step& step) {
   move_vertices(m, step);
   Kokkos::deep_copy(m.work, 0.0);
   contact::add_forces(*m.contact, m.system.contacts, step.middle ? 2 : 1, m.work);
+  contact::add_force_sizes(*m.contact, m.system.contacts, step.middle ? 2 : 1, m.of_blocks.acting);
   const Field forces = m.work, right = m.right;
   device::for_each(
       "rockfold::motion::add_contact_forces", m.unknowns, KOKKOS_LAMBDA(const Index p) {

@@ -48,6 +48,7 @@ void make_system(Motion::Data& m, const MotionSetup& setup) {
         contact::make_contact_term(*setup.surfaces, setup.surface_points, setup.contact));
     m.system.has_contacts = true;
     m.held = device::make_field("motion::held", m.unknowns);
+    m.of_blocks = make_block_forces(setup.covers);
     m.system.contacts = contact::make_contact_rows(m.unknowns);
     m.system.bicgstab = solve::make_bicgstab_work(m.unknowns);
     m.most_iterations = setup.contact_iterations;
@@ -65,7 +66,6 @@ void make_loads(Motion::Data& m, const MotionSetup& setup) {
   m.rock->apply({0, 1}, m.work, mass);
   const std::vector<Vec3> load = constant_load(setup, device::copy_to_host(mass));
   device::copy_to_device(load, m.load);
-  if (m.contact) m.least_load = least_load_of_a_block(setup.covers, load);
   m.varying_loads = make_varying_loads(setup, mass);
   if (!m.varying_loads.any()) return;
   m.varying = device::make_field("motion::varying_load", m.unknowns);

@@ -7,6 +7,7 @@
 
 #include "kernels/constraints/constrained_system_kernel.hpp"
 #include "kernels/contact/term_kernel.hpp"
+#include "kernels/time/block_forces_kernel.hpp"
 #include "kernels/time/forces/deformation_kernel.hpp"
 #include "kernels/time/forces/following_kernel.hpp"
 #include "kernels/time/forces/loads_kernel.hpp"
@@ -60,6 +61,7 @@ struct Motion::Data {
   motion::MovingSupports supports;
   motion::MovingState now, saved;
   std::unique_ptr<contact::ContactTerm> contact;  ///< null: blocks do not touch each other
+  motion::BlockForces of_blocks;                  ///< then
   contact::Accepted saved_contacts;
   int most_iterations = 60;  ///< of Newton's method
 
@@ -93,8 +95,6 @@ struct Motion::Data {
   EnergyGain gain;         ///< see Motion::largest_gain
   Real mean_over = 0;      ///< see Motion::mean_over
   Real initial_force = 0;  ///< N, norm of the forces of the initial stress in place
-  Real least_load =
-      0;  ///< N, of gravity and constant loads on one block, where blocks touch each other; 0: on none
   double contact_seconds = 0;
 
   /// Average acceleration, which needs none to start with.

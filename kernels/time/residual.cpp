@@ -101,14 +101,18 @@ Forces find_residual(Motion::Data& m, const Step& step) {
   const Real walls = step.walls;
   const bool varies = m.varying_loads.any(), middle = step.middle;
   const Real times = middle ? 2 : 1, share = step.load;
+  const bool judged = m.contact != nullptr;
+  const auto acting = m.of_blocks.acting;
   const auto out = m.sums;
   device::sum_then<3>(
       "rockfold::motion::residual", m.unknowns, m.partial,
       KOKKOS_LAMBDA(const Index p, Sums<3>& sum) {
         if (gone(p) != 0) {
           for (int d = 0; d < 3; ++d) right(p, d) = 0;
+          if (judged) acting(p) = 0;
           return;
         }
+        Real loads = 0, moving = 0;
         for (int d = 0; d < 3; ++d) {
           const Real constant = share * times * load(p, d);
           const Real changing =
@@ -118,8 +122,11 @@ Forces find_residual(Motion::Data& m, const Step& step) {
           sum.value[0] += constant * constant + changing * changing;
           sum.value[1] += right(p, d) * right(p, d);
           sum.value[2] += inner * inner;
+          loads += f * f;
+          moving += right(p, d) * right(p, d);
           right(p, d) = f - right(p, d) - inner;
         }
+        if (judged) acting(p) = device::math::sqrt(loads) + device::math::sqrt(moving);
       },
       KOKKOS_LAMBDA(const Sums<3>& sum) {
         for (int k = 0; k < 3; ++k) out(k) = sum.value[k];

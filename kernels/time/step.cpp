@@ -28,7 +28,7 @@ constexpr int most_detections = 6;
 /// Share of the reference that may be unbalanced while bonds still break: what the last one leaves is balanced to the solver's tolerance.
 constexpr Real rough_balance = 1e-3;
 
-/// Of the load on a block, what may be unbalanced: the tolerance's share of all forces may be more than a small block weighs beside large ones.
+/// Of what acts on a block, what may be unbalanced: the tolerance's share of all forces may be more than a small block weighs beside large ones.
 constexpr Real balance_of_a_block = 1e-4;
 
 /// What Newton's iterations have come to.
@@ -40,6 +40,8 @@ struct Newton {
   Real left = std::numeric_limits<Real>::infinity();  ///< N, unbalanced
   Real gap = left;
   Real wanted = 0;  ///< N, below which nothing is balanced
+  Real worst = 0;   ///< of what is unbalanced on a block over what may be
+  Real least = 0;   ///< N, that a solve may leave
 };
 
 Step make_step(const Motion::Data& m, Real dt, const StepCourse& course) {
@@ -127,18 +129,22 @@ bool is_settled(Motion::Data& m, const Step& step, const Forces& forces, Newton&
   const Real rounding =
       m.rock->rounding(m.now.displacement) + (m.contact ? contact::rounding(*m.contact) : 0);
   newton.wanted = std::max(newton.enough, m.solver.tolerance) * newton.reference;
-  if (m.least_load > 0)
-    newton.wanted = std::min(newton.wanted, std::max(newton.enough, balance_of_a_block) *
-                                                (step.middle ? 2 : 1) * m.least_load);
   newton.wanted = std::max(newton.wanted, 2 * rounding);
+  newton.least = newton.wanted;
+  if (m.contact) {
+    const BlockBalance balance = find_balance(
+        m.of_blocks, m.right, m.work, std::max(newton.enough, balance_of_a_block), 2 * rounding);
+    newton.worst = balance.worst;
+    newton.least = std::min(newton.wanted, balance.wanted);
+  }
   total.residual = newton.left / newton.reference;
   total.gap = newton.gap;
   // Rounding alone: what is left is small, and another iteration would not take it away.
   const bool stalled = newton.left <= 32 * rounding && newton.left > 0.5 * before;
   // A gap that a solve does not halve stays: points contradict each other, and the report says by how much.
   const bool closed = newton.gap <= solve::closed_gap || newton.gap > 0.5 * gap_before;
-  if ((newton.corrected || newton.iterations > 0) && (newton.left <= newton.wanted || stalled) &&
-      closed) {
+  if ((newton.corrected || newton.iterations > 0) &&
+      ((newton.left <= newton.wanted && newton.worst <= 1) || stalled) && closed) {
     total.inverted = m.rock->inverted(m.now.displacement, newton.wanted);
     total.converged = total.inverted == none;
     return true;
@@ -158,9 +164,10 @@ solve::ConstraintOptions correction_options(Motion::Data& m, const Step& step,
   }
   const bool factors = !m.contact && solve::policy_of(m.system).first == Preconditioner::direct;
   const Real inexact = step.dt > 0 ? (factors ? forcing_with_factors : forcing) * newton.left : 0;
-  how.pcg.tolerance =
-      std::max({0.1 * newton.wanted, inexact, 0.5 * m.rock->rounding(m.now.displacement)}) /
-      newton.reference;
+  // Whatever may be left, a correction that gains no digit is none.
+  how.pcg.tolerance = std::max(std::min(0.1 * newton.left, std::max(0.1 * newton.least, inexact)),
+                               0.5 * m.rock->rounding(m.now.displacement)) /
+                      newton.reference;
   return how;
 }
 

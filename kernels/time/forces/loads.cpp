@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "kernels/constraints/constrained_system_kernel.hpp"
 #include "kernels/time/forces/loads_kernel.hpp"
@@ -147,21 +146,6 @@ std::vector<Vec3> constant_load(const MotionSetup& setup, const std::vector<Vec3
       for (int d = 0; d < 3; ++d) load[all.points.unknown[i]][d] += all.points.weight[i] * force[d];
   }
   return load;
-}
-
-Real least_load_of_a_block(const CoverArrays& covers, const std::vector<Vec3>& load) {
-  std::vector<Index> block(covers.cover_count(), none);
-  for (Index e = 0; e < covers.element_count(); ++e) {
-    const ElementNodes nodes = element_nodes(covers, e);
-    for (int a = 0; a < covers.nodes_per_part(); ++a) block[nodes.cover[a]] = block_of(covers, e);
-  }
-  std::map<Index, Real> squares;
-  for (std::size_t p = 0; p < load.size(); ++p)
-    squares[block[p % block.size()]] += dot(load[p], load[p]);
-  Real least = 0;
-  for (const auto& [its, square] : squares)
-    if (square > 0 && (least == 0 || square < least)) least = square;
-  return std::sqrt(least);
 }
 
 Dashpots make_dashpots(const QuietPoints& quiet, Index unknowns) {

@@ -53,8 +53,6 @@ void varying_load(const VaryingLoads& loads, Real t, const Field& f);
 
 /// The loads that do not change: gravity (`mass` is M 1), forces and pressures without a table.
 std::vector<Vec3> constant_load(const MotionSetup& setup, const std::vector<Vec3>& mass);
-/// N: the least of the norms of a load over the unknowns of each block, of those that it acts on; 0: on none.
-Real least_load_of_a_block(const CoverArrays& covers, const std::vector<Vec3>& load);
 
 /// C of quiet boundaries: N^T (c_n n nᵀ + c_s (I − n nᵀ)) N.
 struct Dashpots {
