@@ -164,10 +164,11 @@ solve::ConstraintOptions correction_options(Motion::Data& m, const Step& step,
   }
   const bool factors = !m.contact && solve::policy_of(m.system).first == Preconditioner::direct;
   const Real inexact = step.dt > 0 ? (factors ? forcing_with_factors : forcing) * newton.left : 0;
-  // Whatever may be left, a correction that gains no digit is none.
-  how.pcg.tolerance = std::max(std::min(0.1 * newton.left, std::max(0.1 * newton.least, inexact)),
-                               0.5 * m.rock->rounding(m.now.displacement)) /
-                      newton.reference;
+  Real enough = std::max(0.1 * newton.least, inexact);
+  // Where all forces together are in balance and those of a block are not, a correction must gain a digit.
+  if (newton.worst > 1) enough = std::min(enough, 0.1 * newton.left);
+  how.pcg.tolerance =
+      std::max(enough, 0.5 * m.rock->rounding(m.now.displacement)) / newton.reference;
   return how;
 }
 
