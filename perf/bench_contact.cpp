@@ -75,8 +75,7 @@ Answer run(const std::string& text) {
   const MaterialPoints monitors, vertices = locate_block_vertices(covering, blocks);
   ContactSurfaces contact;
   contact.surfaces = contact_surfaces(cutting, blocks, covering.arrays);
-  contact.points =
-      locate_surface(covering, contact.surfaces.vertex, contact.surfaces.vertex_block);
+  contact.points = locate_surface(covering, contact.surfaces.vertex, contact.surfaces.vertex_block);
   RunInput input{model, covering.arrays, blocks,     fixed,   monitors,
                  loads, quiet,           velocities, vertices};
   input.contact = &contact;
