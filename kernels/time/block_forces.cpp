@@ -3,13 +3,12 @@
 #include <numeric>
 #include <vector>
 
+#include "kernels/device/sums_kernel.hpp"
 #include "kernels/time/block_forces_kernel.hpp"
 #include "src/space/shape_functions.hpp"
 
 namespace rockfold::motion {
 namespace {
-
-constexpr Index most_in_chunk = 1024;
 
 /// [unknowns] the block of each; functions follow each other, covers within them.
 std::vector<Index> blocks_of_unknowns(const CoverArrays& covers) {
@@ -36,7 +35,7 @@ BlockForces make_block_forces(const CoverArrays& covers) {
   for (std::size_t i = 0; i < unknown.size(); ++i) {
     const Index b = block[unknown[i]], at = static_cast<Index>(i);
     if (b != last) block_begin.push_back(static_cast<Index>(chunk.size()));
-    if (b != last || at - chunk.back() == most_in_chunk) chunk.push_back(at);
+    if (b != last || at - chunk.back() == device::chunk_length) chunk.push_back(at);
     last = b;
   }
   block_begin.push_back(static_cast<Index>(chunk.size()));
