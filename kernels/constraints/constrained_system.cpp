@@ -35,6 +35,7 @@ ConstrainedSystem make_constrained_system(const CoverArrays& covers, Operator op
                                           const MaterialPoints& others) {
   ConstrainedSystem system;
   system.preconditioner = preconditioner;
+  system.of_blocks = covers.nodes_per_part() == 1;
   MergedPoints merged = merge_points(fixed);
   MaterialPoints points = merged.fixed.points;
   append_points(points, others);

@@ -16,9 +16,10 @@ namespace rockfold::solve {
 /// αK + βM and the terms, with its preconditioner.
 struct ConstrainedSystem {
   Operator op;
-  PointTerms terms;       ///< those of the springs first
-  PointTerms contacts;    ///< written by their owner before set_combination
-  bool symmetric = true;  ///< whether their tangents are: conjugate gradients or BiCGStab
+  PointTerms terms;        ///< those of the springs first
+  PointTerms contacts;     ///< written by their owner before set_combination
+  bool symmetric = true;   ///< whether their tangents are: conjugate gradients or BiCGStab
+  bool of_blocks = false;  ///< each cover is a block of rock by itself
   bool has_contacts =
       false;  ///< there may be contacts; who changes their points resets factors.analysed
   BicgstabWork bicgstab;    ///< then
