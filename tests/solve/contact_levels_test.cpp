@@ -1,0 +1,160 @@
+// Multigrid with contact: joints that separate rock on all levels, and points on them that hold it together.
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "src/base/vector.hpp"
+#include "tests/solve/systems/joints.hpp"
+
+namespace rockfold {
+namespace {
+
+struct JointedCube {
+  SmallSystem system;
+  MaterialPoints points;
+  std::vector<Mat3> tangent;
+};
+
+/// The two covers of each node of a joint, or twice the one.
+std::vector<std::array<Index, 2>> sides_of_nodes(const CoverArrays& a) {
+  std::vector<std::array<Index, 2>> sides(a.cover_node.back() + 1, {none, none});
+  for (Index p = 0; p < a.cover_count(); ++p) {
+    auto& of_node = sides[a.cover_node[p]];
+    if (of_node[0] == none) of_node[0] = p;
+    of_node[1] = p;
+  }
+  return sides;
+}
+
+/// The stiffness, N/m, of a contact point in the cell (i, j) of a joint, along the normal and across it.
+using Law = std::function<std::array<Real, 2>(Index i, Index j)>;
+
+/// A cube of side 1 cut at one and two thirds of its height; two by two points in each cell of a joint.
+JointedCube jointed_cube(Index n, int order, LatticeKind kind, const Law& law) {
+  const auto on_joint = [n](Index k) { return k == n / 3 || k == 2 * n / 3; };
+  JointedCube cube;
+  cube.system = held_cube(
+      n, [&](Index, Index, Index k) { return on_joint(k); }, kind);
+  cube.system.covered.arrays.order = order;
+  const CoverArrays& a = cube.system.covers();
+  const auto sides = sides_of_nodes(a);
+  for (Index k = 1; k < n; ++k)
+    for (Index c = 0; on_joint(k) && c < 4 * n * n; ++c) {
+      const Index i = c / 4 % n, j = c / 4 / n;
+      const Real s[2] = {c % 2 == 0 ? 0.25 : 0.75, c / 2 % 2 == 0 ? 0.2 : 0.7};
+      for (int corner = 0; corner < 4; ++corner) {
+        const int right = corner % 2, back = corner / 2;
+        const Real w = (right ? s[0] : 1 - s[0]) * (back ? s[1] : 1 - s[1]);
+        for (int side = 0; side < 2; ++side) {
+          cube.points.unknown.push_back(
+              sides[i + right + (n + 1) * (j + back + (n + 1) * k)][side]);
+          cube.points.weight.push_back(side == 0 ? -w : w);
+        }
+      }
+      cube.points.element.push_back(none);
+      cube.points.begin.push_back(static_cast<Index>(cube.points.unknown.size()));
+      const auto [normal, shear] = law(i, j);
+      cube.tangent.push_back({{{shear, 0, 0}, {0, shear, 0}, {0, 0, normal}}});
+    }
+  return cube;
+}
+
+/// Joints as stiff as rock of 1/`stiffness` of a cube's height, E being 1e6 Pa.
+Law closed(Index n, Real stiffness) {
+  const Real k = 1e6 * stiffness / (4.0 * n * n);
+  return [k](Index, Index) { return std::array<Real, 2>{k, 0.5 * k}; };
+}
+/// A third is open, a third slides.
+Law partly_open(Index n, Real stiffness) {
+  const Real k = 1e6 * stiffness / (4.0 * n * n);
+  return [n, k](Index i, Index) {
+    return std::array<Real, 2>{3 * i < n ? 0 : k, 3 * i < 2 * n ? 0 : 0.5 * k};
+  };
+}
+
+struct Solution {
+  SolveReport report;
+  std::vector<Vec3> x;
+};
+
+Solution solve_with(CoverSystem& system, Preconditioner preconditioner, const std::vector<Vec3>& b,
+                    Real tolerance = 1e-8) {
+  Solution solution{{}, std::vector<Vec3>(b.size())};
+  solution.report = system.solve({1, 0, 1}, b, solution.x, {tolerance, 20000});
+  EXPECT_TRUE(solution.report.converged) << "residual " << solution.report.residual;
+  EXPECT_EQ(solution.report.preconditioner, preconditioner);
+  return solution;
+}
+
+Solution solve_with(const JointedCube& cube, Preconditioner preconditioner,
+                    const std::vector<Vec3>& b, Real tolerance = 1e-8) {
+  const SmallSystem& s = cube.system;
+  CoverSystem system(s.covers(), piece_moments(s.covers()), s.materials, s.fixed, preconditioner);
+  system.set_contacts(cube.points, cube.tangent);
+  return solve_with(system, preconditioner, b, tolerance);
+}
+
+std::vector<Vec3> weight_of(const SmallSystem& s) {
+  std::vector<Vec3> x(s.covers().unknown_count());
+  for (Index p = 0; p < s.covers().cover_count(); ++p) x[p] = {3, 0, -10};
+  return s.make().apply({0, 1, 0}, x);
+}
+
+/// Functions may be dependent: solutions are compared by their forces of inertia.
+void expect_same_motion(const SmallSystem& s, const std::vector<Vec3>& a,
+                        const std::vector<Vec3>& b, Real tolerance) {
+  const auto of_a = s.make().apply({0, 1, 0}, a), of_b = s.make().apply({0, 1, 0}, b);
+  EXPECT_LE(reference::largest_difference(of_a, of_b), tolerance * reference::largest(of_b));
+}
+
+TEST(ContactLevels, FindTheAnswerOfTheBlocks) {
+  for (const LatticeKind kind : {LatticeKind::tet6, LatticeKind::hex8})
+    for (const int order : {0, 1}) {
+      SCOPED_TRACE(testing::Message() << "lattice " << int(kind) << ", order " << order);
+      const JointedCube cube = jointed_cube(6, order, kind, partly_open(6, 5));
+      const auto b = weight_of(cube.system);
+      const auto grids = solve_with(cube, Preconditioner::multigrid, b, 1e-11);
+      const auto blocks = solve_with(cube, Preconditioner::node_block_jacobi, b, 1e-11);
+      EXPECT_LT(3 * grids.report.iterations, blocks.report.iterations);
+      expect_same_motion(cube.system, grids.x, blocks.x, 1e-6);
+    }
+}
+
+/// The coarsest level would otherwise know nothing of what holds the upper parts.
+TEST(ContactLevels, TakeAsManyCyclesAtAnySpacing) {
+  for (const bool open : {false, true})
+    for (const Index n : {8, 15, 24}) {
+      const JointedCube cube =
+          jointed_cube(n, 0, LatticeKind::tet6, open ? partly_open(n, 10) : closed(n, 10));
+      const auto grids = solve_with(cube, Preconditioner::multigrid, weight_of(cube.system));
+      EXPECT_LE(grids.report.iterations, 30) << n << (open ? ", partly open" : "");
+    }
+}
+
+TEST(ContactLevels, TakeAsManyCyclesAtAnyStiffness) {
+  for (const Real stiffness : {0.01, 1.0, 100.0, 1e4}) {
+    const JointedCube cube = jointed_cube(12, 0, LatticeKind::tet6, closed(12, stiffness));
+    const auto grids = solve_with(cube, Preconditioner::multigrid, weight_of(cube.system));
+    EXPECT_LE(grids.report.iterations, 60) << stiffness;
+  }
+}
+
+/// Newton's iterations change tangents, detections change points.
+TEST(ContactLevels, FollowTangentsAndPointsThatChange) {
+  const JointedCube first = jointed_cube(6, 0, LatticeKind::tet6, closed(6, 5)),
+                    next = jointed_cube(6, 0, LatticeKind::tet6, partly_open(6, 50));
+  const SmallSystem& s = first.system;
+  const auto b = weight_of(s);
+  CoverSystem system(s.covers(), piece_moments(s.covers()), s.materials, s.fixed,
+                     Preconditioner::multigrid);
+  system.set_contacts(first.points, first.tangent);
+  solve_with(system, Preconditioner::multigrid, b);
+  system.set_contacts(next.points, next.tangent);
+  const auto again = solve_with(system, Preconditioner::multigrid, b);
+  const auto alone = solve_with(next, Preconditioner::multigrid, b);
+  EXPECT_EQ(again.x, alone.x);
+  EXPECT_EQ(again.report.iterations, alone.report.iterations);
+}
+
+}  // namespace
+}  // namespace rockfold
