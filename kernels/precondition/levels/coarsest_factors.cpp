@@ -28,14 +28,13 @@ HostRows by_unknowns(const HostBlocks& a) {
     columns.clear();
     for (const std::size_t b : of_rows[p]) columns.push_back(a.column[b]);
     std::sort(columns.begin(), columns.end());
-    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
     for (std::size_t k = 0; k < columns.size(); ++k) place[columns[k]] = static_cast<Index>(k);
     const std::size_t first = rows.value.size(), length = columns.size() * width;
     rows.value.resize(first + width * length, 0);
     for (const std::size_t b : of_rows[p])
       for (std::size_t f = 0; f < width; ++f)
         for (std::size_t e = 0; e < width; ++e)
-          rows.value[first + e * length + place[a.column[b]] * width + f] +=
+          rows.value[first + e * length + place[a.column[b]] * width + f] =
               a.value[b * a.size() + f * width + e];
     for (std::size_t e = 0; e < width; ++e) {
       for (const Index q : columns)
@@ -49,12 +48,24 @@ HostRows by_unknowns(const HostBlocks& a) {
 
 }  // namespace
 
+Real* HostBlocks::at(Index p, Index q) {
+  const auto [found, is_new] = known.try_emplace(std::int64_t{p} * covers + q, row.size());
+  if (is_new) {
+    row.push_back(p);
+    column.push_back(q);
+    value.resize(value.size() + size(), 0);
+  }
+  return &value[found->second * size()];
+}
+
 void add_rows(HostBlocks& to, const CoverMatrix& a) {
   const std::vector<Index> begin = device::to_host(a.begin), column = device::to_host(a.column);
   const std::vector<Real> value = device::to_host(a.value);
   for (Index p = 0; p < a.covers; ++p)
-    for (Index k = begin[p]; k < begin[p + 1]; ++k)
-      std::copy_n(&value[k * to.size()], to.size(), to.add(p, column[k]));
+    for (Index k = begin[p]; k < begin[p + 1]; ++k) {
+      Real* block = to.at(p, column[k]);
+      for (std::size_t e = 0; e < to.size(); ++e) block[e] += value[k * to.size() + e];
+    }
 }
 
 void add_points(HostBlocks& to, const DevicePoints& points,
@@ -66,27 +77,27 @@ void add_points(HostBlocks& to, const DevicePoints& points,
     for (Index i = begin[n]; i < begin[n + 1]; ++i)
       for (Index j = begin[n]; j < begin[n + 1]; ++j) {
         const int k = unknown[i] / to.covers, l = unknown[j] / to.covers;
-        Real* a = to.add(unknown[i] % to.covers, unknown[j] % to.covers);
+        Real* a = to.at(unknown[i] % to.covers, unknown[j] % to.covers);
         for (int d = 0; d < 3; ++d)
           for (int e = 0; e < 3; ++e)
-            a[(3 * l + e) * to.width + 3 * k + d] =
+            a[(3 * l + e) * to.width + 3 * k + d] +=
                 weight[i] * weight[j] * tangent[n][symmetric_entry(d, e)];
       }
 }
 
-void factorise(CoarsestFactors& coarsest, const HostBlocks& a, Real shift) {
+void factorise(CoarsestFactors& coarsest, const HostBlocks& a, Real shift, Real least_pivot) {
   HostRows rows = by_unknowns(a);
   const Index unknowns = static_cast<Index>(rows.begin.size()) - 1;
   for (Index u = 0; u < unknowns; ++u)
     for (Index k = rows.begin[u]; k < rows.begin[u + 1]; ++k)
-      if (rows.column[k] == u) rows.value[k] = rows.value[k] > 0 ? (1 + shift) * rows.value[k] : 1;
+      if (rows.column[k] == u) rows.value[k] *= 1 + shift;
   if (rows.begin != coarsest.begin || rows.column != coarsest.column) {
     coarsest.factors = SparseCholesky(rows.begin, rows.column);
     coarsest.begin = rows.begin;
     coarsest.column = rows.column;
     coarsest.x.resize(unknowns);
   }
-  coarsest.factors.factorise(rows.begin, rows.column, rows.value);
+  coarsest.factors.factorise(rows.begin, rows.column, rows.value, least_pivot);
 }
 
 }  // namespace rockfold::solve

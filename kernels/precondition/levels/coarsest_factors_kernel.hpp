@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "kernels/operator/point_terms_kernel.hpp"
@@ -10,21 +12,18 @@
 
 namespace rockfold::solve {
 
-/// A matrix of covers while it is put together.
+/// A matrix of covers while it is put together: its blocks in the order in which they were first met.
 struct HostBlocks {
   Index covers = 0;
-  int width = 3;                   ///< 3n
-  std::vector<Index> row, column;  ///< of each block, in any order; those of one place are summed
-  std::vector<Real> value;         ///< [blocks][width of the column][width of the row]
+  int width = 3;  ///< 3n
+  std::vector<Index> row, column;
+  std::vector<Real> value;  ///< [blocks][width of the column][width of the row]
+  std::unordered_map<std::int64_t, std::size_t>
+      known;  ///< where the block of a row and a column is
 
   std::size_t size() const { return static_cast<std::size_t>(width) * width; }
-  /// A further block, zero; good until the next.
-  Real* add(Index p, Index q) {
-    row.push_back(p);
-    column.push_back(q);
-    value.resize(value.size() + size(), 0);
-    return &value[value.size() - size()];
-  }
+  /// Zero at first; good until the next.
+  Real* at(Index p, Index q);
 };
 void add_rows(HostBlocks& to, const CoverMatrix& a);
 
@@ -47,8 +46,8 @@ struct CoarsestFactors {
   mutable std::vector<Real> x;  ///< work space
 };
 
-/// `shift`: how much of its diagonal is added, since parts that nothing holds are free to move.
-void factorise(CoarsestFactors& coarsest, const HostBlocks& a, Real shift);
+/// `shift`: how much of its diagonal is added. Parts that nothing holds are free to move: see SparseCholesky's least pivot.
+void factorise(CoarsestFactors& coarsest, const HostBlocks& a, Real shift, Real least_pivot);
 
 /// x = A⁻¹ r, by unknowns k · covers + p.
 template <class Vector>

@@ -68,13 +68,17 @@ void add_contacts(const ContactRows& contacts, int sign, const Vector& x, const 
       KOKKOS_LAMBDA(const Index t) {
         const Index p = c.row(t);
         const int width = c.a.width();
-        Real sum[most_block_width] = {};
+        Real sum[most_block_width] = {}, u[most_block_width];
         const Real* v = &c.a.value(static_cast<std::size_t>(c.a.begin(p)) * width * width);
-        for (Index k = c.a.begin(p); k < c.a.begin(p + 1); ++k)
-          for (int e = 0; e < width; ++e, v += width) {
-            const Real u = x(e / 3 * c.a.covers + c.a.column(k), e % 3);
-            for (int r = 0; r < width; ++r) sum[r] += v[r] * u;
-          }
+        for (Index k = c.a.begin(p); k < c.a.begin(p + 1); ++k, v += width * width) {
+          for (int e = 0; e < width; ++e) u[e] = x(e / 3 * c.a.covers + c.a.column(k), e % 3);
+#ifdef ROCKFOLD_ON_GPU
+          for (int e = 0; e < width; ++e)
+            for (int r = 0; r < width; ++r) sum[r] += v[e * width + r] * u[e];
+#else
+          block_add(width, v, u, sum);
+#endif
+        }
         for (int r = 0; r < width; ++r) y(r / 3 * c.a.covers + p, r % 3) += sign * sum[r];
       },
       16);

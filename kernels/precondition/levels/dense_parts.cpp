@@ -77,15 +77,15 @@ struct HostMatrix {
         if (q == p) continue;
         const std::size_t first =
             9 * static_cast<std::size_t>(value_begin[slice] + k - slice_begin[slice]);
-        Real* block = to.add(p, q);
+        Real* block = to.at(p, q);
         for (int ij = 0; ij < 9; ++ij) {
           const Real v = value[(first + ij) * slice_lanes + lane];
-          block[ij % 3 * 3 + ij / 3] = v;
+          block[ij % 3 * 3 + ij / 3] += v;
           diagonal[ij] -= v;
         }
       }
-      Real* block = to.add(p, p);
-      for (int ij = 0; ij < 9; ++ij) block[ij % 3 * 3 + ij / 3] = diagonal[ij];
+      Real* block = to.at(p, p);
+      for (int ij = 0; ij < 9; ++ij) block[ij % 3 * 3 + ij / 3] += diagonal[ij];
     }
   }
 
@@ -180,12 +180,12 @@ void invert_parts(const LevelMatrix& a, const DenseParts& parts) {
 }
 
 void factorise(CoarsestFactors& coarsest, const LevelMatrix& a) {
-  HostBlocks blocks{a.rows, 3, {}, {}, {}};
+  HostBlocks blocks{a.rows, 3, {}, {}, {}, {}};
   HostMatrix(a).add(blocks);
   add_rows(blocks, a.contacts.a);
   if (a.terms.any())
     add_points(blocks, a.terms.points, tangents_on_host(a.terms.points.count, a.terms.tangent));
-  factorise(coarsest, blocks, no_pivot);
+  factorise(coarsest, blocks, 0, no_pivot);
 }
 
 void solve_parts(const DenseParts& parts, const SingleField& r, const SingleField& x) {
