@@ -25,8 +25,9 @@ constexpr double of_entry = 0.5e-9, of_entry_of_several = 1.7e-9;
 /// … and iterations that a cycle of multigrid costs.
 constexpr double iterations_of_cycle = 12;
 
-/// A multiplication of the factors of a coarsest level that contacts join, s, and how many there are for n unknowns that hang together in three
-/// dimensions, over n² (George 1973); covers with which one shares elements on `tet6`, itself among them.
+/// A multiplication of the factors of a coarsest level that contacts join, s (cubes of 216 to 2,197 covers, one core: 0.4 to 0.8e-9); how many
+/// there are for n unknowns that hang together in three dimensions, over n² (George 1973); covers with which one shares elements on `tet6`,
+/// itself among them.
 constexpr double of_coarsest_operation = 0.5e-9, of_dissection = 10, neighbours = 15;
 
 /// Iterations with factors, and cycles of multigrid to 1e-8 with 1, 4 and 10 functions a cover.

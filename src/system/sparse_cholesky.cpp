@@ -149,13 +149,13 @@ void SparseCholesky::locate_rows(std::size_t node) {
 }
 
 /// The columns of a supernode, from which those before it have taken off what is theirs.
-void SparseCholesky::factorise_columns(std::size_t node, Real least_pivot) {
+void SparseCholesky::factorise_columns(std::size_t node, Real negligible) {
   const Index from = first_[node], to = first_[node + 1];
   for (Index k = from; k < to; k += at_once) {
     Columns column;
     const int count = columns_from(k, to, column);
     for (int j = 0; j < count; ++j) {
-      const bool resists = inverse_[k + j] > least_pivot * diagonal_[k + j];
+      const bool resists = inverse_[k + j] > negligible * diagonal_[k + j];
       inverse_[k + j] = resists ? 1 / std::sqrt(inverse_[k + j]) : 0;
       Real* entry = entry_.data() + start_[k + j];
       for (Real* v = entry; v < entry_.data() + start_[k + j + 1]; ++v) *v *= inverse_[k + j];
@@ -211,7 +211,7 @@ void SparseCholesky::take_off_others(std::size_t node) {
 }
 
 void SparseCholesky::factorise(const std::vector<Index>& begin, const std::vector<Index>& column,
-                               const std::vector<Real>& value, Real least_pivot) {
+                               const std::vector<Real>& value, Real negligible) {
   std::fill(entry_.begin(), entry_.end(), 0.0);
   for (std::size_t node = 0; node + 1 < first_.size(); ++node) {
     locate_rows(node);
@@ -223,7 +223,7 @@ void SparseCholesky::factorise(const std::vector<Index>& begin, const std::vecto
       }
   }
   for (std::size_t node = 0; node + 1 < first_.size(); ++node) {
-    factorise_columns(node, least_pivot);
+    factorise_columns(node, negligible);
     take_off_others(node);
   }
 }

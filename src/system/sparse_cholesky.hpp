@@ -13,10 +13,10 @@ class SparseCholesky {
   /// Where entries stand: the columns of row i are column[begin[i]] … column[begin[i + 1] − 1], both halves and the diagonal.
   SparseCholesky(const std::vector<Index>& begin, const std::vector<Index>& column);
 
-  /// `value`: those of `column`, of a matrix that is positive, or all but positive: unknowns whose pivot is no more than `least_pivot` of
+  /// `value`: those of `column`, of a matrix that is positive, or all but positive: unknowns whose pivot is no more than `negligible` of
   /// their diagonal depend on others, and get no answer.
   void factorise(const std::vector<Index>& begin, const std::vector<Index>& column,
-                 const std::vector<Real>& value, Real least_pivot = 0);
+                 const std::vector<Real>& value, Real negligible = 0);
   /// Each right-hand side r, of `sides` ≤ 3, becomes its answer; [rows]. The factors are read once for all.
   void solve(Real* const* r, int sides) const;
 
@@ -28,7 +28,7 @@ class SparseCholesky {
   void find_entries(const std::vector<Index>& begin, const std::vector<Index>& column);
   void find_supernodes();
   void locate_rows(std::size_t node);
-  void factorise_columns(std::size_t node, Real least_pivot);
+  void factorise_columns(std::size_t node, Real negligible);
   void take_off_others(std::size_t node);
   int columns_from(Index k, Index to, Columns& column) const;
   void eliminate(std::size_t node, int sides, Real* const* x) const;

@@ -62,15 +62,16 @@ TEST(ContactLevels, TakeAsManyCyclesAtAnySpacing) {
       const JointedCube cube =
           jointed_cube(n, 0, LatticeKind::tet6, open ? partly_open(n, 10) : closed(n, 10));
       const auto grids = solve_with(cube, Preconditioner::multigrid, weight_of(cube.system));
-      EXPECT_LE(grids.report.iterations, 30) << n << (open ? ", partly open" : "");
+      EXPECT_LE(grids.report.iterations, 18) << n << (open ? ", partly open" : "");
     }
 }
 
-TEST(ContactLevels, TakeAsManyCyclesAtAnyStiffness) {
-  for (const Real stiffness : {0.01, 1.0, 100.0, 1e4}) {
+/// Of the rock of a cell: a thousandth to eight times.
+TEST(ContactLevels, HardlyMindHowStiffJointsAre) {
+  for (const Real stiffness : {0.01, 1.0, 100.0}) {
     const JointedCube cube = jointed_cube(12, 0, LatticeKind::tet6, closed(12, stiffness));
     const auto grids = solve_with(cube, Preconditioner::multigrid, weight_of(cube.system));
-    EXPECT_LE(grids.report.iterations, 60) << stiffness;
+    EXPECT_LE(grids.report.iterations, 24) << stiffness;
   }
 }
 

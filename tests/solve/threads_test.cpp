@@ -76,8 +76,8 @@ TEST(Threads, PrintResults) {
   std::fputs(results(LatticeKind::tet5, 1, 0.4).c_str(), file);
   std::fputs(results(LatticeKind::hex8, 2, 0.9).c_str(), file);
   std::fputs(results(LatticeKind::tet6, 0, 0.125).c_str(), file);
-  std::fputs(contact_results(0, 15).c_str(), file);
   std::fputs(contact_results(1, 7).c_str(), file);
+  std::fputs(contact_results(0, 15).c_str(), file);
   std::fclose(file);
 }
 

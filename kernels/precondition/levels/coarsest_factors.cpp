@@ -85,7 +85,7 @@ void add_points(HostBlocks& to, const DevicePoints& points,
       }
 }
 
-void factorise(CoarsestFactors& coarsest, const HostBlocks& a, Real shift, Real least_pivot) {
+void factorise(CoarsestFactors& coarsest, const HostBlocks& a, Real shift, Real negligible) {
   HostRows rows = by_unknowns(a);
   const Index unknowns = static_cast<Index>(rows.begin.size()) - 1;
   for (Index u = 0; u < unknowns; ++u)
@@ -97,7 +97,7 @@ void factorise(CoarsestFactors& coarsest, const HostBlocks& a, Real shift, Real 
     coarsest.column = rows.column;
     coarsest.x.resize(unknowns);
   }
-  coarsest.factors.factorise(rows.begin, rows.column, rows.value, least_pivot);
+  coarsest.factors.factorise(rows.begin, rows.column, rows.value, negligible);
 }
 
 }  // namespace rockfold::solve

@@ -46,8 +46,8 @@ struct CoarsestFactors {
   mutable std::vector<Real> x;  ///< work space
 };
 
-/// `shift`: how much of its diagonal is added. Parts that nothing holds are free to move: see SparseCholesky's least pivot.
-void factorise(CoarsestFactors& coarsest, const HostBlocks& a, Real shift, Real least_pivot);
+/// `shift`: how much of its diagonal is added. Parts that nothing holds are free to move: see SparseCholesky's negligible pivots.
+void factorise(CoarsestFactors& coarsest, const HostBlocks& a, Real shift, Real negligible);
 
 /// x = A⁻¹ r, by unknowns k · covers + p.
 template <class Vector>

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "kernels/precondition/levels/contact_levels_kernel.hpp"
 
@@ -97,13 +98,17 @@ void set_pattern(ContactRows& to, const Pattern& pattern, int functions) {
 void find_rows(ContactLevels& contacts, const PointTerms& terms, Index covers, int functions,
                const std::vector<Parents>& parents) {
   contacts.level.resize(parents.size() + 1);
+  contacts.found = true;
+  if (!terms.any()) {
+    contacts.level.assign(parents.size() + 1, {});
+    return;
+  }
   Pattern pattern = pattern_of_points(terms, covers);
   set_pattern(contacts.level[0], pattern, functions);
   for (std::size_t l = 0; l < parents.size(); ++l) {
     pattern = pattern_of_product(pattern, parents[l]);
     set_pattern(contacts.level[l + 1], pattern, functions);
   }
-  contacts.found = true;
 }
 
 void sum_points(const ContactRows& contacts, const PointTerms& terms, Real scale) {
