@@ -90,6 +90,10 @@ void apply_known(const ConstrainedSystem& system, const Field& x, const Field& y
   apply_terms(system.contacts, x, y);
 }
 
+void contacts_changed(ConstrainedSystem& system) {
+  system.factors.analysed = system.grid.contacts.found = system.cover_grid.contacts.found = false;
+}
+
 void set_combination(ConstrainedSystem& system, const Combination& c, Real spring_factor) {
   system.combination = c;
   system.spring_factor = spring_factor;

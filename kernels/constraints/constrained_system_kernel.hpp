@@ -21,7 +21,7 @@ struct ConstrainedSystem {
   bool symmetric = true;   ///< whether their tangents are: conjugate gradients or BiCGStab
   bool of_blocks = false;  ///< each cover is a block of rock by itself
   bool has_contacts =
-      false;  ///< there may be contacts; who changes their points resets factors.analysed
+      false;  ///< there may be contacts; who changes their points says so: contacts_changed
   BicgstabWork bicgstab;    ///< then
   Springs springs;          ///< of the merged points
   Constraints constraints;  ///< of the same
@@ -64,6 +64,9 @@ void apply_rock(const ConstrainedSystem& system, const Field& x, const Field& y)
 void apply_matrix(const ConstrainedSystem& system, const Field& x, const Field& y);
 /// With points held and stiff springs as soft as levels and factors know them: regular without conditions.
 void apply_known(const ConstrainedSystem& system, const Field& x, const Field& y);
+
+/// Contacts have other points now.
+void contacts_changed(ConstrainedSystem& system);
 
 /// Chooses the shares of stiffness, mass and springs.
 void set_combination(ConstrainedSystem& system, const Combination& c, Real spring_factor);

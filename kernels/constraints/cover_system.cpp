@@ -65,6 +65,18 @@ std::vector<Vec3> CoverSystem::apply(const SystemCoefficients& c,
   return out.get();
 }
 
+void CoverSystem::set_contacts(const MaterialPoints& points, const std::vector<Mat3>& tangent) {
+  auto& system = data_->system;
+  system.contacts = solve::make_point_terms(points, system.op.unknowns);
+  const auto host = Kokkos::create_mirror_view(system.contacts.tangent);
+  for (std::size_t n = 0; n < tangent.size(); ++n)
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) host(n, solve::symmetric_entry(i, j)) = tangent[n][i][j];
+  Kokkos::deep_copy(system.contacts.tangent, host);
+  system.has_contacts = true;
+  solve::contacts_changed(system);
+}
+
 SolveReport CoverSystem::solve(const SystemCoefficients& c, const std::vector<Vec3>& b,
                                std::vector<Vec3>& x, const SolveOptions& options) {
   CoverVector load(b), result(x);

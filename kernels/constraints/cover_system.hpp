@@ -62,6 +62,9 @@ class CoverSystem {
   void apply(const SystemCoefficients& c, const CoverVector& x, CoverVector& y) const;
   std::vector<Vec3> apply(const SystemCoefficients& c, const std::vector<Vec3>& x) const;
 
+  /// Contact points with their symmetric tangents D, N/m, in place of those before: `solve` has Σ Nᵀ D N in its matrix.
+  void set_contacts(const MaterialPoints& points, const std::vector<Mat3>& tangent);
+
   /// Solves (αK + βM + γ NᵀkN) x = b + γ Nᵀ k ū from the x given, with N x = ū at points that are held.
   SolveReport solve(const SystemCoefficients& c, const std::vector<Vec3>& b, std::vector<Vec3>& x,
                     const SolveOptions& options = {});

@@ -13,7 +13,8 @@ namespace {
 /// With fewer covers there are no levels worth a cycle, of one function, of several.
 constexpr Index least_for_multigrid = 2000, least_for_cover_grid = 100;
 
-/// Rock of one function a cover that hangs together: beyond this its factors cost a hundred cycles, and to look at their pattern a few.
+/// Rock of one function a cover that hangs together, by itself or by contacts: beyond this its factors cost a hundred cycles, and to look at their
+/// pattern a few.
 constexpr Index most_to_look_at = 20000;
 
 /// Seconds of one core (perf/records/2026-11-28-factors.md): a multiplication of a factorisation, an entry of the matrix that is assembled
@@ -23,6 +24,11 @@ constexpr double of_operation = 0.15e-9, of_assembly = 50e-9, of_factor_entry = 
 constexpr double of_entry = 0.5e-9, of_entry_of_several = 1.7e-9;
 /// … and iterations that a cycle of multigrid costs.
 constexpr double iterations_of_cycle = 12;
+
+/// A multiplication of the factors of a coarsest level that contacts join, s (cubes of 216 to 2,197 covers, one core: 0.4 to 0.8e-9); how many
+/// there are for n unknowns that hang together in three dimensions, over n² (George 1973); covers with which one shares elements on `tet6`,
+/// itself among them.
+constexpr double of_coarsest_operation = 0.5e-9, of_dissection = 10, neighbours = 15;
 
 /// Iterations with factors, where they are of the whole matrix and where joints slide (two products each, with the symmetric part), and cycles
 /// of multigrid to 1e-8 with 1, 4 and 10 functions a cover.
@@ -112,9 +118,25 @@ double iterations_of_levels(const ConstrainedSystem& system) {
   return cycles[functions == 1 ? 0 : functions <= 4 ? 1 : 2] * iterations_of_cycle;
 }
 
-bool may_begin_with_factors(ConstrainedSystem& system) {
-  const bool of_one_piece = system.op.functions == 1 && !system.has_contacts;
-  return !(of_one_piece && system.op.covers > most_to_look_at) && factors_fit(system);
+/// Whether there are levels that serve: where contacts join the parts of the coarsest, its factors must cost less than the cycles.
+bool have_useful_levels(const ConstrainedSystem& system) {
+  if (!has_levels(system) || !(system.largest_diagonal > 0)) return false;
+  if (!system.contacts.any()) return true;
+  const double width = 3 * system.op.functions,
+               coarsest =
+                   (system.op.functions == 1 ? system.grid.parents : system.cover_grid.parents)
+                       .back()
+                       .coarse;
+  const double make =
+      of_coarsest_operation * of_dissection * coarsest * coarsest * std::pow(width, 3);
+  const double iteration = (system.op.functions == 1 ? of_entry : of_entry_of_several) *
+                           neighbours * system.op.covers * width * width;
+  return make < iterations_of_levels(system) * iteration;
+}
+
+bool may_begin_with_factors(ConstrainedSystem& system, bool levels) {
+  const bool levels_do = system.op.functions == 1 && (levels || !system.has_contacts);
+  return !(levels_do && system.op.covers > most_to_look_at) && factors_fit(system);
 }
 
 Apply matrix_of(const ConstrainedSystem& system) {
@@ -195,7 +217,7 @@ bool has_levels(const ConstrainedSystem& system) {
 
 Policy policy_of(ConstrainedSystem& system) {
   const Preconditioner asked = system.preconditioner;
-  const bool levels = has_levels(system) && system.largest_diagonal > 0;
+  const bool levels = have_useful_levels(system);
   const bool in_time = system.combination.mass != 0 && system.combination.stiffness != 0;
   const Policy by_factors{Preconditioner::direct, limit_of_factors},
       by_levels{Preconditioner::multigrid, limit_of_multigrid},
@@ -212,7 +234,7 @@ Policy policy_of(ConstrainedSystem& system) {
   const bool cycles_are_cheaper = levels && stiff && iterations_of_levels(system) < blocks;
   const double iterations =
       cycles_are_cheaper ? iterations_of_levels(system) : std::min<double>(blocks, by_blocks.limit);
-  if (stiff && may_begin_with_factors(system) &&
+  if (stiff && may_begin_with_factors(system, cycles_are_cheaper) &&
       cost_of_factors(system) < iterations * cost_of_iteration(system))
     return by_factors;
   return cycles_are_cheaper ? by_levels : by_blocks;
@@ -228,11 +250,11 @@ ApplyInverse make_inverse(ConstrainedSystem& system, Preconditioner kind) {
   if (several) {
     if (!system.grid_current)
       set_values(system.cover_grid, a, work, system.op, cover_blocks_of(system), system.terms,
-                 system.combination);
+                 system.contacts, system.combination);
   } else if (!system.grid_current) {
     set_inverse(system.grid, inverse_of(system, true), system.largest_diagonal);
     system.inverse = {};  // the grid has it in single precision
-    set_values(system.grid, system.op, system.terms, system.combination);
+    set_values(system.grid, system.op, system.terms, system.contacts, system.combination);
   }
   system.grid_current = true;
   return with_points(system, several ? of_cover_grid(system.cover_grid, a, work)

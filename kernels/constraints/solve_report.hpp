@@ -20,6 +20,7 @@ struct SolveReport {
 
   /// What the next solve of the same step came to, with all that was counted before.
   void add(SolveReport next) {
+    if (next.iterations == 0) next.preconditioner = preconditioner;
     next.iterations += iterations;
     next.newton += newton;
     next.fallbacks += fallbacks;

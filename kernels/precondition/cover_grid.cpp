@@ -76,6 +76,7 @@ class Cycle {
     if (l == 0) return finest_(level.d, level.q);
     apply(level.a, level.d, level.q);
     apply_terms(level.terms, level.d, level.q);
+    if (grid_.contacts.any()) add_contacts(grid_.contacts.level[l], 1, level.d, level.q);
   }
 
   /// x from r, which is used up.
@@ -83,7 +84,9 @@ class Cycle {
     const CoverLevel& level = grid_.levels[l];
     const int functions = level.blocks.functions;
     if (l + 1 == grid_.levels.size()) {
-      if (grid_.coarsest.any())
+      if (grid_.contacts.any())
+        solve_coarsest(grid_.contacts.coarsest, functions, level.r, level.x);
+      else if (grid_.coarsest.any())
         solve_parts(grid_.coarsest, functions, level.r, level.x);
       else
         smooth(l, true, coarsest_degree, coarsest_share);
@@ -272,6 +275,7 @@ CoverGrid make_cover_grid(const CoverArrays& covers, const MaterialPoints& point
     seen = coarsen_points(seen, coarse[l], quadratic ? step : std::vector<Real>{});
     make_coarse_level(grid.levels[l + 1], coarse[l], functions, seen);
     grid.levels[l + 1].from = make_transfer(coarse[l], step, quadratic);
+    grid.parents.push_back({coarse[l].parent_begin, coarse[l].parent, coarse[l].count()});
     place = coarse[l].place;
   }
   if (largest_part(coarse.back()) <= small)
@@ -279,9 +283,26 @@ CoverGrid make_cover_grid(const CoverArrays& covers, const MaterialPoints& point
   return grid;
 }
 
+namespace {
+
+/// Of contacts, on all levels; those of the finest are needed for the others' alone.
+void set_contacts(CoverGrid& grid, const PointTerms& contacts) {
+  const CoverBlocks& finest = grid.levels[0].blocks;
+  if (!grid.contacts.found)
+    find_rows(grid.contacts, contacts, finest.covers, finest.functions, grid.parents);
+  if (!grid.contacts.any()) return;
+  sum_points(grid.contacts.level[0], contacts);
+  for (std::size_t l = 1; l < grid.levels.size(); ++l)
+    multiply(grid.contacts.level[l - 1], grid.levels[l].from, grid.contacts.level[l]);
+}
+
+}  // namespace
+
 void set_values(CoverGrid& grid, const Apply& a, const KrylovWork& work, const Operator& op,
-                const CoverBlocks& blocks, const PointTerms& terms, const Combination& c) {
+                const CoverBlocks& blocks, const PointTerms& terms, const PointTerms& contacts,
+                const Combination& c) {
   grid.levels[0].blocks = blocks;
+  set_contacts(grid, contacts);
   for (std::size_t l = 1; l < grid.levels.size(); ++l) {
     CoverLevel& level = grid.levels[l];
     if (level.a.value.extent(0) == 0)  // not before they are needed
@@ -293,10 +314,14 @@ void set_values(CoverGrid& grid, const Apply& a, const KrylovWork& work, const O
       multiply(op, c, level.from, level.a);
     else
       multiply(grid.levels[l - 1].a, level.from, level.a);
-    set_values(level.blocks, level.a, level.terms);
+    set_values(level.blocks, level.a, level.terms, grid.contacts.level[l]);
   }
-  const bool solved = grid.coarsest.any();
-  if (solved) invert_parts(grid.levels.back().a, grid.levels.back().terms, grid.coarsest);
+  const bool solved = grid.coarsest.any() || grid.contacts.any();
+  const CoverLevel& last = grid.levels.back();
+  if (grid.contacts.any())
+    factorise(grid.contacts.coarsest, last.a, last.terms, grid.contacts.level.back());
+  else if (solved)
+    invert_parts(last.a, last.terms, grid.coarsest);
   const Cycle cycle(grid, a);
   for (std::size_t l = 0; l + (solved ? 1 : 0) < grid.levels.size(); ++l) {
     CoverGradients gradients(cycle, grid.levels[l], l, work);

@@ -7,36 +7,17 @@
 // each were a displacement. At order 2 the functions ξξ, G = a symmetric matrix, do the same as g_a = G x_a: a coarse G carries along
 // g_a = G (x_a − x_A), so that what is nothing on the coarse level stays nothing on the finer one.
 //
-// Levels, places and weights are those of coarse_covers.hpp; their matrices are Galerkin's products. Terms stay beside them, by rows Nₗ = N P.
+// Levels, places and weights are those of coarse_covers.hpp; their matrices are Galerkin's products. Terms stay beside them, by rows Nₗ = N P,
+// and contacts as matrices of their own.
 #pragma once
 
 #include <vector>
 
 #include "kernels/krylov/krylov_work_kernel.hpp"
-#include "kernels/precondition/cover_blocks_kernel.hpp"
+#include "kernels/precondition/levels/contact_levels_kernel.hpp"
 #include "src/system/coarse_covers.hpp"
 
 namespace rockfold::solve {
-
-/// Rows of covers with all functions: y_p = Σ_q A_pq x_q. In double: what slivers hardly resist would drown in single precision.
-struct CoverMatrix {
-  Index covers = 0;
-  int functions = 0;
-  Array<Index> begin, column;  ///< [P+1]; ascending
-  Array<Real> value;           ///< [columns][3n of q][3n of p], index 3k + d
-
-  KOKKOS_INLINE_FUNCTION int width() const { return 3 * functions; }
-};
-
-/// From the covers of a level to those of the next finer one, and back.
-struct CoverTransfer {
-  Array<Index> parent_begin, parent, child_begin, child;
-  Array<Real> parent_weight, child_weight;
-  Array<Real> parent_step,
-      child_step;  ///< [entries][3] finer place − coarser place, in cells of the lattice
-  bool quadratic =
-      false;  ///< whether functions 4 … 9 are ξξ, whose coarse ones carry along functions ξ
-};
 
 struct CoverLevel {
   PointTerms terms;  ///< N P, the tangents those of the finest level
@@ -62,14 +43,17 @@ struct CoverParts {
 struct CoverGrid {
   std::vector<CoverLevel> levels;  ///< finest first; two at least, or none
   CoverParts coarsest;             ///< empty where its parts are too large: smoothed only
+  std::vector<Parents> parents;    ///< of the covers of each level but the last
+  ContactLevels contacts;          ///< those of the finest level are part of what `a` below applies
 };
 
 /// Levels without values, from topology; none for a lattice that has no coarser one.
 CoverGrid make_cover_grid(const CoverArrays& covers, const MaterialPoints& points);
 
-/// Values for A = αK + βM and the terms. `a` applies it; `blocks`: those of its covers.
+/// Values for A = αK + βM, the terms and the contacts. `a` applies it; `blocks`: those of its covers.
 void set_values(CoverGrid& grid, const Apply& a, const KrylovWork& work, const Operator& op,
-                const CoverBlocks& blocks, const PointTerms& terms, const Combination& c);
+                const CoverBlocks& blocks, const PointTerms& terms, const PointTerms& contacts,
+                const Combination& c);
 
 /// z = B r.
 void precondition(const CoverGrid& grid, const Apply& a, const Field& r, const Field& z);
@@ -84,8 +68,9 @@ void multiply(const Operator& op, const Combination& c, const CoverTransfer& p,
               const CoverMatrix& to);
 void multiply(const CoverMatrix& fine, const CoverTransfer& p, const CoverMatrix& to);
 
-/// The blocks of covers with themselves, with the terms, inverted.
-void set_values(const CoverBlocks& blocks, const CoverMatrix& a, const PointTerms& terms);
+/// The blocks of covers with themselves, with terms and contacts, inverted.
+void set_values(const CoverBlocks& blocks, const CoverMatrix& a, const PointTerms& terms,
+                const ContactRows& contacts);
 
 /// coarse = Pᵀ fine.
 void restrict_functions(const CoverTransfer& p, int functions, const Field& fine,
@@ -99,6 +84,9 @@ void add_correction(const CoverTransfer& p, int functions, const Field& coarse, 
 /// Parts (the smallest cover of each) and room for their inverses.
 CoverParts make_cover_parts(const std::vector<Index>& part, int functions);
 void invert_parts(const CoverMatrix& a, const PointTerms& terms, const CoverParts& parts);
+/// Of the coarsest level where contacts join its parts.
+void factorise(CoarsestFactors& coarsest, const CoverMatrix& a, const PointTerms& terms,
+               const ContactRows& contacts);
 /// x = A⁻¹ r.
 void solve_parts(const CoverParts& parts, int functions, const Field& r, const Field& x);
 

@@ -66,6 +66,10 @@ void add_correction(const Interpolation& p, const SingleField& coarse, const Sin
 /// x from r on the last level.
 void solve_coarsest(const Multigrid& grid) {
   const GridLevel& level = grid.levels.back();
+  if (grid.contacts.any()) {
+    solve_coarsest(grid.contacts.coarsest, 1, level.r, level.x);
+    return;
+  }
   if (grid.coarsest.any()) {
     solve_parts(grid.coarsest, level.r, level.x);
     return;
@@ -260,6 +264,7 @@ Multigrid make_multigrid(const CoverArrays& covers, const Operator& op,
     classes = coarse_classes(coarse[l], classes);
     level.structure = make_coarse_rows(coarse[l], classes);
     level.from = make_interpolation(coarse[l]);
+    grid.parents.push_back({coarse[l].parent_begin, coarse[l].parent, coarse[l].count()});
     seen = coarsen_points(seen, coarse[l]);
     level.points = make_point_rows(seen, coarse[l].count());
   }
@@ -283,21 +288,41 @@ void set_inverse(Multigrid& grid, const Blocks& inverse, Real scale) {
       });
 }
 
+namespace {
+
+/// Of contacts, on all levels.
+void set_contacts(Multigrid& grid, const PointTerms& contacts) {
+  if (!grid.contacts.found)
+    find_rows(grid.contacts, contacts, grid.levels[0].a.rows, 1, grid.parents);
+  if (!grid.contacts.any()) return;
+  sum_points(grid.contacts.level[0], contacts, 1 / grid.scale);
+  for (std::size_t l = 1; l < grid.levels.size(); ++l)
+    multiply(grid.contacts.level[l - 1], grid.levels[l].from, grid.contacts.level[l]);
+}
+
+}  // namespace
+
 void set_values(Multigrid& grid, const Operator& op, const PointTerms& terms,
-                const Combination& c) {
+                const PointTerms& contacts, const Combination& c) {
+  grid.levels[0].a.rows = op.covers;
+  set_contacts(grid, contacts);
   for (std::size_t l = 0; l < grid.levels.size(); ++l) {
     GridLevel& level = grid.levels[l];
     level.a = l == 0 ? finest_matrix(op, c, grid.scale)
                      : coarse_matrix(grid.levels[l - 1].a, level.from, level.structure);
     if (terms.any()) level.a.terms = level_terms(terms, level.points, grid.scale);
+    level.a.contacts = grid.contacts.level[l];
     if (l > 0) invert_diagonal(level.a, level.inverse);
   }
-  const bool dense = grid.coarsest.any();
-  for (std::size_t l = 0; l + (dense ? 1 : 0) < grid.levels.size(); ++l) {
+  const bool solved = grid.coarsest.any() || grid.contacts.any();
+  for (std::size_t l = 0; l + (solved ? 1 : 0) < grid.levels.size(); ++l) {
     LevelGradients gradients(grid.levels[l]);
     grid.levels[l].largest = estimate_largest_eigenvalue(gradients);
   }
-  if (dense) invert_parts(grid.levels.back().a, grid.coarsest);
+  if (grid.contacts.any())
+    factorise(grid.contacts.coarsest, grid.levels.back().a);
+  else if (solved)
+    invert_parts(grid.levels.back().a, grid.coarsest);
 }
 
 void precondition(const Multigrid& grid, const Field& r, const Array<Real>& squared_norm) {

@@ -28,6 +28,8 @@ struct Multigrid {
   std::vector<GridLevel> levels;  ///< finest first; two at least
   DenseParts coarsest;  ///< empty where the last level's parts are too large: smoothed only
   Real scale = 1;       ///< what all values are divided by
+  std::vector<Parents> parents;  ///< of the covers of each level but the last
+  ContactLevels contacts;
 };
 
 /// Levels without values, from topology; none for a lattice that has no coarser one. `points`: those of the terms. `lent`: [P] a
@@ -36,9 +38,10 @@ struct Multigrid {
 Multigrid make_multigrid(const CoverArrays& covers, const Operator& op,
                          const MaterialPoints& points, const Field& lent);
 
-/// For αK + βM and the terms: its inverted diagonal blocks, and its largest diagonal entry. Then come the values.
+/// For αK + βM, the terms and the contacts: its inverted diagonal blocks, and its largest diagonal entry. Then come the values.
 void set_inverse(Multigrid& grid, const Blocks& inverse, Real scale);
-void set_values(Multigrid& grid, const Operator& op, const PointTerms& terms, const Combination& c);
+void set_values(Multigrid& grid, const Operator& op, const PointTerms& terms,
+                const PointTerms& contacts, const Combination& c);
 
 /// levels[0].x = scale / ‖r‖ · B r, with ‖r‖² = squared_norm(0) on the device.
 void precondition(const Multigrid& grid, const Field& r, const Array<Real>& squared_norm);

@@ -38,7 +38,7 @@ Real work_along_correction(Motion::Data& m) {
 DetectReport detect(Motion::Data& m) {
   const Timer timer;
   const DetectReport found = contact::detect(*m.contact, m.system.contacts);
-  if (!found.served) m.system.factors.analysed = false;
+  if (!found.served) solve::contacts_changed(m.system);
   m.contact_seconds += timer.seconds();
   return found;
 }

@@ -165,7 +165,7 @@ void Run::count(const SolveReport& report) {
 /// in other last digits than without it.
 bool Run::accept(const SolveReport& report, Index step, Real time) {
   count(report);
-  result_.preconditioner = report.preconditioner;
+  if (report.iterations > 0) result_.preconditioner = report.preconditioner;
   result_.support_gap = report.gap;
   const bool interrupted = interrupt_signal != 0;
   if (report.converged && !interrupted) return true;

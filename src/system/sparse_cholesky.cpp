@@ -27,6 +27,7 @@ SparseCholesky::SparseCholesky(const std::vector<Index>& begin, const std::vecto
   find_supernodes();
   work_.assign(3 * static_cast<std::size_t>(rows), 0);
   inverse_.resize(rows);
+  diagonal_.resize(rows);
   entry_.resize(start_[rows]);
   at_.resize(rows);
 }
@@ -148,13 +149,14 @@ void SparseCholesky::locate_rows(std::size_t node) {
 }
 
 /// The columns of a supernode, from which those before it have taken off what is theirs.
-void SparseCholesky::factorise_columns(std::size_t node) {
+void SparseCholesky::factorise_columns(std::size_t node, Real negligible) {
   const Index from = first_[node], to = first_[node + 1];
   for (Index k = from; k < to; k += at_once) {
     Columns column;
     const int count = columns_from(k, to, column);
     for (int j = 0; j < count; ++j) {
-      inverse_[k + j] = 1 / std::sqrt(inverse_[k + j]);
+      const bool resists = inverse_[k + j] > negligible * diagonal_[k + j];
+      inverse_[k + j] = resists ? 1 / std::sqrt(inverse_[k + j]) : 0;
       Real* entry = entry_.data() + start_[k + j];
       for (Real* v = entry; v < entry_.data() + start_[k + j + 1]; ++v) *v *= inverse_[k + j];
       for (int l = j + 1; l < count; ++l) {
@@ -209,19 +211,19 @@ void SparseCholesky::take_off_others(std::size_t node) {
 }
 
 void SparseCholesky::factorise(const std::vector<Index>& begin, const std::vector<Index>& column,
-                               const std::vector<Real>& value) {
+                               const std::vector<Real>& value, Real negligible) {
   std::fill(entry_.begin(), entry_.end(), 0.0);
   for (std::size_t node = 0; node + 1 < first_.size(); ++node) {
     locate_rows(node);
     for (Index k = first_[node]; k < first_[node + 1]; ++k)
       for (Index m = begin[order_[k]]; m < begin[order_[k] + 1]; ++m) {
         const Index i = place_[column[m]];
-        if (i == k) inverse_[k] = value[m];
+        if (i == k) inverse_[k] = diagonal_[k] = value[m];
         if (i > k) entry_[start_[k] + at_[i] - at_[k] - 1] = value[m];
       }
   }
   for (std::size_t node = 0; node + 1 < first_.size(); ++node) {
-    factorise_columns(node);
+    factorise_columns(node, negligible);
     take_off_others(node);
   }
 }

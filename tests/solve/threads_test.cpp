@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "tests/solve/systems/systems.hpp"
+#include "tests/solve/systems/jointed_cube.hpp"
 
 namespace rockfold {
 namespace {
@@ -53,6 +53,20 @@ std::string results(LatticeKind kind, int order, Real spacing) {
          hash(x) + " " + std::to_string(report.iterations) + " " + std::to_string(report.converged);
 }
 
+/// By multigrid that knows contacts.
+std::string contact_results(int order, Index n) {
+  const JointedCube cube = jointed_cube(n, order, LatticeKind::tet6, partly_open(n, 10));
+  const SmallSystem& s = cube.system;
+  CoverSystem system(s.covers(), piece_moments(s.covers()), s.materials, s.fixed,
+                     Preconditioner::multigrid);
+  system.set_contacts(cube.points, cube.tangent);
+  const auto b = reference::scattered(s.covers().unknown_count(), 11);
+  std::vector<Vec3> x(b.size());
+  const SolveReport report = system.solve({1, 1, 1}, b, x, {1e-9, 150});
+  return " " + hash(x) + " " + std::to_string(report.iterations) + " " +
+         std::to_string(report.converged);
+}
+
 /// Not a test by itself: what the one below runs again with other numbers of threads.
 TEST(Threads, PrintResults) {
   const char* path = std::getenv("ROCKFOLD_THREADS_TEST_FILE");
@@ -62,6 +76,8 @@ TEST(Threads, PrintResults) {
   std::fputs(results(LatticeKind::tet5, 1, 0.4).c_str(), file);
   std::fputs(results(LatticeKind::hex8, 2, 0.9).c_str(), file);
   std::fputs(results(LatticeKind::tet6, 0, 0.125).c_str(), file);
+  std::fputs(contact_results(1, 7).c_str(), file);
+  std::fputs(contact_results(0, 15).c_str(), file);
   std::fclose(file);
 }
 
@@ -73,7 +89,7 @@ std::string results_with(int threads) {
                               " '" + testing::internal::GetArgvs()[0] +
                               "' --gtest_filter=Threads.PrintResults > /dev/null 2>&1";
   if (std::system(command.c_str()) != 0) return "failed";
-  char text[400] = "";
+  char text[800] = "";
   std::FILE* file = std::fopen(path.c_str(), "r");
   if (file) {
     if (!std::fgets(text, sizeof text, file)) text[0] = 0;

@@ -87,5 +87,32 @@ TEST(SparseCholesky, LeavesNoResidualOnASurface) {
   }
 }
 
+/// Springs between rows in a chain that nothing holds: all of them but one have an answer, which leaves no residual of forces in balance.
+TEST(SparseCholesky, LeavesOutWhatDependsOnTheRest) {
+  constexpr Index rows = 60;
+  std::vector<Index> begin{0}, column;
+  std::vector<Real> value;
+  for (Index i = 0; i < rows; ++i) {
+    for (Index j = std::max(0, i - 1); j <= std::min(rows - 1, i + 1); ++j) {
+      column.push_back(j);
+      value.push_back(j != i ? -1 : i == 0 || i == rows - 1 ? 1 : 2);
+    }
+    begin.push_back(static_cast<Index>(column.size()));
+  }
+  solve::SparseCholesky factors(begin, column);
+  factors.factorise(begin, column, value, 1e-12);
+  std::vector<Real> x(rows, 0);
+  x[3] = 1;
+  x[50] = -1;
+  const std::vector<Real> b = x;
+  Real* const all = x.data();
+  factors.solve(&all, 1);
+  for (Index i = 0; i < rows; ++i) {
+    Real sum = 0;
+    for (Index m = begin[i]; m < begin[i + 1]; ++m) sum += value[m] * x[column[m]];
+    EXPECT_NEAR(sum, b[i], 1e-12) << i;
+  }
+}
+
 }  // namespace
 }  // namespace rockfold

@@ -109,6 +109,16 @@ void invert_parts(const CoverMatrix& a, const PointTerms& terms, const CoverPart
       });
 }
 
+void factorise(CoarsestFactors& coarsest, const CoverMatrix& a, const PointTerms& terms,
+               const ContactRows& contacts) {
+  HostBlocks blocks{a.covers, a.width(), {}, {}, {}, {}};
+  add_rows(blocks, a);
+  add_rows(blocks, contacts.a);
+  if (terms.any())
+    add_points(blocks, terms.points, tangents_on_host(terms.points.count, terms.tangent));
+  factorise(coarsest, blocks, least_stiffness, least_pivot);
+}
+
 void solve_parts(const CoverParts& parts, int functions, const Field& r, const Field& x) {
   const CoverParts p = parts;
   const Index covers = static_cast<Index>(p.part.extent(0));

@@ -6,7 +6,7 @@ namespace rockfold::solve {
 namespace {
 
 /// Pivots below this share of their diagonal are rounding: blocks are sums in double of values in single precision.
-constexpr Real least_pivot = 2e-6;
+constexpr Real no_pivot = 2e-6;
 
 /// Inverts a symmetric positive semi-definite matrix a[n][n] by Cholesky's factors, leaving out the unknowns that depend on the
 /// ones before: their rows and columns of the inverse are zero.
@@ -16,7 +16,7 @@ void invert_dense(Real* a, std::size_t n) {
     Real* row_j = &l[n * j];
     Real pivot = row_j[j];
     for (std::size_t k = 0; k < j; ++k) pivot -= row_j[k] * row_j[k];
-    const bool regular = pivot > least_pivot * row_j[j];
+    const bool regular = pivot > no_pivot * row_j[j];
     row_j[j] = regular ? std::sqrt(pivot) : 0;
     for (std::size_t i = j + 1; i < n; ++i) {
       Real* row_i = &l[n * i];
@@ -65,6 +65,28 @@ struct HostMatrix {
     const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), s.tangent);
     for (std::size_t n = 0; n < tangent.size(); ++n)
       for (int m = 0; m < 6; ++m) tangent[n][m] = host(n, m);
+  }
+
+  void add(HostBlocks& to) const {
+    for (Index p = 0; p < to.covers; ++p) {
+      const Index slot = place[p], slice = slot / slice_lanes, lane = slot % slice_lanes;
+      std::array<Real, 9> diagonal{};
+      for (int i = 0; i < 3; ++i) diagonal[4 * i] = own[3 * static_cast<std::size_t>(slot) + i];
+      for (Index k = slice_begin[slice]; k < slice_begin[slice + 1]; ++k) {
+        const Index q = column[static_cast<std::size_t>(k) * slice_lanes + lane];
+        if (q == p) continue;
+        const std::size_t first =
+            9 * static_cast<std::size_t>(value_begin[slice] + k - slice_begin[slice]);
+        Real* block = to.at(p, q);
+        for (int ij = 0; ij < 9; ++ij) {
+          const Real v = value[(first + ij) * slice_lanes + lane];
+          block[ij % 3 * 3 + ij / 3] += v;
+          diagonal[ij] -= v;
+        }
+      }
+      Real* block = to.at(p, p);
+      for (int ij = 0; ij < 9; ++ij) block[ij % 3 * 3 + ij / 3] += diagonal[ij];
+    }
   }
 
   /// Adds the rows `member` to dense[n][n], n = 3 · members.
@@ -155,6 +177,15 @@ void invert_parts(const LevelMatrix& a, const DenseParts& parts) {
   }
   std::vector<float> inverse(values.begin(), values.end());
   Kokkos::deep_copy(parts.inverse, device::Unmanaged<float>(inverse.data(), inverse.size()));
+}
+
+void factorise(CoarsestFactors& coarsest, const LevelMatrix& a) {
+  HostBlocks blocks{a.rows, 3, {}, {}, {}, {}};
+  HostMatrix(a).add(blocks);
+  add_rows(blocks, a.contacts.a);
+  if (a.terms.any())
+    add_points(blocks, a.terms.points, tangents_on_host(a.terms.points.count, a.terms.tangent));
+  factorise(coarsest, blocks, 0, no_pivot);
 }
 
 void solve_parts(const DenseParts& parts, const SingleField& r, const SingleField& x) {

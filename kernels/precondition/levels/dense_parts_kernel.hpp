@@ -21,6 +21,9 @@ DenseParts make_dense_parts(const std::vector<Index>& part);
 /// Inverts the blocks of all parts. Where a part is free to move the inverse is a generalized one (of a largest regular block).
 void invert_parts(const LevelMatrix& a, const DenseParts& parts);
 
+/// Of the coarsest level where contacts join its parts.
+void factorise(CoarsestFactors& coarsest, const LevelMatrix& a);
+
 /// x = A⁻¹ r.
 void solve_parts(const DenseParts& parts, const SingleField& r, const SingleField& x);
 

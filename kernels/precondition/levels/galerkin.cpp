@@ -334,6 +334,7 @@ void invert_diagonal(const LevelMatrix& a, const SingleInverse& inverse) {
             diagonal(terms.row(t), m) += w * w * terms.tangent(terms.row_point(k), m);
         }
       });
+  add_diagonal(a.contacts, diagonal);
   invert_blocks(diagonal);
   device::for_each(
       "rockfold::solve::level_inverse", a.rows, KOKKOS_LAMBDA(const Index p) {

@@ -206,11 +206,13 @@ void smooth(const LevelMatrix& a, const SingleInverse& inverse, float old_share,
             const SingleField& d, const SingleField& r, const SingleField& x,
             const SingleField& step) {
   subtract_terms(a.terms, d, r);
+  if (a.contacts.any()) add_contacts(a.contacts, -1, d, r);
   sweep(a, {true, old_share, new_share, inverse, d, r, x, step});
 }
 
 void subtract_product(const LevelMatrix& a, const SingleField& d, const SingleField& r) {
   subtract_terms(a.terms, d, r);
+  if (a.contacts.any()) add_contacts(a.contacts, -1, d, r);
   sweep(a, {false, 0, 0, {}, d, r, {}, {}});
 }
 

@@ -1,10 +1,11 @@
 // One level of the multigrid preconditioner: a matrix in single precision, y = A x with
 //   y_i = D_i x_i + Σ_j A_ij (x_j − x_i),   D_i the sum of a row's blocks (mass; diagonal),
 // so that a translation meets exactly what it ought to: nothing where the rock is free. All values are divided by `scale`.
-// The finest level shares the rows of the operator; coarser ones are block rows. Terms stand beside them.
+// The finest level shares the rows of the operator; coarser ones are block rows. Terms and contacts stand beside them.
 #pragma once
 
 #include "kernels/operator/point_terms_kernel.hpp"
+#include "kernels/precondition/levels/contact_levels_kernel.hpp"
 #include "src/system/coarse_covers.hpp"
 
 namespace rockfold::solve {
@@ -50,7 +51,8 @@ struct LevelMatrix {
   SingleStencil stencil;
   SingleBlocks block;
   SingleTerms terms;
-  Array<Index> place;  ///< [rows] where a row stands: its slot of `block`, or −1 − its run
+  ContactRows contacts;  ///< in double precision
+  Array<Index> place;    ///< [rows] where a row stands: its slot of `block`, or −1 − its run
 };
 
 /// The finest level: functions 0 of all covers.
@@ -70,6 +72,14 @@ struct Interpolation {
   KOKKOS_INLINE_FUNCTION float child_weight(Index entry) const {
     return 1.0F / static_cast<float>(child_parents(entry));
   }
+
+  // as CoverTransfer
+  static constexpr bool quadratic = false;
+  KOKKOS_INLINE_FUNCTION Real weight_of_parent(Index cover, Index) const {
+    return parent_weight(cover);
+  }
+  KOKKOS_INLINE_FUNCTION static const Real* step_of_parent(Index) { return nullptr; }
+  KOKKOS_INLINE_FUNCTION static const Real* step_of_child(Index) { return nullptr; }
 };
 Interpolation make_interpolation(const CoarseCovers& coarse);
 

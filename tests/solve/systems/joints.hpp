@@ -37,12 +37,14 @@ inline void open_joints(CoverArrays& a, const std::function<bool(Index, Index, I
 }
 
 /// n³ whole cells of side 1/n held by springs at points on the lowest face, most of them at no node.
-inline SmallSystem held_cube(Index n, const std::function<bool(Index, Index, Index)>& open = {}) {
+inline SmallSystem held_cube(Index n, const std::function<bool(Index, Index, Index)>& open = {},
+                             LatticeKind kind = LatticeKind::tet6) {
   SmallSystem s;
   Lattice lattice;
   const Real h = 1.0 / n;
   lattice.edge = {{{h, 0, 0}, {0, h, 0}, {0, 0, h}}};
   lattice.cells = {n, n, n};
+  lattice.kind = kind;
   s.covered = reference::cover_regions(lattice, {{{}, 0, 0, 0}});
   s.materials = {{2000, 1e6, 0.25}};
   std::vector<Vec3> points;
@@ -50,18 +52,19 @@ inline SmallSystem held_cube(Index n, const std::function<bool(Index, Index, Ind
     for (Index i = 0; i < n; ++i) points.push_back({(i + 0.3) * h, (j + 0.45) * h, 0.0});
   CoverArrays& a = s.covered.arrays;
   if (open) open_joints(a, open);
+  const Index parts = a.parts_per_cell();
   for (std::size_t p = 0; p < points.size(); ++p) {
-    add_material_point(a, points[p], 6 * static_cast<Index>(p), s.fixed.points);
+    add_material_point(a, points[p], parts * static_cast<Index>(p), s.fixed.points);
     const auto& at = s.fixed.points;
     // The first tetrahedron may not hold the point: its weights are then not all positive. Take the one that does.
-    for (Index t = 1; t < 6 && *std::min_element(at.weight.end() - 4, at.weight.end()) < -1e-9;
+    for (Index t = 1; t < parts && *std::min_element(at.weight.end() - 4, at.weight.end()) < -1e-9;
          ++t) {
       s.fixed.points.element.pop_back();
       s.fixed.points.local.pop_back();
       s.fixed.points.begin.pop_back();
       s.fixed.points.unknown.resize(s.fixed.points.unknown.size() - 4);
       s.fixed.points.weight.resize(s.fixed.points.weight.size() - 4);
-      add_material_point(a, points[p], 6 * static_cast<Index>(p) + t, s.fixed.points);
+      add_material_point(a, points[p], parts * static_cast<Index>(p) + t, s.fixed.points);
     }
     s.fixed.component.push_back({1, 1, 1});
     s.fixed.value.push_back({});
