@@ -118,7 +118,7 @@ class OnTwoPlanes(ShakenTest):
         rows = pulse(2.0, 0.5, trend, 4)
         way = newmark_wedge.Sliding(STEEP, 54, rows, 2.5).way[-1]
         self.assertGreater(way, 0.02)
-        soft = self.run_steep_wedge(0.1, rows, 2.5)
+        soft = self.run_steep_wedge(0.1, rows, 2.5, 0.0025)  # with 5 ms how far it comes hangs by 3 % on the last digits of balance
         stiff = self.run_steep_wedge(1.0, rows, 2.5)
         for text, document in (soft, stiff):
             wedge, = document["shaken"]

@@ -45,10 +45,9 @@ void sum_points(const ContactRows& contacts, const PointTerms& terms, Real scale
 
 /// Pᵀ A P.
 template <class Transfer>
-void multiply(const ContactRows& fine, const Transfer& p, const ContactRows& to) {
+void multiply(const ContactRows& fine, Transfer transfer, const ContactRows& to) {
   const MatrixRows rows{fine.a};
   const ContactRows coarse = to;
-  const Transfer transfer = p;
   const int width = coarse.a.width();
   device::for_each(
       "rockfold::solve::contact_products", static_cast<Index>(coarse.row.extent(0)),
