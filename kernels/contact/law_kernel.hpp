@@ -18,6 +18,17 @@ KOKKOS_INLINE_FUNCTION ImpactRule impact_rule(Real restitution, Real period, Rea
   return rule;
 }
 
+/// Of a point whose step is explicit (kernels/time/explicit): a tenth of the delay would still outrun its step, so that what sticks is slowed as
+/// fast as the step allows.
+KOKKOS_INLINE_FUNCTION ImpactRule explicit_rule(Real restitution, Real period, Real dt) {
+  ImpactRule rule;
+  rule.restitution = restitution;
+  rule.period = math::fmax(period, 0.5 * dt);
+  rule.shear_drag = (1 - restitution) * most_explicit_drag;
+  rule.momentary = true;
+  return rule;
+}
+
 /// Over one step; p > 0 presses.
 struct Pressure {
   Real value = 0;      ///< Pa, what acts
@@ -63,7 +74,7 @@ KOKKOS_INLINE_FUNCTION void remember_approach(const PointMotionInStep& motion,
 KOKKOS_INLINE_FUNCTION Pressure impact_pressure(Real k, const ImpactRule& rule, Real approach,
                                                 const PointMotionInStep& motion, Real g0, Real g1) {
   Pressure p;
-  if (rule.restitution > 0)
+  if (rule.restitution > 0 && !rule.momentary)
     p = mean_pressure(k, g0, g1);
   else if (g1 < 0)
     p = end_pressure(k, g1);
@@ -231,7 +242,8 @@ KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactR
   const Real g0 = motion.gap_before - before.dilation, g1 = motion.gap - before.dilation;
   const bool bonded = is_bonded(law, before), moving = motion.speed_by_gap > 0;
   const bool impact = before.met && moving;
-  const bool gives_back = !before.met && moving && rule.restitution > 0 && !bonded;
+  const bool gives_back =
+      !before.met && moving && rule.restitution > 0 && !rule.momentary && !bonded;
   if (impact) remember_approach(motion, memory);
   Pressure p = end_pressure(law.normal_stiffness, g1);  // < 0: what dilation must make up for
   if (impact || gives_back) {
@@ -255,7 +267,9 @@ KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactR
     return out;
   }
   shear(law, now, s, motion.shear, impact && !bonded ? rule.shear_drag : 0, out);
-  const Real pressed = stored_closure(law, before, motion, impact || gives_back, out);
+  const bool by_work = (impact || gives_back) && !rule.momentary;
+  const Real pressed = impact && rule.momentary ? math::fmax(0.0, memory.dilation - motion.gap)
+                                                : stored_closure(law, before, motion, by_work, out);
   memory.pressed = pressed;
   out.elastic = 0.5 * law.normal_stiffness * pressed * pressed;
   for (const double stretch : memory.shear)

@@ -449,6 +449,27 @@ KOKKOS_INLINE_FUNCTION bool turn_of_cover(const Deformation& body, Index p, Real
 
 }  // namespace
 
+void turns(const Deformation& body, const Array<Real>& turn) {
+  device::for_each(
+      "rockfold::finite::turns", body.covers, KOKKOS_LAMBDA(const Index p) {
+        Real mean[9];
+        for (int i = 0; i < 9; ++i) mean[i] = 0;
+        for (Index s = body.begin(p); s < body.begin(p + 1); ++s)
+          for (int q = 0; q < body.points; ++q) {
+            const std::size_t at =
+                static_cast<std::size_t>(body.entry(s) / body.nodes) * body.points + q;
+            const Real share = device::math::fabs(body.weight(at));
+            for (int i = 0; i < 9; ++i)
+              mean[i] += share * (body.now(9 * at + i) + (i % 4 == 0 ? 1 : 0));
+          }
+        const Real size = device::math::cbrt(determinant(mean));
+        for (int i = 0; i < 9; ++i) mean[i] /= size > 0 ? size : 1;
+        const bool turned = size > 0 && make_rotation(mean);
+        for (int i = 0; i < 9; ++i)
+          turn(9 * static_cast<std::size_t>(p) + i) = turned ? mean[i] : (i % 4 == 0 ? 1 : 0);
+      });
+}
+
 void turn_from_middle(const Deformation& body, const Field& x) {
   device::for_each(
       "rockfold::finite::turn", body.covers, KOKKOS_LAMBDA(const Index p) {

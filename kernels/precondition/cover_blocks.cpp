@@ -27,26 +27,6 @@ KOKKOS_INLINE_FUNCTION void own_matrix(const DeviceBlocks& block, const DeviceSt
     }
 }
 
-/// a += Nᵀ D N of cover p with itself.
-KOKKOS_INLINE_FUNCTION void add_terms(const PointTerms& s, Index p, Index covers, int n, Real* a) {
-  const int width = 3 * n;
-  for (int k = 0; k < n; ++k) {
-    const Index t = find_row(s.row, k * covers + p);
-    if (t == none) continue;
-    for (Index i = s.row_begin(t); i < s.row_begin(t + 1); ++i) {
-      const Index point = s.row_point(i);
-      for (Index j = s.points.begin(point); j < s.points.begin(point + 1); ++j) {
-        if (s.points.unknown(j) % covers != p) continue;
-        const int l = s.points.unknown(j) / covers;
-        const Real w = s.row_weight(i) * s.points.weight(j);
-        for (int d = 0; d < 3; ++d)
-          for (int e = 0; e < 3; ++e)
-            a[(3 * k + d) * width + 3 * l + e] += w * s.tangent(point, symmetric_entry(d, e));
-      }
-    }
-  }
-}
-
 }  // namespace
 
 CoverBlocks make_cover_blocks(Index covers, int functions) {

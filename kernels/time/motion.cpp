@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "kernels/time/explicit/explicit_kernel.hpp"
 #include "kernels/time/step_kernel.hpp"
 #include "src/base/vector.hpp"
 
@@ -172,13 +173,17 @@ SolveReport Motion::step(Real dt, bool first, const TrackedPoints* watched,
   Data& m = *data_;
   m.handed = 1;
   if (first || m.now.dynamic_ratio == 0) motion::hand_on(m);
-  SolveReport report = motion::take_step(m, dt, course);
+  SolveReport report = course.by_substeps ? motion::take_explicit_step(m, dt, course)
+                                          : motion::take_step(m, dt, course);
   motion::require_finite(m, report);
   if (watched && report.converged)
     m.largest_increment = motion::largest_motion(watched->data().points, m.increment);
   return report;
 }
 
+std::string Motion::why_not_explicit() const {
+  return motion::why_not_explicit(*data_);
+}
 Real Motion::largest_increment() const {
   return data_->largest_increment;
 }

@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "kernels/constraints/cover_system.hpp"
@@ -45,6 +46,8 @@ struct Rayleigh {
 struct StepCourse {
   /// Loads, supports and the base stay where they are: the step only brings forces into balance.
   bool time_stands = false;
+  /// By explicit substeps, as many as it takes to be stable (kernels/time/explicit).
+  bool by_substeps = false;
   /// Share of what excavated rock pressed its walls with that is left at the step's end.
   Real walls = 0;
 };
@@ -108,6 +111,8 @@ class Motion {
   /// A step of length dt, or a part of one; the first hands the velocity on (without a velocity to hand on all parts are steps of their own).
   SolveReport step(Real dt, bool first = true, const TrackedPoints* watched = nullptr,
                    const StepCourse& course = {});
+  /// Why steps cannot be taken by explicit substeps; empty: they can.
+  std::string why_not_explicit() const;
   /// m: how far the last step has moved one of the points watched.
   Real largest_increment() const;
   /// Of kinetic energy and that stored in joints: what the last step has made out of nothing, by the rule that blocks which overlap far

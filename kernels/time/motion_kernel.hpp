@@ -8,6 +8,7 @@
 #include "kernels/constraints/constrained_system_kernel.hpp"
 #include "kernels/contact/term_kernel.hpp"
 #include "kernels/time/block_forces_kernel.hpp"
+#include "kernels/time/explicit/scheme.hpp"
 #include "kernels/time/forces/deformation_kernel.hpp"
 #include "kernels/time/forces/following_kernel.hpp"
 #include "kernels/time/forces/loads_kernel.hpp"
@@ -64,6 +65,7 @@ struct Motion::Data {
   motion::BlockForces of_blocks;                  ///< then
   contact::Accepted saved_contacts;
   int most_iterations = 60;  ///< of Newton's method
+  motion::ExplicitScheme explicit_scheme;
 
   device::Field load;            ///< gravity and constant loads, N
   device::Field varying;         ///< loads that change, at the time of `now` …
@@ -134,6 +136,8 @@ SolveReport solve_equilibrium(Motion::Data& m);
 Real largest_frequency(Motion::Data& m);
 /// One step of Newmark's method.
 SolveReport take_step(Motion::Data& m, Real dt, const StepCourse& course);
+/// One step in as many explicit substeps as it takes (explicit/explicit_kernel.hpp).
+SolveReport take_explicit_step(Motion::Data& m, Real dt, const StepCourse& course);
 /// Scales the velocity by the dynamic ratio, `handed`; at 0 drops the acceleration as well.
 void hand_on(Motion::Data& m);
 

@@ -380,6 +380,7 @@ void begin_stage(Motion::Data& m, Real dynamic_ratio) {
   m.now.begins_with_factors = 0;
   m.step_length = 0;
   m.mean_over = 0;
+  m.explicit_scheme.ready = false;
 }
 
 void set_matrix(Motion::Data& m, const solve::Combination& c, Real dashpots, Real springs) {

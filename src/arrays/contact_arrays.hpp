@@ -69,6 +69,7 @@ struct ImpactRule {
   Real restitution = 0;  ///< separation speed over closing speed, 0 … 1
   Real period = 0;       ///< s, P: drag of parting over stiffness, where a load presses
   Real shear_drag = 0;   ///< drag of a step's motion along the face over shear stiffness
+  bool momentary = false;  ///< pressures are those of the moment, not means over a step
 };
 
 /// One contact point: a point of one surface opposite a point of another.

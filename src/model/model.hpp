@@ -436,12 +436,16 @@ enum class Kinematics {
 };
 
 /// One of the analyses that follow each other: [[step]], or all of [analysis] where there is none.
+/// Of a step in time. automatic: implicit.
+enum class Scheme : std::uint8_t { automatic, implicit, explicit_ };
+
 struct AnalysisStage {
   std::string name;
   AnalysisType type = AnalysisType::dynamic;
   Real time_step = 0.01;  ///< s, > 0
   /// s, of the last step: shorter where end_time is no multiple of time_step.
   std::optional<Real> last_time_step;
+  Scheme scheme = Scheme::automatic;
   Index steps = 100;                ///< resolved from `steps` or `end_time`; 1 for static
   Real dynamic_ratio = 1.0;         ///< [0, 1]: share of the velocity handed to the next step
   bool reset_displacement = false;  ///< displacements and monitors count from its start

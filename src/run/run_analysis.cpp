@@ -363,10 +363,12 @@ StepCourse Run::course_to(Real end) const {
   const AnalysisStage& stage = analysis_.stages[at_.stage];
   if (!at_.settled) {
     const Real start = motion_.walls(), left = static_cast<Real>(at_.parts - at_.done);
-    return {true, start + (letting_go_.settling().walls() - start) / left};
+    return {true, false, start + (letting_go_.settling().walls() - start) / left};
   }
-  if (stage.release.empty()) return {false, stage.excavate != 0 ? 0 : motion_.walls()};
-  return {false, walls_left(stage.release, end - at_.stage_began)};
+  const bool substeps = stage.scheme == Scheme::explicit_;
+  if (stage.release.empty())
+    return {false, substeps, stage.excavate != 0 ? 0 : motion_.walls()};
+  return {false, substeps, walls_left(stage.release, end - at_.stage_began)};
 }
 
 /// Step 0.

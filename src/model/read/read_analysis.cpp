@@ -82,6 +82,12 @@ void read_dynamic_ratio(TableReader& in, AnalysisStage& analysis) {
                  ", a quasi_static analysis has 0; use type = \"dynamic\" for others");
 }
 
+void read_scheme(TableReader& in, AnalysisStage& stage) {
+  const auto given = in.choose("scheme", {{"auto", "implicit", "explicit"}, {}}, Need::optional);
+  constexpr Scheme schemes[] = {Scheme::automatic, Scheme::implicit, Scheme::explicit_};
+  if (given) stage.scheme = schemes[*given];
+}
+
 void read_kinematics(TableReader& in, Analysis& analysis) {
   const auto given = in.choose("kinematics", {{"small", "large"}, {}}, Need::optional);
   if (given) analysis.kinematics = *given == 0 ? Kinematics::small : Kinematics::large;
@@ -150,6 +156,7 @@ void read_rayleigh(TableReader& in, Analysis& analysis) {
 void read_stage(TableReader& in, AnalysisStage& stage, StageDefaults& given) {
   stage.place = in.place();
   read_type(in, stage);
+  read_scheme(in, stage);
   read_duration(in, stage, given);
   read_dynamic_ratio(in, stage);
 }

@@ -1,0 +1,99 @@
+#include "kernels/time/explicit/explicit_kernel.hpp"
+
+namespace rockfold::motion {
+namespace {
+
+/// x = 1 in component d of function k of all blocks.
+void set_unit(const Field& x, Index covers, int k, int d) {
+  Kokkos::deep_copy(x, 0.0);
+  device::for_each(
+      "rockfold::motion::unit", covers, KOKKOS_LAMBDA(const Index p) { x(k * covers + p, d) = 1; });
+}
+
+/// Blocks share no function, so that one product finds a column of all matrices.
+void find_mass(Motion::Data& m) {
+  const ExplicitScheme& s = m.explicit_scheme;
+  const Index covers = m.covers;
+  const int n = s.functions;
+  const auto mass = s.mass;
+  const Field y = m.right;
+  for (int k = 0; k < n; ++k) {
+    set_unit(m.work, covers, k, 0);
+    m.rock->apply({0, 1}, m.work, y);
+    device::for_each(
+        "rockfold::motion::mass_column", covers, KOKKOS_LAMBDA(const Index p) {
+          for (int l = 0; l < n; ++l)
+            mass((static_cast<std::size_t>(p) * n + l) * n + k) = y(l * covers + p, 0);
+        });
+  }
+}
+
+}  // namespace
+
+void find_stiffness(Motion::Data& m) {
+  Kokkos::deep_copy(m.work, 0.0);
+  m.rock->begin_step(m.work, {});
+  m.rock->drop_geometric_stiffness();
+  m.step_length = 0;
+  const ExplicitScheme& s = m.explicit_scheme;
+  const Index covers = m.covers;
+  const int n = s.functions, width = 3 * n;
+  const auto stiffness = s.stiffness;
+  const Field y = m.right;
+  for (int column = 0; column < width; ++column) {
+    set_unit(m.work, covers, column / 3, column % 3);
+    m.rock->apply({1, 0}, m.work, y);
+    device::for_each(
+        "rockfold::motion::stiffness_column", covers, KOKKOS_LAMBDA(const Index p) {
+          for (int i = 0; i < width; ++i)
+            stiffness((static_cast<std::size_t>(p) * width + i) * width + column) =
+                y(i / 3 * covers + p, i % 3);
+        });
+  }
+}
+
+namespace {
+
+void invert_mass(const ExplicitScheme& s, Index covers) {
+  const int n = s.functions;
+  const auto mass = s.mass, inverse = s.inverse;
+  device::for_each(
+      "rockfold::motion::invert_mass", covers,
+      KOKKOS_LAMBDA(const Index p) {
+        Real a[most_functions * most_functions], scale[most_functions];
+        const Real* own = &mass(static_cast<std::size_t>(p) * n * n);
+        for (int k = 0; k < n; ++k) {
+          const Real diagonal = own[k * n + k];
+          scale[k] = diagonal > 0 ? 1 / device::math::sqrt(diagonal) : 0;
+        }
+        for (int k = 0; k < n; ++k)
+          for (int l = 0; l < n; ++l) a[k * n + l] = scale[k] * scale[l] * own[k * n + l];
+        solve::invert_symmetric(n, a);
+        for (int k = 0; k < n; ++k)
+          for (int l = 0; l < n; ++l)
+            inverse((static_cast<std::size_t>(p) * n + k) * n + l) =
+                scale[k] * scale[l] * (k <= l ? a[k * n + l] : a[l * n + k]);
+      },
+      n * n);
+}
+
+}  // namespace
+
+void find_inertia(Motion::Data& m) {
+  ExplicitScheme& s = m.explicit_scheme;
+  s.functions = m.system.op.functions;
+  const std::size_t small = static_cast<std::size_t>(m.covers) * s.functions * s.functions;
+  if (s.mass.extent(0) != small) {
+    s.mass = device::allocate<Real>("motion::block_mass", small);
+    s.inverse = device::allocate<Real>("motion::block_mass_inverse", small);
+    s.stiffness = device::allocate<Real>("motion::block_stiffness", 9 * small);
+    s.damped = device::allocate<Real>("motion::damped", 9 * small);
+    s.slowed = device::allocate<Real>("motion::slowed", 9 * small);
+    s.turn = device::allocate<Real>("motion::block_turn", 9 * static_cast<std::size_t>(m.covers));
+    s.step = device::allocate<Real>("motion::block_step", m.covers);
+  }
+  find_mass(m);
+  invert_mass(s, m.covers);
+}
+
+}  // namespace rockfold::motion

@@ -1,0 +1,158 @@
+// The critical substep. With N of the two sides of a point, NᵀDN ≤ 2 (N₁ᵀDN₁ + N₂ᵀDN₂), so that no mode of all blocks is faster than the
+// fastest of one block by itself with twice the stiffness of its points: ω² ≤ max λ((M + θh²K)⁻¹ (K + 2 ΣNᵀDN)). Of that K has 1/(θh²) at most,
+// and the rest is found by power iteration, block by block. The inertia that strain is given grows with h and the frequency falls, so that
+// each h is one for which a longer one was safe; a few rounds find most of it.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kernels/contact/law.hpp"
+#include "kernels/time/explicit/explicit_kernel.hpp"
+
+namespace rockfold::motion {
+namespace {
+
+/// θ. With the damping P² a mode of strain goes by v' = (1 − p²) v − p x/h, x' = x + h v', p = θ(ωh)²/(1 + θ(ωh)²): as it is where it is slow, and
+/// at once into balance where it is stiff (p = 1: x' = 0).
+constexpr Real inertia_of_strain = 1;
+
+/// (ωh)² of contact. Beside stiff strain it must be below 4 − p − 2p² ≥ 1. (Beside none an oscillator whose spring is dragged by its share d of h
+/// goes by z² − (2 − (1 + d) a) z + (1 − d a) = 0, a = (ωh)²: stable to 4/(1 + 2d), 2.67 for d = 1/4.)
+constexpr Real of_contact = 0.9;
+
+constexpr int rounds = 3, iterations = 16;
+
+/// a ← (M + θh²K)⁻¹, K [3n][3n].
+KOKKOS_INLINE_FUNCTION void invert_slowed(const Real* mass, const Real* k, Real h, int n, Real* a) {
+  const int width = 3 * n;
+  Real scale[solve::most_block_width];
+  const Real share = inertia_of_strain * h * h;
+  for (int i = 0; i < width; ++i)
+    for (int j = 0; j < width; ++j)
+      a[i * width + j] =
+          share * k[i * width + j] + (i % 3 == j % 3 ? mass[(i / 3) * n + j / 3] : 0);
+  for (int i = 0; i < width; ++i)
+    scale[i] = a[i * width + i] > 0 ? 1 / device::math::sqrt(a[i * width + i]) : 0;
+  for (int i = 0; i < width; ++i)
+    for (int j = 0; j < width; ++j) a[i * width + j] *= scale[i] * scale[j];
+  solve::invert_symmetric(width, a);
+  for (int i = 0; i < width; ++i)
+    for (int j = i; j < width; ++j)
+      a[i * width + j] = a[j * width + i] = scale[i] * scale[j] * a[i * width + j];
+}
+
+/// Largest λ of A R ᵀC R, A symmetric: in the measure of A⁻¹, as ‖·‖ of x ← A Rᵀ C R x.
+KOKKOS_INLINE_FUNCTION Real largest_value(const Real* a, const Real* c, const Real* turn, int n) {
+  const int width = 3 * n;
+  Real x[solve::most_block_width], y[solve::most_block_width], z[solve::most_block_width];
+  for (int i = 0; i < width; ++i)  // no symmetry of a block's has this for a zero
+    x[i] = device::math::sqrt(a[i * width + i]) * (1 + 0.1 * ((7 * i) % 11));
+  Real value = 0;
+  for (int step = 0; step < iterations; ++step) {
+    turn_vector(turn, false, n, x, y);
+    for (int i = 0; i < width; ++i) {
+      z[i] = 0;
+      for (int j = 0; j < width; ++j) z[i] += c[i * width + j] * y[j];
+    }
+    turn_vector(turn, true, n, z, y);
+    Real below = 0, above = 0;  // x·y = xᵀCx, y·Ay = ‖A C x‖ in the measure of A⁻¹
+    for (int i = 0; i < width; ++i) {
+      z[i] = 0;
+      for (int j = 0; j < width; ++j) z[i] += a[i * width + j] * y[j];
+      below += x[i] * y[i];
+      above += z[i] * y[i];
+    }
+    if (!(below > 0)) return 0;
+    value = above / below;
+    for (int i = 0; i < width; ++i) x[i] = z[i] / value;
+  }
+  return value;
+}
+
+void write_spring_tangents(const Motion::Data& m) {
+  const solve::Springs s = m.system.springs;
+  const auto tangent = m.system.terms.tangent;
+  device::for_each(
+      "rockfold::motion::spring_stiffness", s.points.count, KOKKOS_LAMBDA(const Index n) {
+        for (int d = 0; d < 3; ++d) {
+          tangent(n, d) = s.held(n, d) > 0 ? 0 : s.stiffness(n, d);
+          tangent(n, 3 + d) = 0;
+        }
+      });
+}
+
+}  // namespace
+
+Real critical_substep(Motion::Data& m) {
+  const ExplicitScheme& s = m.explicit_scheme;
+  set_tangents(m.dashpots, 0, m.system.terms, m.system.springs.points.count);
+  write_spring_tangents(m);
+  if (m.contact) {
+    constexpr Real both_sides = 2;
+    contact::write_stiffest(m.contact->contacts, both_sides, m.system.contacts.tangent);
+  }
+  m.step_length = 0;  // the terms' tangents are no matrix of a step
+  const solve::PointTerms terms = m.system.terms, contacts = m.system.contacts;
+  const bool touches = m.contact != nullptr;
+  const auto stiffness = s.stiffness, mass = s.mass, slowed = s.slowed, turn = s.turn,
+             step = s.step;
+  const auto gone = m.gone;
+  const Index covers = m.covers;
+  const int n = s.functions, width = 3 * n;
+  const Real unlimited = std::numeric_limits<Real>::infinity();
+  device::for_each(
+      "rockfold::motion::block_step", covers,
+      KOKKOS_LAMBDA(const Index p) {
+        const std::size_t own = static_cast<std::size_t>(p) * width * width;
+        const Real* small = &mass(static_cast<std::size_t>(p) * n * n);
+        Real *a = &slowed(own), c[solve::most_block_width * solve::most_block_width];
+        for (int e = 0; e < width * width; ++e) c[e] = 0;
+        if (terms.any()) solve::add_terms(terms, p, covers, n, c);
+        if (touches && contacts.any()) solve::add_terms(contacts, p, covers, n, c);
+        Real h = 0;
+        for (int round = 0; round < rounds; ++round) {
+          invert_slowed(small, &stiffness(own), h, n, a);
+          const Real value =
+              gone(p) != 0 ? 0 : largest_value(a, c, &turn(9 * static_cast<std::size_t>(p)), n);
+          h = value > 0 ? device::math::sqrt(of_contact / value) : unlimited;
+          if (!(value > 0)) break;
+        }
+        step(p) = h;
+      },
+      width * width);
+  const Real rate = device::largest(
+      "rockfold::motion::shortest_step", covers,
+      KOKKOS_LAMBDA(const Index p) { return 1 / step(p); });
+  const Real h = rate > 0 ? 1 / rate : unlimited;
+  return h;
+}
+
+void slow_strain(const Motion::Data& m, Real h) {
+  const ExplicitScheme& s = m.explicit_scheme;
+  const auto stiffness = s.stiffness, mass = s.mass, slowed = s.slowed, damped = s.damped;
+  const int n = s.functions, width = 3 * n;
+  const Real share = inertia_of_strain * h * h;
+  device::for_each(
+      "rockfold::motion::slow_strain", m.covers,
+      KOKKOS_LAMBDA(const Index p) {
+        const std::size_t own = static_cast<std::size_t>(p) * width * width;
+        const Real *a = &slowed(own), *k = &stiffness(own);
+        invert_slowed(&mass(static_cast<std::size_t>(p) * n * n), k, h, n, &slowed(own));
+        Real once[solve::most_block_width * solve::most_block_width];
+        for (int i = 0; i < width; ++i)
+          for (int j = 0; j < width; ++j) {
+            Real sum = 0;
+            for (int l = 0; l < width; ++l) sum += a[i * width + l] * k[l * width + j];
+            once[i * width + j] = share * sum;
+          }
+        for (int i = 0; i < width; ++i)
+          for (int j = 0; j < width; ++j) {
+            Real sum = 0;
+            for (int l = 0; l < width; ++l) sum += once[i * width + l] * once[l * width + j];
+            damped(own + i * width + j) = sum;
+          }
+      },
+      width * width);
+}
+
+}  // namespace rockfold::motion
