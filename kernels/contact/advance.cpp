@@ -37,26 +37,29 @@ KOKKOS_INLINE_FUNCTION Vector way_of(const LocalMotion& l) {
 
 }  // namespace
 
-void advance(DeviceContacts& c, const Motion& m, const Field& force, const Array<Real>& account) {
+void advance(DeviceContacts& c, const Motion& m, const PointClocks& clocks, const Field& force,
+             const Array<Real>& account) {
   device::grow(c.partial, "contact::partial",
-               4 * static_cast<std::size_t>(device::chunk_count(c.current.count)));
+               4 * static_cast<std::size_t>(device::chunk_count(clocks.count)));
   const auto point = c.current.point;
   const auto laws = c.laws;
   const Real restitution = c.options.restitution;
   device::sum_then<2>(
-      "rockfold::contact::advance", c.current.count, c.partial,
-      KOKKOS_LAMBDA(const Index i, device::Sums<2>& sum) {
+      "rockfold::contact::advance", clocks.count, c.partial,
+      KOKKOS_LAMBDA(const Index k, device::Sums<2>& sum) {
+        const Index i = clocks.order(k);
         ContactPoint& p = point(i);
         const LocalMotion l = local_motion(p, m);
         const JointLaw& law = laws(p.law);
+        const Real dt = clocks.period / (Index{1} << clocks.level(i));
         PointTraction t;
         if (!stays_open(p, l, law))
-          t = advance_memory(p, l, law, explicit_rule(restitution, p.period, m.dt));
+          t = advance_memory(p, l, law, explicit_rule(restitution, p.period, dt));
         const Vector f = force_of(t, l, p.area), before = at(force, i);
         for (int d = 0; d < 3; ++d) force(i, d) = component(f, d);
         p.gap_before = l.motion.gap;
         p.speed_before = l.motion.speed;
-        for (int k = 0; k < 2; ++k) p.shear_before[k] += l.motion.shear[k];
+        for (int d = 0; d < 2; ++d) p.shear_before[d] += l.motion.shear[d];
         sum.value[0] += p.area * t.friction;
         sum.value[1] += 0.5 * dot(before + f, way_of(l));
       },

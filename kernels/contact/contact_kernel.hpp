@@ -83,10 +83,17 @@ EnergyGain find_largest_gain(DeviceContacts& contacts, const Motion& motion);
 /// Makes the end of a step the start of the next: memories, planes, places and speeds. Returns the elastic energy of its points, J.
 Real accept(DeviceContacts& contacts, const Motion& motion);
 
-/// Explicit substeps: takes the points of `current` to the motion m (m.dt s on; its speeds count), in place. `force` [points], N, has those that the
-/// substep before ended with, and gets those of now. account[0] += what friction took, account[1] += what the contact's forces did on the rock, J.
-void advance(DeviceContacts& contacts, const Motion& motion, const Field& force,
-             const Array<Real>& account);
+/// Which points go on, and by how much: order(0 … count − 1), each by period/2^level s.
+struct PointClocks {
+  Array<Index> order;
+  Array<int> level;  ///< [points]
+  Index count = 0;
+  Real period = 0;  ///< s
+};
+/// Explicit substeps: takes points of `current` to the motion m (its speeds count), in place. `force` [points], N, has those that each ended with
+/// before, and gets those of now. account[0] += what friction took, account[1] += what the contact's forces did on the rock, J.
+void advance(DeviceContacts& contacts, const Motion& motion, const PointClocks& clocks,
+             const Field& force, const Array<Real>& account);
 /// The points as they are now become those of the last accepted step, with vertices at x moving by v. Returns their elastic energy, J.
 Real settle_in_place(DeviceContacts& contacts, const Field& x, const Field& v);
 /// [points] factor · the stiffness of each point of `current` while it is closed and sticks, N/m.

@@ -53,8 +53,8 @@ inline constexpr Real most_cohesion = 10;
 /// Periods 1/ω over which what sticks is slowed along a face.
 inline constexpr Real shear_delay = 10;
 
-/// Drag of a substep's motion along the face over shear stiffness, in explicit steps: they are stable to ωh = 1.63 with it, to 2 without.
-inline constexpr Real most_explicit_drag = 0.25;
+/// Of critical, of joints at the frequency 1/P, in explicit steps.
+inline constexpr Real explicit_damping = 0.1;
 
 /// `period`: 1/ω = √(m/K), s, with m = m₁ m₂/(m₁ + m₂) of two blocks and K (N/m) all that is between them.
 ImpactRule impact_rule(Real restitution, Real period, Real dt);

@@ -18,14 +18,18 @@ KOKKOS_INLINE_FUNCTION ImpactRule impact_rule(Real restitution, Real period, Rea
   return rule;
 }
 
-/// Of a point whose step is explicit (kernels/time/explicit): a tenth of the delay would still outrun its step, so that what sticks is slowed as
-/// fast as the step allows.
+/// Of a point whose step is explicit (kernels/time/explicit). What is closed is damped by a tenth of what would be critical: implicit steps take as
+/// much by themselves, and more would ask for shorter steps.
 KOKKOS_INLINE_FUNCTION ImpactRule explicit_rule(Real restitution, Real period, Real dt) {
   ImpactRule rule;
   rule.restitution = restitution;
   rule.period = math::fmax(period, 0.5 * dt);
-  rule.shear_drag = (1 - restitution) * most_explicit_drag;
   rule.momentary = true;
+  if (restitution < 1) rule.joint_drag = 2 * explicit_damping * rule.period;
+  if (dt > 0) {
+    rule.reach = rule.period * rule.period / dt;
+    rule.shear_drag = rule.joint_drag / dt;
+  }
   return rule;
 }
 
@@ -70,11 +74,26 @@ KOKKOS_INLINE_FUNCTION void remember_approach(const PointMotionInStep& motion,
   }
 }
 
+/// In an explicit step: what is deeper than the impact explains presses as a spring, the rest no harder than brings the sides to the speed of
+/// their rebound in this step.
+KOKKOS_INLINE_FUNCTION Pressure momentary_impact(Real k, const ImpactRule& rule, Real approach,
+                                                 const PointMotionInStep& motion, Real g1) {
+  Pressure p;
+  if (!(g1 < 0)) return p;
+  p = end_pressure(k, g1);
+  if (rule.restitution >= 1 || !(rule.reach > 0)) return p;
+  const Real loaded = k * math::fmax(0.0, -g1 - approach * rule.period);
+  const Real most = k * rule.reach * math::fmax(0.0, rule.restitution * approach - motion.speed);
+  p.value = math::fmin(p.value, loaded + most);
+  return p;
+}
+
 /// Of a point that has been open before; g: gap less dilation at both ends of the step (law.hpp, "Impact").
 KOKKOS_INLINE_FUNCTION Pressure impact_pressure(Real k, const ImpactRule& rule, Real approach,
                                                 const PointMotionInStep& motion, Real g0, Real g1) {
+  if (rule.momentary) return momentary_impact(k, rule, approach, motion, g1);
   Pressure p;
-  if (rule.restitution > 0 && !rule.momentary)
+  if (rule.restitution > 0)
     p = mean_pressure(k, g0, g1);
   else if (g1 < 0)
     p = end_pressure(k, g1);
@@ -254,6 +273,10 @@ KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactR
       p.stiffness += law.normal_stiffness;
     }
   }
+  if (rule.momentary && !impact && (p.value > 0 || bonded)) {
+    const Real damped = p.value - law.normal_stiffness * rule.joint_drag * motion.speed;
+    p.value = bonded ? damped : math::fmax(damped, 0.5 * p.value);
+  }
   const Real s[2] = {before.shear[0] + motion.shear[0], before.shear[1] + motion.shear[1]};
   const Real length = math::sqrt(s[0] * s[0] + s[1] * s[1]);
   Strength now{p.value, unlimited, 0, p.stiffness};
@@ -266,10 +289,12 @@ KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactR
     open(law, out);
     return out;
   }
-  shear(law, now, s, motion.shear, impact && !bonded ? rule.shear_drag : 0, out);
-  const bool by_work = (impact || gives_back) && !rule.momentary;
-  const Real pressed = impact && rule.momentary ? math::fmax(0.0, memory.dilation - motion.gap)
-                                                : stored_closure(law, before, motion, by_work, out);
+  const bool drags = rule.momentary || (impact && !bonded);
+  shear(law, now, s, motion.shear, drags ? rule.shear_drag : 0, out);
+  const Real closure = memory.dilation - motion.gap;
+  const Real pressed = rule.momentary
+                           ? (bonded ? closure : math::fmax(0.0, closure))
+                           : stored_closure(law, before, motion, impact || gives_back, out);
   memory.pressed = pressed;
   out.elastic = 0.5 * law.normal_stiffness * pressed * pressed;
   for (const double stretch : memory.shear)

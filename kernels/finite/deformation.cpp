@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "kernels/device/sums_kernel.hpp"
-#include "kernels/finite/deformation_kernel.hpp"
+#include "kernels/finite/cover_force_kernel.hpp"
 #include "kernels/finite/strain_kernel.hpp"
 #include "kernels/finite/tangent_row_kernel.hpp"
 #include "kernels/operator/elements/assemble_kernel.hpp"
@@ -68,21 +68,6 @@ void add_transpose(const std::vector<Index>& cover, Deformation& body) {
     entry[end[cover[i]]++] = static_cast<std::int64_t>(i);
   body.begin = to_device("finite::begin", begin);
   body.entry = to_device("finite::entry", entry);
-}
-
-/// H at one point: Σ over nodes and functions of d ⊗ ∇φ, constants as differences to the first node's.
-KOKKOS_INLINE_FUNCTION void gradient_at(const Deformation& body, const Field& d, Index e, int q,
-                                        Real* h) {
-  const Index* cover = &body.cover(static_cast<std::size_t>(e) * body.nodes);
-  const Real* g = body.gradients(e, q);
-  for (int i = 0; i < 9; ++i) h[i] = 0;
-  for (int a = 0; a < body.nodes; ++a)
-    for (int k = 0; k < body.functions; ++k, ++g)
-      for (int i = 0; i < 3; ++i) {
-        const Real u =
-            d(k * body.covers + cover[a], i) - (k == 0 && body.nodes > 1 ? d(cover[0], i) : 0);
-        for (int j = 0; j < 3; ++j) h[3 * i + j] += u * g[j * body.stride];
-      }
 }
 
 /// F and S that the rule takes at a point.
@@ -448,27 +433,6 @@ KOKKOS_INLINE_FUNCTION bool turn_of_cover(const Deformation& body, Index p, Real
 }
 
 }  // namespace
-
-void turns(const Deformation& body, const Array<Real>& turn) {
-  device::for_each(
-      "rockfold::finite::turns", body.covers, KOKKOS_LAMBDA(const Index p) {
-        Real mean[9];
-        for (int i = 0; i < 9; ++i) mean[i] = 0;
-        for (Index s = body.begin(p); s < body.begin(p + 1); ++s)
-          for (int q = 0; q < body.points; ++q) {
-            const std::size_t at =
-                static_cast<std::size_t>(body.entry(s) / body.nodes) * body.points + q;
-            const Real share = device::math::fabs(body.weight(at));
-            for (int i = 0; i < 9; ++i)
-              mean[i] += share * (body.now(9 * at + i) + (i % 4 == 0 ? 1 : 0));
-          }
-        const Real size = device::math::cbrt(determinant(mean));
-        for (int i = 0; i < 9; ++i) mean[i] /= size > 0 ? size : 1;
-        const bool turned = size > 0 && make_rotation(mean);
-        for (int i = 0; i < 9; ++i)
-          turn(9 * static_cast<std::size_t>(p) + i) = turned ? mean[i] : (i % 4 == 0 ? 1 : 0);
-      });
-}
 
 void turn_from_middle(const Deformation& body, const Field& x) {
   device::for_each(

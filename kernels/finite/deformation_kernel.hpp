@@ -81,9 +81,6 @@ void assemble_tangent(const Deformation& body, const ForceRule& rule,
 /// stiff blocks far would never converge.
 void turn_from_middle(const Deformation& body, const Field& x);
 
-/// [covers][9] The rotation of each cover's rock: of the mean of F now over its elements; none where that has none.
-void turns(const Deformation& body, const Array<Real>& turn);
-
 /// J now, beside that of the undeformed state.
 Real strain_energy(const Deformation& body, const Array<Real>& partial, const Array<Real>& sums);
 

@@ -66,10 +66,13 @@ struct PointTraction {
 
 /// How impacts end at a point.
 struct ImpactRule {
-  Real restitution = 0;  ///< separation speed over closing speed, 0 … 1
-  Real period = 0;       ///< s, P: drag of parting over stiffness, where a load presses
-  Real shear_drag = 0;   ///< drag of a step's motion along the face over shear stiffness
-  bool momentary = false;  ///< pressures are those of the moment, not means over a step
+  Real restitution = 0;    ///< separation speed over closing speed, 0 … 1
+  Real period = 0;         ///< s, P: drag of parting over stiffness, where a load presses
+  Real shear_drag = 0;     ///< drag of a step's motion along the face over shear stiffness
+  bool momentary = false;  ///< pressures are those of the moment, not means over a step; then:
+  Real reach =
+      0;  ///< s, P²/h: k · reach · Δv is the pressure that changes the speed of parting by Δv in the step h
+  Real joint_drag = 0;  ///< s, over stiffness: of sides that no impact brought together
 };
 
 /// One contact point: a point of one surface opposite a point of another.

@@ -137,6 +137,28 @@ class Needs {
       found_.push_back({start.place, "has no use without type = \"dynamic\""});
   }
 
+  /// What explicit substeps ask for: one small mass matrix a block, and forces that a short step can follow.
+  void scheme() {
+    if (!model_.analysis || !model_.cover) return;
+    for (const AnalysisStage& stage : model_.analysis->stages) {
+      if (stage.scheme != Scheme::explicit_) continue;
+      const Place place = key_of(stage.place, "scheme");
+      if (stage.type != AnalysisType::dynamic)
+        found_.push_back({place, "is \"explicit\", which is for type = \"dynamic\""});
+      if (model_.cover->lattice != LatticeKind::block || model_.cover->order == 0)
+        found_.push_back({place,
+                          "is \"explicit\", which is for block covers of order 1 or 2 "
+                          "(cover.lattice = \"block\"): elsewhere no step is cheaper than an "
+                          "implicit one"});
+      if (!model_.analysis->large())
+        found_.push_back({place, "is \"explicit\", which is for kinematics = \"large\""});
+      if (model_.analysis->rayleigh_beta > 0)
+        found_.push_back({place,
+                          "is \"explicit\", which takes rayleigh = {alpha = …} alone: damping by "
+                          "the stiffness would ask for far shorter substeps"});
+    }
+  }
+
   /// What [contact] and monitors of joints ask for.
   void contact() {
     if (!model_.analysis || !model_.cover) return;
@@ -228,6 +250,7 @@ void add_run_needs(Needs& needs) {
   needs.analysis();
   needs.something_fixed();
   needs.loads_in_time();
+  needs.scheme();
   needs.contact();
 }
 

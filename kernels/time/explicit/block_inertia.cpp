@@ -28,8 +28,6 @@ void find_mass(Motion::Data& m) {
   }
 }
 
-}  // namespace
-
 void find_stiffness(Motion::Data& m) {
   Kokkos::deep_copy(m.work, 0.0);
   m.rock->begin_step(m.work, {});
@@ -51,8 +49,6 @@ void find_stiffness(Motion::Data& m) {
         });
   }
 }
-
-namespace {
 
 void invert_mass(const ExplicitScheme& s, Index covers) {
   const int n = s.functions;
@@ -77,6 +73,25 @@ void invert_mass(const ExplicitScheme& s, Index covers) {
       n * n);
 }
 
+/// Each surface vertex is of one block.
+void list_vertices(Motion::Data& m) {
+  ExplicitScheme& s = m.explicit_scheme;
+  std::vector<Index> begin(m.covers + 1, 0), vertex;
+  if (m.contact) {
+    const std::vector<Index> first = device::to_host(m.contact->vertex.begin),
+                             unknown = device::to_host(m.contact->vertex.unknown);
+    std::vector<std::vector<Index>> of_block(m.covers);
+    for (Index n = 0; n < m.contact->vertex.count; ++n)
+      of_block[unknown[first[n]] % m.covers].push_back(n);
+    for (Index p = 0; p < m.covers; ++p) {
+      vertex.insert(vertex.end(), of_block[p].begin(), of_block[p].end());
+      begin[p + 1] = static_cast<Index>(vertex.size());
+    }
+  }
+  s.vertex_begin = device::to_device("motion::vertex_begin", begin);
+  s.vertex = device::to_device("motion::vertex", vertex);
+}
+
 }  // namespace
 
 void find_inertia(Motion::Data& m) {
@@ -92,6 +107,8 @@ void find_inertia(Motion::Data& m) {
     s.turn = device::allocate<Real>("motion::block_turn", 9 * static_cast<std::size_t>(m.covers));
     s.step = device::allocate<Real>("motion::block_step", m.covers);
   }
+  list_vertices(m);
+  find_stiffness(m);
   find_mass(m);
   invert_mass(s, m.covers);
 }

@@ -1,4 +1,4 @@
-// The critical substep. With N of the two sides of a point, NᵀDN ≤ 2 (N₁ᵀDN₁ + N₂ᵀDN₂), so that no mode of all blocks is faster than the
+// The critical substep of each block. With N of the two sides of a point, NᵀDN ≤ 2 (N₁ᵀDN₁ + N₂ᵀDN₂), so that no mode of all blocks is faster than the
 // fastest of one block by itself with twice the stiffness of its points: ω² ≤ max λ((M + θh²K)⁻¹ (K + 2 ΣNᵀDN)). Of that K has 1/(θh²) at most,
 // and the rest is found by power iteration, block by block. The inertia that strain is given grows with h and the frequency falls, so that
 // each h is one for which a longer one was safe; a few rounds find most of it.
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kernels/contact/law.hpp"
+#include "kernels/finite/cover_force_kernel.hpp"
 #include "kernels/time/explicit/explicit_kernel.hpp"
 
 namespace rockfold::motion {
@@ -69,6 +69,18 @@ KOKKOS_INLINE_FUNCTION Real largest_value(const Real* a, const Real* c, const Re
   return value;
 }
 
+/// ExplicitScheme::turn.
+void find_turns(const Motion::Data& m) {
+  const finite::Deformation rock = *m.rock->finite_strain();
+  const Field d = m.now.displacement;
+  const auto turn = m.explicit_scheme.turn;
+  device::for_each(
+      "rockfold::motion::turns", m.covers, KOKKOS_LAMBDA(const Index p) {
+        Real f[solve::most_block_width] = {};
+        finite::take_internal_force(rock, d, p, f, &turn(9 * static_cast<std::size_t>(p)));
+      });
+}
+
 void write_spring_tangents(const Motion::Data& m) {
   const solve::Springs s = m.system.springs;
   const auto tangent = m.system.terms.tangent;
@@ -83,8 +95,9 @@ void write_spring_tangents(const Motion::Data& m) {
 
 }  // namespace
 
-Real critical_substep(Motion::Data& m) {
+void find_block_steps(Motion::Data& m) {
   const ExplicitScheme& s = m.explicit_scheme;
+  find_turns(m);
   set_tangents(m.dashpots, 0, m.system.terms, m.system.springs.points.count);
   write_spring_tangents(m);
   if (m.contact) {
@@ -94,8 +107,7 @@ Real critical_substep(Motion::Data& m) {
   m.step_length = 0;  // the terms' tangents are no matrix of a step
   const solve::PointTerms terms = m.system.terms, contacts = m.system.contacts;
   const bool touches = m.contact != nullptr;
-  const auto stiffness = s.stiffness, mass = s.mass, slowed = s.slowed, turn = s.turn,
-             step = s.step;
+  const auto stiffness = s.stiffness, mass = s.mass, turn = s.turn, step = s.step;
   const auto gone = m.gone;
   const Index covers = m.covers;
   const int n = s.functions, width = 3 * n;
@@ -105,36 +117,32 @@ Real critical_substep(Motion::Data& m) {
       KOKKOS_LAMBDA(const Index p) {
         const std::size_t own = static_cast<std::size_t>(p) * width * width;
         const Real* small = &mass(static_cast<std::size_t>(p) * n * n);
-        Real *a = &slowed(own), c[solve::most_block_width * solve::most_block_width];
+        constexpr int most = solve::most_block_width * solve::most_block_width;
+        Real a[most], c[most];
         for (int e = 0; e < width * width; ++e) c[e] = 0;
         if (terms.any()) solve::add_terms(terms, p, covers, n, c);
         if (touches && contacts.any()) solve::add_terms(contacts, p, covers, n, c);
         Real h = 0;
-        for (int round = 0; round < rounds; ++round) {
+        for (int round = 0; round < rounds && h < unlimited; ++round) {
           invert_slowed(small, &stiffness(own), h, n, a);
           const Real value =
               gone(p) != 0 ? 0 : largest_value(a, c, &turn(9 * static_cast<std::size_t>(p)), n);
           h = value > 0 ? device::math::sqrt(of_contact / value) : unlimited;
-          if (!(value > 0)) break;
         }
         step(p) = h;
       },
       width * width);
-  const Real rate = device::largest(
-      "rockfold::motion::shortest_step", covers,
-      KOKKOS_LAMBDA(const Index p) { return 1 / step(p); });
-  const Real h = rate > 0 ? 1 / rate : unlimited;
-  return h;
 }
 
-void slow_strain(const Motion::Data& m, Real h) {
+void slow_strain(const Motion::Data& m) {
   const ExplicitScheme& s = m.explicit_scheme;
+  const Schedule schedule = s.schedule;
   const auto stiffness = s.stiffness, mass = s.mass, slowed = s.slowed, damped = s.damped;
   const int n = s.functions, width = 3 * n;
-  const Real share = inertia_of_strain * h * h;
   device::for_each(
       "rockfold::motion::slow_strain", m.covers,
       KOKKOS_LAMBDA(const Index p) {
+        const Real h = schedule.interval(schedule.own(p)), share = inertia_of_strain * h * h;
         const std::size_t own = static_cast<std::size_t>(p) * width * width;
         const Real *a = &slowed(own), *k = &stiffness(own);
         invert_slowed(&mass(static_cast<std::size_t>(p) * n * n), k, h, n, &slowed(own));

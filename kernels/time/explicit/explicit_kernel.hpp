@@ -2,17 +2,21 @@
 //
 //   block_inertia.cpp   the mass matrix of each block, inverted once, and the stiffness of its rock
 //   held_rows.cpp       points that are held: the parts of a block's motion that they take
-//   critical_step.cpp   how long a substep may be
-//   substeps.cpp        the step that the user asks for, in substeps
+//   critical_step.cpp   how long a block's substeps may be
+//   schedule.cpp        who is looked at how often
+//   ticks.cpp           one tick of the blocks: kick, drift, points held, vertices
+//   substeps.cpp        the step that the user asks for
 //
-// A substep from v at its middle:  v += h M⁻¹ f,  d += h v, points that are held put exactly in their places by the impulse that this takes
-// (SHAKE: Ryckaert, Ciccotti & Berendsen, J. Comput. Phys. 23, 1977, 327), then forces anew, with the memories of contact points that are
-// there. Steps begin and end with half a kick, so that between them places and velocities are those of one time.
+// Asynchronous variational integration (Lew, Marsden, Ortiz & West, Arch. Rat. Mech. Anal. 167, 2003, 85): each contact point and each block's own
+// forces have a clock, in powers of two. When a clock of interval h ticks, its force gives both blocks the impulse h f; between ticks blocks drift. Momentum
+// is kept to rounding whatever the clocks, and one sliver sets the pace of its own points alone. Steps begin and end with half an impulse of all, so that
+// places and velocities are then those of one time. Points that are held are put exactly in their places by the impulse that this takes (SHAKE:
+// Ryckaert, Ciccotti & Berendsen, J. Comput. Phys. 23, 1977, 327).
 //
 // The mass matrix of a block cover is one small matrix, since blocks share no function. Slivers vibrate in themselves far faster than they move
 // in their joints (c/h of 1 mm: 2e6 rad/s), so that strain alone is given more inertia, M + θh²K with the block's own K (selective mass scaling:
-// Olovsson, Simonsson & Unosson, Int. J. Numer. Meth. Engng 63, 2005, 1436): no motion as a rigid body strains, and none is changed. Of blocks that have
-// turned by R that is R (M + θh²K) Rᵀ.
+// Olovsson, Simonsson & Unosson, Int. J. Numer. Meth. Engng 63, 2005, 1436), and damped: no motion as a rigid body strains, and none is changed. Of
+// blocks that have turned by R that is R (M + θh²K) Rᵀ.
 #pragma once
 
 #include <string>
@@ -24,16 +28,28 @@ namespace rockfold::motion {
 /// Why explicit steps cannot be had of this motion; empty: they can.
 std::string why_not_explicit(const Motion::Data& m);
 
-/// What does not change with the motion.
+/// What does not change with the motion: masses, stiffness, the surface vertices of blocks.
 void find_inertia(Motion::Data& m);
 HeldRows find_held_rows(const Motion::Data& m);
-/// Of the rock in place.
-void find_stiffness(Motion::Data& m);
 
-/// s: the longest substep that is stable with the contact points of now, whatever their states (critical_step.cpp).
-Real critical_substep(Motion::Data& m);
-/// The inverses that go with substeps of h at most: ExplicitScheme::slowed.
-void slow_strain(const Motion::Data& m, Real h);
+/// ExplicitScheme::step: what is stable with the contact points of now, whatever their states.
+void find_block_steps(Motion::Data& m);
+/// ExplicitScheme::slowed and damped, for the intervals of the schedule.
+void slow_strain(const Motion::Data& m);
+
+/// For the contact points of now, and at most dt s.
+void make_schedule(Motion::Data& m, Real dt);
+
+/// A tick of all blocks that level `from` and faster ones touch.
+struct Tick {
+  int from = 0;
+  Real share = 1;      ///< of the impulses: ½ where steps begin and end
+  bool drifts = true;  ///< to where each is touched next
+  Index count = 0;     ///< of the period's shortest intervals, that have gone
+};
+void tick_blocks(const Motion::Data& m, const Tick& tick);
+/// ticks.cpp too: takes off the velocity that points held have against `speed`, m/s of the supports' points.
+void stop_held(const Motion::Data& m, const Field& speed);
 
 /// y = R x or Rᵀ x, function by function; index 3k + d.
 KOKKOS_INLINE_FUNCTION void turn_vector(const Real* r, bool back, int n, const Real* x, Real* y) {

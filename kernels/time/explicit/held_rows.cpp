@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numeric>
 
 #include "kernels/time/explicit/explicit_kernel.hpp"
 
@@ -109,6 +110,10 @@ HeldRows find_held_rows(const Motion::Data& m) {
       add_set(static_cast<Index>(s / 3), static_cast<int>(s % 3), std::move(rows[s]),
               &inverse[s / 3 * n * n], n, lists);
   held.sets = static_cast<Index>(lists.cover.size());
+  std::vector<Index> of_block(m.covers + 1, 0);
+  for (const Index p : lists.cover) ++of_block[p + 1];
+  std::partial_sum(of_block.begin(), of_block.end(), of_block.begin());
+  held.of_block = device::to_device("motion::held_of_block", of_block);
   held.cover = device::to_device("motion::held_cover", lists.cover);
   held.component = device::to_device("motion::held_component", lists.component);
   held.begin = device::to_device("motion::held_begin", lists.begin);

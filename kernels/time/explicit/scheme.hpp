@@ -1,6 +1,8 @@
 // What explicit steps keep (explicit_kernel.hpp).
 #pragma once
 
+#include <vector>
+
 #include "kernels/device/device_kernel.hpp"
 
 namespace rockfold::motion {
@@ -11,20 +13,37 @@ using device::Field;
 /// What holds a component of a block's motion: rows that do not depend on each other, combined such that C m⁻¹ Cᵀ = 1.
 struct HeldRows {
   int functions = 1;
-  Index sets = 0;        ///< (block, component)
-  Array<Index> cover;    ///< [sets]
-  Array<int> component;  ///< [sets]
-  Array<Index> begin;    ///< [sets+1]
-  Array<Index> point;    ///< [rows] of the springs' points
-  Array<Real> combine;   ///< [rows][functions] of the set's points, in their order, lower triangle
-  Array<Real> row;       ///< [rows][functions] C
-  Array<Real> way;       ///< [rows][functions] m⁻¹ Cᵀ
-  Array<Real> impulse;   ///< [rows] N s, of each point on the rock since the step began
-  bool any() const { return sets > 0; }
+  Index sets = 0;         ///< (block, component), ascending
+  Array<Index> of_block;  ///< [P+1] the sets of each block
+  Array<Index> cover;     ///< [sets]
+  Array<int> component;   ///< [sets]
+  Array<Index> begin;     ///< [sets+1]
+  Array<Index> point;     ///< [rows] of the springs' points
+  Array<Real> combine;    ///< [rows][functions] of the set's points, in their order, lower triangle
+  Array<Real> row;        ///< [rows][functions] C
+  Array<Real> way;        ///< [rows][functions] m⁻¹ Cᵀ
+  Array<Real> impulse;    ///< [rows] N s, of each point on the rock since the step began
+  KOKKOS_INLINE_FUNCTION bool any() const { return sets > 0; }
+};
+
+/// Who is looked at how often: a clock of level l ticks every period/2^l. A contact point goes by the faster of its two blocks.
+struct Schedule {
+  Real period = 0;                    ///< s
+  int deepest = 0;                    ///< the fastest level
+  Array<int> own;                     ///< [P] of a block's own forces
+  Array<int> touched;                 ///< [P] of its fastest point, own at least
+  Array<int> level;                   ///< [points]
+  Array<Index> block, point;          ///< all of them, the fastest first
+  std::vector<Index> blocks, points;  ///< [deepest+1] how many are as fast as l or faster
+  Array<Index> begin;                 ///< [P+1] into the entries of each block, the fastest first:
+  Array<Index> entry_point;
+  Array<Real> entry_weight;  ///< [entries][functions]
+
+  KOKKOS_INLINE_FUNCTION Real interval(int l) const { return period / (Index{1} << l); }
 };
 
 struct ExplicitScheme {
-  bool ready = false;  ///< for the stage: mass and held rows are there
+  bool ready = false;  ///< for the stage: what does not change with the motion is there
   int functions = 1;
   Array<Real> mass;       ///< [P][n][n] kg, m of M = m ⊗ 1
   Array<Real> inverse;    ///< [P][n][n]; zero in functions that have no mass beside the others
@@ -33,9 +52,14 @@ struct ExplicitScheme {
   Array<Real> slowed;     ///< [P][3n][3n] (M + θh²K)⁻¹ in place: strain takes inertia with it
   /// [P][3n][3n] P², P = (M + θh²K)⁻¹ θh²K: the share of a velocity that strain loses in a substep.
   Array<Real> damped;
-  Array<Real> step;  ///< [P] s, the longest substep of each block
+  Array<Real> step;                   ///< [P] s, the longest substep of each block
+  Array<Index> vertex_begin, vertex;  ///< [P+1] the surface vertices of each block
   HeldRows held;
+  Schedule schedule;
   Field start;          ///< displacements at the start of the step
+  Field period_start;   ///< and of the period, where something acts from outside
+  Field outside;        ///< N, what acts from outside beside constant loads: at the end of a period
+  Field target_before;  ///< of supports, at the start of the period
   Field pull;           ///< [points of supports] N s, of springs
   Array<Real> account;  ///< [2] J: friction, and work of the contact's forces
 };

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
+#include <utility>
 
 #include "kernels/time/explicit/explicit_kernel.hpp"
 #include "kernels/time/step_kernel.hpp"
@@ -15,375 +15,299 @@ namespace {
 /// then meet no unseen face.
 constexpr Real served = 0.25;
 
-/// Substeps of one step: more are a mistake in the model rather than patience.
-constexpr double most_substeps = 1e7;
+/// Periods of one step: more are a mistake in the model rather than patience.
+constexpr Real most_periods = 1e8;
 
-/// v += h M⁻¹ f, less what mass damping takes, and `share` of what the damping of strain does.
-void kick(const Motion::Data& m, Real h, Real share) {
-  const ExplicitScheme& s = m.explicit_scheme;
-  const auto v = m.now.velocity, f = m.right;
-  const auto slowed = s.slowed, damped = s.damped, turn = s.turn;
-  const auto gone = m.gone;
-  const Index covers = m.covers;
-  const int n = s.functions, width = 3 * n;
-  const Real damp = 1 / (1 + 0.5 * h * m.damping.mass), keep = 1 - 0.5 * h * m.damping.mass;
-  device::for_each(
-      "rockfold::motion::kick", covers,
-      KOKKOS_LAMBDA(const Index p) {
-        if (gone(p) != 0) return;
-        const std::size_t own = static_cast<std::size_t>(p) * width * width;
-        const Real *a = &slowed(own), *loss = &damped(own);
-        const Real* r = &turn(9 * static_cast<std::size_t>(p));
-        Real x[solve::most_block_width], force[solve::most_block_width],
-            speed[solve::most_block_width];
-        for (int i = 0; i < width; ++i) x[i] = f(i / 3 * covers + p, i % 3);
-        turn_vector(r, true, n, x, force);
-        for (int i = 0; i < width; ++i) x[i] = v(i / 3 * covers + p, i % 3);
-        turn_vector(r, true, n, x, speed);
-        for (int i = 0; i < width; ++i) {
-          Real gained = 0, lost = 0;
-          for (int j = 0; j < width; ++j) {
-            gained += a[i * width + j] * force[j];
-            lost += loss[i * width + j] * speed[j];
-          }
-          x[i] = h * gained - share * lost;
-        }
-        turn_vector(r, false, n, x, speed);
-        for (int i = 0; i < width; ++i) {
-          Real& of_own = v(i / 3 * covers + p, i % 3);
-          of_own = damp * (keep * of_own + speed[i]);
-        }
-      },
-      width);
-}
-
-void drift(const Motion::Data& m, Real h) {
-  const auto d = m.now.displacement, v = m.now.velocity;
-  device::for_each(
-      "rockfold::motion::drift", m.unknowns, KOKKOS_LAMBDA(const Index u) {
-        for (int i = 0; i < 3; ++i) d(u, i) += h * v(u, i);
-      });
-}
-
-/// What the points of a set lack of their targets, by its combinations: component r of C.
-KOKKOS_INLINE_FUNCTION Real combined(const HeldRows& held, Index set, Index r,
-                                     const Field& of_points) {
-  const Index begin = held.begin(set);
-  Real sum = 0;
-  for (Index j = begin; j <= r; ++j)
-    sum += held.combine(static_cast<std::size_t>(r) * held.functions + (j - begin)) *
-           of_points(held.point(j), held.component(set));
-  return sum;
-}
-
-/// Puts points that are held in their places, where a drift of h has brought them, by the impulse that this takes.
-void place_held(const Motion::Data& m, Real h) {
-  const HeldRows held = m.explicit_scheme.held;
-  if (!held.any()) return;
-  const auto d = m.now.displacement, v = m.now.velocity, target = m.system.springs.target;
-  const Index covers = m.covers;
-  const int n = held.functions;
-  device::for_each(
-      "rockfold::motion::place_held", held.sets, KOKKOS_LAMBDA(const Index set) {
-        const Index p = held.cover(set), begin = held.begin(set);
-        const int i = held.component(set);
-        Real lacks[most_functions];
-        for (Index r = begin; r < held.begin(set + 1); ++r) {
-          Real is = 0;
-          for (int k = 0; k < n; ++k)
-            is += held.row(static_cast<std::size_t>(r) * n + k) * d(k * covers + p, i);
-          lacks[r - begin] = combined(held, set, r, target) - is;
-        }
-        for (Index r = begin; r < held.begin(set + 1); ++r)
-          for (int k = 0; k < n; ++k) {
-            const Real by = held.way(static_cast<std::size_t>(r) * n + k) * lacks[r - begin];
-            d(k * covers + p, i) += by;
-            v(k * covers + p, i) += by / h;
-          }
-        for (Index r = begin; r < held.begin(set + 1); ++r)
-          for (Index j = begin; j <= r; ++j)
-            held.impulse(j) +=
-                held.combine(static_cast<std::size_t>(r) * n + (j - begin)) * lacks[r - begin] / h;
-      });
-}
-
-/// Takes off the velocity that points held have against that of their targets.
-void stop_held(const Motion::Data& m, const Field& speed) {
-  const HeldRows held = m.explicit_scheme.held;
-  if (!held.any()) return;
-  const auto v = m.now.velocity;
-  const Index covers = m.covers;
-  const int n = held.functions;
-  device::for_each(
-      "rockfold::motion::stop_held", held.sets, KOKKOS_LAMBDA(const Index set) {
-        const Index p = held.cover(set), begin = held.begin(set);
-        const int i = held.component(set);
-        Real lacks[most_functions];
-        for (Index r = begin; r < held.begin(set + 1); ++r) {
-          Real is = 0;
-          for (int k = 0; k < n; ++k)
-            is += held.row(static_cast<std::size_t>(r) * n + k) * v(k * covers + p, i);
-          lacks[r - begin] = combined(held, set, r, speed) - is;
-        }
-        for (Index r = begin; r < held.begin(set + 1); ++r)
-          for (int k = 0; k < n; ++k)
-            v(k * covers + p, i) +=
-                held.way(static_cast<std::size_t>(r) * n + k) * lacks[r - begin];
-      });
-}
-
-/// m/s, of points held, from their targets h ago and now: prescribed.
-void find_target_speed(const Motion::Data& m, const Field& before, Real h) {
-  const auto target = m.system.springs.target, speed = m.prescribed;
-  device::for_each(
-      "rockfold::motion::target_speed", m.system.springs.points.count,
-      KOKKOS_LAMBDA(const Index n) {
-        for (int i = 0; i < 3; ++i) speed(n, i) = h > 0 ? (target(n, i) - before(n, i)) / h : 0;
-      });
-}
-
-/// f += what springs pull with; their impulse over h.
-void add_springs(const Motion::Data& m, Real h, const Field& f) {
-  const solve::Springs s = m.system.springs;
-  if (!s.any()) return;
-  const auto d = m.now.displacement, force = s.force, impulse = m.explicit_scheme.pull;
-  device::for_each(
-      "rockfold::motion::springs", s.points.count, KOKKOS_LAMBDA(const Index n) {
-        for (int i = 0; i < 3; ++i) {
-          force(n, i) = s.held(n, i) > 0
-                            ? 0
-                            : s.stiffness(n, i) *
-                                  (s.target(n, i) - solve::interpolate_one(s.points, n, i, d));
-          impulse(n, i) += h * force(n, i);
-        }
-      });
-  solve::scatter(s, 1, force, f);
-}
-
-/// One step of the user's, in substeps.
-struct ExplicitStep {  // nvcc allows no lambda in a private member
-  ExplicitStep(Motion::Data& m, Real dt, const StepCourse& course)
-      : m_(m), s_(m.explicit_scheme), dt_(dt), course_(course), began_(m.now.time) {}
+/// One step of the user's. (All is public, since nvcc allows no lambda in a private member.)
+struct ExplicitStep {
+  ExplicitStep(Motion::Data& data, Real length, const StepCourse& how)
+      : m(data), s(data.explicit_scheme), dt(length), course(how), began(data.now.time) {}
 
   SolveReport run() {
     begin();
-    m_.rock->turns(s_.turn);
-    find_points();
-    find_forces(0);
+    keep_outside();
     SolveReport report;
-    report.converged = true;
-    Real before = 0;  // the substep before
-    for (Real done = 0; done < dt_ && report.converged;) {
-      const double left = std::ceil((1 - 1e-12) * (dt_ - done) / critical_);
-      if (!(left < most_substeps)) {
+    while (done < dt && report.converged && !interrupt_signal) {
+      find_points();
+      if (!(dt - done < most_periods * s.schedule.period)) {
         report.converged = false;
         break;
       }
-      const Real h = left > 1 ? (dt_ - done) / left : dt_ - done;
-      kick(m_, 0.5 * (before + h), before > 0 ? 1 : 0.5);
-      done = left > 1 ? done + h : dt_;
-      go(h, done);
-      before = h;
-      ++report.newton;
+      const Index ticks = Index{1} << s.schedule.deepest;
+      begin_periods();
+      for (bool goes_on = true; goes_on; ++report.newton) {
+        for (Index k = 1; k < ticks; ++k) tick(k);
+        goes_on = end_period() && !interrupt_signal;
+      }
+      report.converged = std::isfinite(kinetic_energy(m));
     }
-    end(before);
-    report.converged = report.converged && std::isfinite(kinetic_energy(m_));
+    end();
     return report;
   }
 
   void begin() {
-    m_.rock->begin_step(m_.now.displacement, {});
-    if (m_.contact) begin_contact(m_);
-    Kokkos::deep_copy(s_.start, m_.now.displacement);
-    Kokkos::deep_copy(s_.account, 0.0);
-    Kokkos::deep_copy(s_.pull, 0.0);
-    Kokkos::deep_copy(s_.held.impulse, 0.0);
-    set_time(m_, began_);
-    keep_varying();
+    m.rock->begin_step(m.now.displacement, {});
+    if (m.contact) begin_contact(m);
+    Kokkos::deep_copy(s.start, m.now.displacement);
+    Kokkos::deep_copy(s.account, 0.0);
+    Kokkos::deep_copy(s.pull, 0.0);
+    Kokkos::deep_copy(s.held.impulse, 0.0);
+    acts = m.varying_loads.any() || m.following.any() || m.dashpots.any() ||
+           m.system.springs.any() || m.now.walls > 0 || course.walls > 0;
+    if (!acts || s.outside.extent(0) > 0) return;
+    s.outside = device::make_field("motion::outside", m.unknowns);
+    s.period_start = device::make_field("motion::period_start", m.unknowns);
   }
 
-  /// The points at the places of now, where those there do not serve on; and the substep that they allow.
+  /// The points at the places of now, where those there do not serve on; and who ticks how often.
   void find_points() {
-    if (m_.contact) {
-      contact::DeviceContacts& contacts = m_.contact->contacts;
-      contact::set_motion(*m_.contact, m_.now.displacement, m_.now.velocity, 1, 0);
+    if (m.contact) {
+      contact::DeviceContacts& contacts = m.contact->contacts;
+      contact::set_motion(*m.contact, m.now.displacement, m.now.velocity, 1, 0);
       const Real still = std::exchange(contacts.options.still, far());
       const Timer timer;
-      contact::detect(*m_.contact, m_.system.contacts);
-      m_.contact_seconds += timer.seconds();
+      contact::detect(*m.contact, m.system.contacts);
+      m.contact_seconds += timer.seconds();
       contacts.options.still = still;
-      Kokkos::deep_copy(m_.contact->force, 0.0);
+      Kokkos::deep_copy(m.contact->force, 0.0);
     }
-    critical_ = critical_substep(m_);
-    slow_strain(m_, std::min(critical_, dt_));
+    find_block_steps(m);
+    make_schedule(m, dt - done);
   }
 
   /// m: how far vertices may go before points are looked for anew.
-  Real far() const { return served * m_.contact->contacts.options.search_distance; }
+  Real far() const { return served * m.contact->contacts.options.search_distance; }
 
   bool has_gone_far() const {
-    return m_.contact && contact::largest_shift(m_.contact->motion.x,
-                                                m_.contact->contacts.current.found_at) > far();
+    return m.contact && contact::largest_shift(m.contact->motion.x,
+                                               m.contact->contacts.current.found_at) > far();
+  }
+
+  void advance_points(int from) {
+    if (!m.contact || !m.system.contacts.any()) return;
+    const Schedule& schedule = s.schedule;
+    if (schedule.points[from] == 0) return;
+    contact::advance(m.contact->contacts, m.contact->motion,
+                     {schedule.point, schedule.level, schedule.points[from], schedule.period},
+                     m.contact->force, s.account);
+  }
+
+  /// Half an impulse of all, and off.
+  void begin_periods() {
+    set_period_time();
+    advance_points(0);
+    find_outside(0.5);
+    tick_blocks(m, {0, 0.5, true, 0});
+  }
+
+  void tick(Index k) {
+    int from = s.schedule.deepest;
+    for (Index left = k; left % 2 == 0; left /= 2) --from;
+    if (s.schedule.blocks[from] == 0) return;
+    advance_points(from);
+    tick_blocks(m, {from, 1, true, k});
+  }
+
+  /// Whether another period follows: not at the end of the step, nor where points are to be looked for.
+  bool end_period() {
+    const Real period = s.schedule.period;
+    done = dt - done < 1.5 * period ? dt : done + period;
+    m.now.time = began + done;
+    const bool goes_on = done < dt && !has_gone_far();
+    if (goes_on) set_period_time();
+    advance_points(0);
+    find_outside(goes_on ? 1 : 0.5);
+    count_outside();
+    tick_blocks(m, {0, goes_on ? 1 : 0.5, goes_on, 0});
+    if (!goes_on && m.contact) settle();
+    return goes_on;
   }
 
   /// The points go on as they are: what they have taken so far is counted.
   void settle() {
-    contact::DeviceContacts& contacts = m_.contact->contacts;
+    contact::DeviceContacts& contacts = m.contact->contacts;
     const Real stored =
-        contact::settle_in_place(contacts, m_.contact->motion.x, m_.contact->motion.v);
-    const std::vector<Real> account = device::to_host(s_.account);
-    Kokkos::deep_copy(s_.account, 0.0);
-    m_.now.work.friction += account[0];
-    m_.now.work.impact += m_.now.contact_energy - stored - account[0] - account[1];
-    m_.now.contact_energy = stored;
+        contact::settle_in_place(contacts, m.contact->motion.x, m.contact->motion.v);
+    const std::vector<Real> account = device::to_host(s.account);
+    Kokkos::deep_copy(s.account, 0.0);
+    m.now.work.friction += account[0];
+    m.now.work.impact += m.now.contact_energy - stored - account[0] - account[1];
+    m.now.contact_energy = stored;
   }
 
-  void go(Real h, Real done) {
-    if (m_.damping.mass > 0) m_.now.work.damping += 2 * h * m_.damping.mass * kinetic_energy(m_);
-    drift(m_, h);
-    m_.now.time = began_ + done;
-    if (m_.supports.tables.any() || m_.varying_loads.any()) move_targets(h);
-    place_held(m_, h);
-    find_forces(h);
-    count_loads(h);
-    if (!has_gone_far()) return;
-    settle();
-    find_points();
-    find_forces(0);
+  /// Targets of supports at the start and the end of the period that begins now.
+  void set_period_time() {
+    if (!m.supports.tables.any()) return;
+    move_supports(m.supports, m.now.time, m.system.springs);
+    Kokkos::deep_copy(s.target_before, m.system.springs.target);
+    move_supports(m.supports, m.now.time + s.schedule.period, m.system.springs);
   }
 
-  void move_targets(Real h) {
-    Kokkos::deep_copy(m_.stretch_before, m_.system.springs.target);
-    set_time(m_, m_.now.time);
-    find_target_speed(m_, m_.stretch_before, h);
-  }
-
-  /// right = all forces at the places and speeds of now.
-  void find_forces(Real h) {
-    m_.rock->force(m_.now.displacement, m_.work);
-    m_.rock->turns(s_.turn);
-    const Field load = m_.load, varying = m_.varying, wall = m_.now.wall, f = m_.right,
-                internal = m_.work;
-    const bool varies = m_.varying_loads.any();
-    const Real share = (m_.now.time - began_) / dt_,
-               walls = (1 - share) * m_.now.walls + share * course_.walls;
+  /// What acts from outside, now; `share` of a period's impulse goes to the supports' springs.
+  void find_outside(Real share) {
+    if (!acts) return;
+    if (m.varying_loads.any()) varying_load(m.varying_loads, m.now.time, m.varying);
+    const Field f = s.outside, varying = m.varying, wall = m.now.wall;
+    const bool varies = m.varying_loads.any();
+    const Real gone = done / dt, walls = (1 - gone) * m.now.walls + gone * course.walls;
     device::for_each(
-        "rockfold::motion::explicit_forces", m_.unknowns, KOKKOS_LAMBDA(const Index u) {
+        "rockfold::motion::outside", m.unknowns, KOKKOS_LAMBDA(const Index u) {
           for (int i = 0; i < 3; ++i)
-            f(u, i) = load(u, i) + (varies ? varying(u, i) : 0) +
-                      (walls > 0 ? walls * wall(u, i) : 0) - internal(u, i);
+            f(u, i) = (varies ? varying(u, i) : 0) + (walls > 0 ? walls * wall(u, i) : 0);
         });
-    if (m_.following.any())
-      add_following_pressures(m_.following, m_.now.time, m_.now.displacement, 1, f);
-    if (m_.dashpots.any()) add_dashpots(m_.dashpots, -1, m_.now.velocity, f);
-    add_springs(m_, h, f);
-    if (!m_.contact) return;
-    contact::set_motion(*m_.contact, m_.now.displacement, m_.now.velocity, h > 0 ? 1 / h : 1, h);
-    if (m_.system.contacts.any()) {
-      contact::advance(m_.contact->contacts, m_.contact->motion, m_.contact->force, s_.account);
-      solve::scatter(m_.system.contacts, 1, m_.contact->force, f);
-    }
+    if (m.following.any())
+      add_following_pressures(m.following, m.now.time, m.now.displacement, 1, f);
+    if (m.dashpots.any()) add_dashpots(m.dashpots, -1, m.now.velocity, f);
+    add_springs(share * s.schedule.period, f);
   }
 
-  void keep_varying() {
-    if (m_.varying_loads.any()) Kokkos::deep_copy(m_.varying_before, m_.varying);
-    if (!m_.following.any()) return;
-    Kokkos::deep_copy(m_.following_before, 0.0);
-    add_following_pressures(m_.following, m_.now.time, m_.now.displacement, 1, m_.following_before);
-  }
-
-  /// Their work over a substep: the mean of both ends times the way.
-  void count_loads(Real h) {
-    const bool varies = m_.varying_loads.any(), follows = m_.following.any();
-    if (!varies && !follows && !m_.dashpots.any()) return;
-    const auto way = m_.increment, v = m_.now.velocity;
+  /// f += what springs pull with; their impulse over h.
+  void add_springs(Real h, const Field& f) {
+    const solve::Springs springs = m.system.springs;
+    if (!springs.any()) return;
+    const auto d = m.now.displacement, force = springs.force, impulse = s.pull,
+               target = m.supports.tables.any() ? s.target_before : springs.target;
     device::for_each(
-        "rockfold::motion::way_of_substep", m_.unknowns, KOKKOS_LAMBDA(const Index u) {
-          for (int i = 0; i < 3; ++i) way(u, i) = h * v(u, i);
+        "rockfold::motion::springs", springs.points.count, KOKKOS_LAMBDA(const Index n) {
+          for (int i = 0; i < 3; ++i) {
+            force(n, i) =
+                springs.held(n, i) > 0
+                    ? 0
+                    : springs.stiffness(n, i) *
+                          (target(n, i) - solve::interpolate_one(springs.points, n, i, d));
+            impulse(n, i) += h * force(n, i);
+          }
         });
-    Work& work = m_.now.work;
-    const auto along = [&](const Field& f) { return solve::dot(m_.system.work, f, m_.increment); };
-    if (varies) work.loads += 0.5 * (along(m_.varying_before) + along(m_.varying));
+    solve::scatter(springs, 1, force, f);
+  }
+
+  /// Work over the period that ends: the mean of both ends times the way.
+  void count_outside() {
+    Work& work = m.now.work;
+    if (m.damping.mass > 0)
+      work.damping += 2 * s.schedule.period * m.damping.mass * kinetic_energy(m);
+    const bool varies = m.varying_loads.any(), follows = m.following.any();
+    if (!varies && !follows && !m.dashpots.any()) return;
+    const auto way = m.increment, d = m.now.displacement, start = s.period_start;
+    device::for_each(
+        "rockfold::motion::way_of_period", m.unknowns, KOKKOS_LAMBDA(const Index u) {
+          for (int i = 0; i < 3; ++i) {
+            way(u, i) = d(u, i) - start(u, i);
+            start(u, i) = d(u, i);
+          }
+        });
+    const auto along = [&](const Field& f) { return solve::dot(m.system.work, f, m.increment); };
+    if (varies) {
+      work.loads += 0.5 * (along(m.varying_before) + along(m.varying));
+      Kokkos::deep_copy(m.varying_before, m.varying);
+    }
     if (follows) {
-      work.loads += 0.5 * along(m_.following_before);
-      Kokkos::deep_copy(m_.following_before, 0.0);
-      add_following_pressures(m_.following, m_.now.time, m_.now.displacement, 1,
-                              m_.following_before);
-      work.loads += 0.5 * along(m_.following_before);
+      work.loads += 0.5 * along(m.following_before);
+      keep_following();
+      work.loads += 0.5 * along(m.following_before);
     }
-    if (varies) Kokkos::deep_copy(m_.varying_before, m_.varying);
-    if (!m_.dashpots.any()) return;
-    Kokkos::deep_copy(m_.work, 0.0);
-    add_dashpots(m_.dashpots, 1, m_.increment, m_.work);
-    work.quiet += along(m_.work) / h;
+    if (!m.dashpots.any()) return;
+    Kokkos::deep_copy(m.work, 0.0);
+    add_dashpots(m.dashpots, 1, m.increment, m.work);
+    work.quiet += along(m.work) / s.schedule.period;
   }
 
-  /// Places and velocities of one time; what the step has done.
-  void end(Real before) {
-    kick(m_, 0.5 * before, 0.5);
-    const bool moving = m_.supports.tables.any();
-    if (!moving) Kokkos::deep_copy(m_.prescribed, 0.0);
-    stop_held(m_, m_.prescribed);
-    leave_out_gone(m_, m_.now.velocity);
-    const auto way = m_.increment, d = m_.now.displacement, start = s_.start;
+  void keep_following() {
+    Kokkos::deep_copy(m.following_before, 0.0);
+    add_following_pressures(m.following, m.now.time, m.now.displacement, 1, m.following_before);
+  }
+
+  /// What the work of the first period starts from.
+  void keep_outside() {
+    if (!acts) return;
+    Kokkos::deep_copy(s.period_start, m.now.displacement);
+    if (m.varying_loads.any()) varying_load(m.varying_loads, m.now.time, m.varying_before);
+    if (m.following.any()) keep_following();
+  }
+
+  /// Places and velocities are of one time; what the step has done.
+  void end() {
+    set_time(m, m.now.time);
+    find_target_speed();
+    stop_held(m, m.prescribed);
+    leave_out_gone(m, m.now.velocity);
+    const auto way = m.increment, d = m.now.displacement, start = s.start;
+    const auto v = m.now.velocity, before = m.velocity_before, a = m.now.acceleration;
+    const Real rate = 1 / dt;
     device::for_each(
-        "rockfold::motion::way_of_step", m_.unknowns, KOKKOS_LAMBDA(const Index u) {
-          for (int i = 0; i < 3; ++i) way(u, i) = d(u, i) - start(u, i);
+        "rockfold::motion::end_of_step", m.unknowns, KOKKOS_LAMBDA(const Index u) {
+          for (int i = 0; i < 3; ++i) {
+            way(u, i) = d(u, i) - start(u, i);
+            a(u, i) = rate * (v(u, i) - before(u, i));
+          }
         });
     find_reactions();
-    find_acceleration();
-    count_wall_work(m_, m_.now.walls, course_.walls);
-    m_.now.walls = course_.walls;
-    if (m_.contact) settle();
-    m_.energy_made = 0;
-    m_.gain = {};
-    m_.mean_over = 0;
-    m_.step_length = 0;
-    ++m_.now.steps;
+    count_wall_work(m, m.now.walls, course.walls);
+    m.now.walls = course.walls;
+    m.energy_made = 0;
+    m.gain = {};
+    m.mean_over = dt;
+    m.step_length = 0;
+    ++m.now.steps;
+  }
+
+  /// m/s, of the targets over the last period: prescribed.
+  void find_target_speed() {
+    const auto target = m.system.springs.target, before = s.target_before, speed = m.prescribed;
+    const bool moving = m.supports.tables.any();
+    const Real period = s.schedule.period;
+    device::for_each(
+        "rockfold::motion::target_speed", m.system.springs.points.count,
+        KOKKOS_LAMBDA(const Index n) {
+          for (int i = 0; i < 3; ++i)
+            speed(n, i) = moving ? (target(n, i) - before(n, i)) / period : 0;
+        });
   }
 
   /// The mean over the step of what supports pushed with, and their work.
   void find_reactions() {
-    const solve::Springs s = m_.system.springs;
-    if (!s.any()) return;
-    const HeldRows held = s_.held;
-    const auto pull = s_.pull, reaction = m_.now.reaction, way = m_.increment;
+    const solve::Springs springs = m.system.springs;
+    if (!springs.any()) return;
+    const HeldRows held = s.held;
+    const auto pull = s.pull, reaction = m.now.reaction, way = m.increment;
     device::for_each(
         "rockfold::motion::held_impulse", held.sets, KOKKOS_LAMBDA(const Index set) {
           for (Index r = held.begin(set); r < held.begin(set + 1); ++r)
             pull(held.point(r), held.component(set)) += held.impulse(r);
         });
-    const Real rate = 1 / dt_;
-    const auto out = m_.sums;
+    const Real rate = 1 / dt;
+    const auto out = m.sums;
     device::sum_then<1>(
-        "rockfold::motion::explicit_reactions", s.points.count, m_.partial,
+        "rockfold::motion::explicit_reactions", springs.points.count, m.partial,
         KOKKOS_LAMBDA(const Index n, device::Sums<1>& sum) {
           for (int i = 0; i < 3; ++i) {
             reaction(n, i) = rate * pull(n, i);
-            sum.value[0] += reaction(n, i) * solve::interpolate_one(s.points, n, i, way);
+            sum.value[0] += reaction(n, i) * solve::interpolate_one(springs.points, n, i, way);
           }
         },
         KOKKOS_LAMBDA(const device::Sums<1>& sum) { out(0) = sum.value[0]; });
-    m_.now.work.supports += device::to_host(m_.sums)[0];
+    m.now.work.supports += device::to_host(m.sums)[0];
   }
 
-  /// The mean over the step, as implicit steps have it.
-  void find_acceleration() {
-    const auto v = m_.now.velocity, before = m_.velocity_before, a = m_.now.acceleration;
-    const Real rate = 1 / dt_;
-    device::for_each(
-        "rockfold::motion::explicit_acceleration", m_.unknowns, KOKKOS_LAMBDA(const Index u) {
-          for (int i = 0; i < 3; ++i) a(u, i) = rate * (v(u, i) - before(u, i));
-        });
-    m_.mean_over = dt_;
-  }
-
-  Motion::Data& m_;
-  ExplicitScheme& s_;
-  Real dt_;
-  const StepCourse& course_;
-  Real began_, critical_ = 0;
+  Motion::Data& m;
+  ExplicitScheme& s;
+  Real dt;
+  const StepCourse& course;
+  Real began, done = 0;
+  bool acts = false;  ///< something from outside, beside constant loads
 };
+
+void prepare(Motion::Data& m) {
+  ExplicitScheme& s = m.explicit_scheme;
+  if (s.ready) return;
+  find_inertia(m);
+  s.held = find_held_rows(m);
+  s.start = device::make_field("motion::explicit_start", m.unknowns);
+  s.pull = device::make_field("motion::explicit_pull", m.system.springs.points.count);
+  s.target_before = device::make_field("motion::target_before", m.system.springs.points.count);
+  s.account = Array<Real>("rockfold::motion::explicit_account", 2);
+  s.ready = true;
+}
 
 }  // namespace
 
@@ -391,26 +315,9 @@ std::string why_not_explicit(const Motion::Data& m) {
   if (!m.system.of_blocks || m.system.op.functions == 1)
     return "covers are not those of blocks, of order 1 or 2";
   if (m.rock->linear()) return "kinematics are small";
-  if (m.damping.stiffness > 0) return "rayleigh has a beta, which no substep is short enough for";
+  if (m.damping.stiffness > 0) return "rayleigh has a beta";
   return "";
 }
-
-namespace {
-
-void prepare(Motion::Data& m) {
-  ExplicitScheme& s = m.explicit_scheme;
-  if (!s.ready) {
-    find_inertia(m);
-    s.held = find_held_rows(m);
-    s.start = device::make_field("motion::explicit_start", m.unknowns);
-    s.pull = device::make_field("motion::explicit_pull", m.system.springs.points.count);
-    s.account = Array<Real>("rockfold::motion::explicit_account", 2);
-    find_stiffness(m);
-    s.ready = true;
-  }
-}
-
-}  // namespace
 
 SolveReport take_explicit_step(Motion::Data& m, Real dt, const StepCourse& course) {
   prepare(m);

@@ -57,8 +57,8 @@ class Deformation {
   virtual void drop_geometric_stiffness() {}
   /// Turns a correction to the end of the step, where forces are taken in its middle.
   virtual void turn(const Field& /*x*/) const {}
-  /// [covers][9] how the rock of each cover has turned, by the displacement that was looked at last.
-  virtual void turns(const Array<Real>& /*turn*/) const {}
+  /// Finite strain as it is on the device; null: there is none.
+  virtual const finite::Deformation* finite_strain() const { return nullptr; }
   /// An element that d turns inside out, or none; those whose forces at a strain of 1 are below `least`, N, do not count.
   virtual Index inverted(const Field& /*d*/, Real /*least*/) const { return none; }
 

@@ -56,7 +56,7 @@ class FiniteStrain : public Deformation {
   void turn(const Field& x) const override {
     if (rule_.middle) finite::turn_from_middle(body_, x);
   }
-  void turns(const Array<Real>& turn) const override { finite::turns(body_, turn); }
+  const finite::Deformation* finite_strain() const override { return &body_; }
   Index inverted(const Field& d, Real least) const override {
     finite::deform(body_, d);
     return finite::first_inverted(body_, least);

@@ -1,0 +1,224 @@
+#include "kernels/finite/cover_force_kernel.hpp"
+#include "kernels/time/explicit/explicit_kernel.hpp"
+
+namespace rockfold::motion {
+namespace {
+
+constexpr int most_width = solve::most_block_width;
+
+/// What a tick of a block needs, in one place for the device.
+struct Scene {
+  ExplicitScheme scheme;
+  finite::Deformation rock;
+  Field d, v, load, force, home, x, speed, target;
+  Array<std::uint8_t> gone;
+  Index covers;
+  Real mass_damping;
+  bool touches, outside, moving;
+};
+
+/// x[3k + d] += the impulses of the points that tick, N s.
+KOKKOS_INLINE_FUNCTION void add_point_impulses(const Scene& scene, Index p, const Tick& tick,
+                                               Real* x) {
+  const Schedule& s = scene.scheme.schedule;
+  const int n = scene.scheme.functions;
+  for (Index e = s.begin(p); e < s.begin(p + 1); ++e) {
+    const Index c = s.entry_point(e);
+    if (s.level(c) < tick.from) return;
+    const Real h = tick.share * s.interval(s.level(c));
+    for (int k = 0; k < n; ++k) {
+      const Real w = h * s.entry_weight(static_cast<std::size_t>(e) * n + k);
+      for (int i = 0; i < 3; ++i) x[3 * k + i] += w * scene.force(c, i);
+    }
+  }
+}
+
+/// Those of the block's own forces over h, and of what acts from outside.
+KOKKOS_INLINE_FUNCTION void add_own_impulses(const Scene& scene, Index p, const Tick& tick, Real h,
+                                             Real* x) {
+  const int n = scene.scheme.functions, width = 3 * n;
+  Real f[most_width];
+  for (int i = 0; i < width; ++i) f[i] = scene.load(i / 3 * scene.covers + p, i % 3);
+  finite::take_internal_force(scene.rock, scene.d, p, f,
+                              &scene.scheme.turn(9 * static_cast<std::size_t>(p)));
+  for (int i = 0; i < width; ++i) x[i] += h * f[i];
+  if (!scene.outside || tick.from > 0) return;
+  const Real period = tick.share * scene.scheme.schedule.period;
+  for (int i = 0; i < width; ++i)
+    x[i] += period * scene.scheme.outside(i / 3 * scene.covers + p, i % 3);
+}
+
+/// v += R (M + θh²K)⁻¹ Rᵀ x, less `lost` of the damping of strain and what mass damping takes in h.
+KOKKOS_INLINE_FUNCTION void kick(const Scene& scene, Index p, Real* x, Real lost, Real h) {
+  const int n = scene.scheme.functions, width = 3 * n;
+  const std::size_t own = static_cast<std::size_t>(p) * width * width;
+  const Real *inverse = &scene.scheme.slowed(own), *loss = &scene.scheme.damped(own);
+  const Real* r = &scene.scheme.turn(9 * static_cast<std::size_t>(p));
+  Real impulse[most_width], speed[most_width];
+  turn_vector(r, true, n, x, impulse);
+  for (int i = 0; i < width; ++i) x[i] = scene.v(i / 3 * scene.covers + p, i % 3);
+  if (lost > 0) turn_vector(r, true, n, x, speed);
+  for (int i = 0; i < width; ++i) {
+    Real sum = 0;
+    for (int j = 0; j < width; ++j) sum += inverse[i * width + j] * impulse[j];
+    if (lost > 0)
+      for (int j = 0; j < width; ++j) sum -= lost * loss[i * width + j] * speed[j];
+    x[i] = sum;
+  }
+  turn_vector(r, false, n, x, speed);
+  const Real half = 0.5 * h * scene.mass_damping;
+  for (int i = 0; i < width; ++i) {
+    Real& v = scene.v(i / 3 * scene.covers + p, i % 3);
+    v = ((1 - half) * v + speed[i]) / (1 + half);
+  }
+}
+
+/// Component r of C of what the points of a set have.
+template <class OfPoint>
+KOKKOS_INLINE_FUNCTION Real combined(const HeldRows& held, Index set, Index r,
+                                     const OfPoint& of_point) {
+  const Index begin = held.begin(set);
+  Real sum = 0;
+  for (Index j = begin; j <= r; ++j)
+    sum += held.combine(static_cast<std::size_t>(r) * held.functions + (j - begin)) *
+           of_point(held.point(j), held.component(set));
+  return sum;
+}
+
+/// What rows lack of `of_point` in the field x of block p.
+template <class OfPoint>
+KOKKOS_INLINE_FUNCTION void find_lacks(const HeldRows& held, Index set, const Field& x,
+                                       Index covers, const OfPoint& of_point, Real* lacks) {
+  const Index p = held.cover(set), begin = held.begin(set);
+  for (Index r = begin; r < held.begin(set + 1); ++r) {
+    Real is = 0;
+    for (int k = 0; k < held.functions; ++k)
+      is += held.row(static_cast<std::size_t>(r) * held.functions + k) *
+            x(k * covers + p, held.component(set));
+    lacks[r - begin] = combined(held, set, r, of_point) - is;
+  }
+}
+
+/// Points of a block that are held go to their places, where a drift of h has brought it; `gone`: of the period.
+KOKKOS_INLINE_FUNCTION void place_held(const Scene& scene, Index p, Real h, Real gone) {
+  const HeldRows& held = scene.scheme.held;
+  const Field target = scene.target, before = scene.scheme.target_before;
+  const bool moving = scene.moving;
+  for (Index set = held.of_block(p); set < held.of_block(p + 1); ++set) {
+    const Index begin = held.begin(set);
+    const int n = held.functions, i = held.component(set);
+    Real lacks[most_functions];
+    find_lacks(
+        held, set, scene.d, scene.covers,
+        [&](Index point, int d) {
+          return moving ? (1 - gone) * before(point, d) + gone * target(point, d)
+                        : target(point, d);
+        },
+        lacks);
+    for (Index r = begin; r < held.begin(set + 1); ++r) {
+      for (int k = 0; k < n; ++k) {
+        const Real by = held.way(static_cast<std::size_t>(r) * n + k) * lacks[r - begin];
+        scene.d(k * scene.covers + p, i) += by;
+        scene.v(k * scene.covers + p, i) += by / h;
+      }
+      for (Index j = begin; j <= r; ++j)
+        held.impulse(j) +=
+            held.combine(static_cast<std::size_t>(r) * n + (j - begin)) * lacks[r - begin] / h;
+    }
+  }
+}
+
+/// Where the surface vertices of a block are, and how fast they move.
+KOKKOS_INLINE_FUNCTION void move_vertices(const Scene& scene, const solve::DevicePoints& points,
+                                          Index p) {
+  const ExplicitScheme& s = scene.scheme;
+  for (Index i = s.vertex_begin(p); i < s.vertex_begin(p + 1); ++i) {
+    const Index n = s.vertex(i);
+    Real u[3], w[3];
+    solve::interpolate_all(points, n, scene.d, u);
+    solve::interpolate_all(points, n, scene.v, w);
+    for (int k = 0; k < 3; ++k) {
+      scene.x(n, k) = scene.home(n, k) + u[k];
+      scene.speed(n, k) = w[k];
+    }
+  }
+}
+
+}  // namespace
+
+void tick_blocks(const Motion::Data& m, const Tick& tick) {
+  Scene scene{m.explicit_scheme,
+              *m.rock->finite_strain(),
+              m.now.displacement,
+              m.now.velocity,
+              m.load,
+              {},
+              {},
+              {},
+              {},
+              m.system.springs.target,
+              m.gone,
+              m.covers,
+              m.damping.mass,
+              m.contact != nullptr,
+              m.explicit_scheme.outside.extent(0) > 0,
+              m.supports.tables.any()};
+  solve::DevicePoints vertices;
+  if (m.contact) {
+    scene.force = m.contact->force;
+    scene.home = m.contact->home;
+    scene.x = m.contact->motion.x;
+    scene.speed = m.contact->motion.v;
+    vertices = m.contact->vertex;
+  }
+  const int width = 3 * m.explicit_scheme.functions;
+  const Tick now = tick;
+  device::for_each(
+      "rockfold::motion::tick", m.explicit_scheme.schedule.blocks[tick.from],
+      KOKKOS_LAMBDA(const Index b) {
+        const Schedule& s = scene.scheme.schedule;
+        const Index p = s.block(b);
+        if (scene.gone(p) != 0) return;
+        Real x[most_width];
+        for (int i = 0; i < width; ++i) x[i] = 0;
+        if (scene.touches) add_point_impulses(scene, p, now, x);
+        const bool own = s.own(p) >= now.from;
+        const Real h = own ? now.share * s.interval(s.own(p)) : 0;
+        if (own) add_own_impulses(scene, p, now, h, x);
+        kick(scene, p, x, own ? now.share : 0, h);
+        if (now.drifts) {
+          const int touched = s.touched(p);
+          const Real way = s.interval(touched);
+          for (int i = 0; i < width; ++i) {
+            const Index u = i / 3 * scene.covers + p;
+            scene.d(u, i % 3) += way * scene.v(u, i % 3);
+          }
+          const Index ticks = Index{1} << s.deepest;
+          const Real gone = static_cast<Real>(now.count % ticks + ticks / (Index{1} << touched)) /
+                            static_cast<Real>(ticks);
+          if (scene.scheme.held.any()) place_held(scene, p, way, gone);
+        }
+        if (scene.touches) move_vertices(scene, vertices, p);
+      },
+      width);
+}
+
+void stop_held(const Motion::Data& m, const Field& speed) {
+  const HeldRows held = m.explicit_scheme.held;
+  if (!held.any()) return;
+  const auto v = m.now.velocity;
+  const Index covers = m.covers;
+  device::for_each(
+      "rockfold::motion::stop_held", held.sets, KOKKOS_LAMBDA(const Index set) {
+        const Index p = held.cover(set), begin = held.begin(set);
+        Real lacks[most_functions];
+        find_lacks(
+            held, set, v, covers, [&](Index point, int d) { return speed(point, d); }, lacks);
+        for (Index r = begin; r < held.begin(set + 1); ++r)
+          for (int k = 0; k < held.functions; ++k)
+            v(k * covers + p, held.component(set)) +=
+                held.way(static_cast<std::size_t>(r) * held.functions + k) * lacks[r - begin];
+      });
+}
+
+}  // namespace rockfold::motion
