@@ -74,16 +74,17 @@ KOKKOS_INLINE_FUNCTION void remember_approach(const PointMotionInStep& motion,
   }
 }
 
-/// In an explicit step: what is deeper than the impact explains presses as a spring, the rest no harder than brings the sides to the speed of
-/// their rebound in this step.
+/// In an explicit step: what is deeper than the impact explains presses as a spring that is damped critically while it parts, the rest no harder than
+/// brings the sides to the speed of their rebound in this step.
 KOKKOS_INLINE_FUNCTION Pressure momentary_impact(Real k, const ImpactRule& rule, Real approach,
                                                  const PointMotionInStep& motion, Real g1) {
   Pressure p;
   if (!(g1 < 0)) return p;
   p = end_pressure(k, g1);
   if (rule.restitution >= 1 || !(rule.reach > 0)) return p;
-  const Real loaded = k * math::fmax(0.0, -g1 - approach * rule.period);
-  const Real most = k * rule.reach * math::fmax(0.0, rule.restitution * approach - motion.speed);
+  const Real beyond = motion.speed - rule.restitution * approach;
+  const Real depth = -g1 - approach * rule.period - 2 * rule.period * math::fmax(0.0, beyond);
+  const Real loaded = k * math::fmax(0.0, depth), most = k * rule.reach * math::fmax(0.0, -beyond);
   p.value = math::fmin(p.value, loaded + most);
   return p;
 }
