@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "src/arrays/element_arrays.hpp"
 
 namespace rockfold {
@@ -8,6 +10,8 @@ namespace rockfold {
 struct SolveReport {
   Index iterations = 0;  ///< of conjugate gradients
   Index newton = 0;      ///< iterations of Newton's method
+  std::int64_t substeps = 0;  ///< of an explicit step
+  std::int64_t visits = 0;    ///< of contact points in them
   Real residual =
       0;  ///< true ‖b − A x‖ / ‖b‖ of the last solve; NaN where numbers left their range
   Real gap = 0;  ///< largest distance of a held point from its place / largest displacement
@@ -23,6 +27,8 @@ struct SolveReport {
     if (next.iterations == 0) next.preconditioner = preconditioner;
     next.iterations += iterations;
     next.newton += newton;
+    next.substeps += substeps;
+    next.visits += visits;
     next.fallbacks += fallbacks;
     *this = next;
   }

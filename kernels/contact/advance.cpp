@@ -25,7 +25,7 @@ KOKKOS_INLINE_FUNCTION bool stays_open(ContactPoint& p, const LocalMotion& l, co
   if (memory.state != Contact::open || !memory.met || law.dilation > 0 ||
       !(l.motion.gap > memory.dilation))
     return false;
-  remember_approach(l.motion, memory);
+  watch_approach(l.motion, true, memory);
   return true;
 }
 

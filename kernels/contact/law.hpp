@@ -56,6 +56,10 @@ inline constexpr Real shear_delay = 10;
 /// Of critical, of joints at the frequency 1/P, in explicit steps.
 inline constexpr Real explicit_damping = 0.1;
 
+/// Periods 1/ω in which, in explicit steps, an impact that is over is forgotten: sides still pressed into each other part no faster than
+/// with this share of the speed that they came with.
+inline constexpr Real impact_memory = 10;
+
 /// `period`: 1/ω = √(m/K), s, with m = m₁ m₂/(m₁ + m₂) of two blocks and K (N/m) all that is between them.
 ImpactRule impact_rule(Real restitution, Real period, Real dt);
 

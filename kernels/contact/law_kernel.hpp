@@ -62,6 +62,12 @@ KOKKOS_INLINE_FUNCTION Pressure end_pressure(Real k, Real g1) {
   return p;
 }
 
+/// In an explicit step: of what is open the speed of now, of what is pressed the largest.
+KOKKOS_INLINE_FUNCTION void watch_approach(const PointMotionInStep& motion, bool open,
+                                           ContactMemory& memory) {
+  memory.approach = math::fmax(open ? 0.0 : memory.approach, -motion.speed_before);
+}
+
 /// Keeps account of the closing speed that a rebound is measured by.
 KOKKOS_INLINE_FUNCTION void remember_approach(const PointMotionInStep& motion,
                                               ContactMemory& memory) {
@@ -261,10 +267,11 @@ KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactR
   ContactMemory& memory = out.memory;
   const Real g0 = motion.gap_before - before.dilation, g1 = motion.gap - before.dilation;
   const bool bonded = is_bonded(law, before), moving = motion.speed_by_gap > 0;
-  const bool impact = before.met && moving;
+  const bool impact = before.met && moving, momentary = rule.momentary && impact;
   const bool gives_back =
       !before.met && moving && rule.restitution > 0 && !rule.momentary && !bonded;
-  if (impact) remember_approach(motion, memory);
+  if (impact && !momentary) remember_approach(motion, memory);
+  if (momentary) watch_approach(motion, g1 > 0, memory);
   Pressure p = end_pressure(law.normal_stiffness, g1);  // < 0: what dilation must make up for
   if (impact || gives_back) {
     p = impact ? impact_pressure(law.normal_stiffness, rule, memory.approach, motion, g0, g1)
@@ -274,6 +281,8 @@ KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactR
       p.stiffness += law.normal_stiffness;
     }
   }
+  if (momentary && p.value < -law.normal_stiffness * g1)
+    memory.approach *= 1 - rule.period / (impact_memory * rule.reach);
   if (rule.momentary && !impact && (p.value > 0 || bonded)) {
     const Real damped = p.value - law.normal_stiffness * rule.joint_drag * motion.speed;
     p.value = bonded ? damped : math::fmax(damped, 0.5 * p.value);

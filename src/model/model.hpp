@@ -435,10 +435,10 @@ enum class Kinematics {
   large
 };
 
-/// One of the analyses that follow each other: [[step]], or all of [analysis] where there is none.
-/// Of a step in time. automatic: implicit.
+/// How steps are taken in time. automatic: implicit, until steps are dear that way.
 enum class Scheme : std::uint8_t { automatic, implicit, explicit_ };
 
+/// One of the analyses that follow each other: [[step]], or all of [analysis] where there is none.
 struct AnalysisStage {
   std::string name;
   AnalysisType type = AnalysisType::dynamic;
@@ -446,6 +446,8 @@ struct AnalysisStage {
   /// s, of the last step: shorter where end_time is no multiple of time_step.
   std::optional<Real> last_time_step;
   Scheme scheme = Scheme::automatic;
+  /// > 0, of a quasi-static stage by substeps: forces out of balance over those that act, of the block where this is largest.
+  Real tolerance_of_balance = 1e-5;
   Index steps = 100;                ///< resolved from `steps` or `end_time`; 1 for static
   Real dynamic_ratio = 1.0;         ///< [0, 1]: share of the velocity handed to the next step
   bool reset_displacement = false;  ///< displacements and monitors count from its start

@@ -162,6 +162,17 @@ struct MadeEnergy {
   Real share() const { return turned_over > 0 ? energy / turned_over : 0; }
 };
 
+/// A stage's steps that were taken by explicit substeps.
+struct BySubsteps {
+  Index stage = 0;
+  Index first = 0;  ///< step
+  Index steps = 0;
+  std::int64_t substeps = 0;
+  std::int64_t visits = 0;  ///< of contact points
+  /// Why "auto" came to them, in visits a second of motion; 0: the model asked for them.
+  Real by_iterations = 0, by_substeps = 0;
+};
+
 struct RunResult {
   Index steps = 0;           ///< steps done
   Real time = 0;             ///< s reached
@@ -205,6 +216,7 @@ struct RunResult {
     Real contact = 0;  ///< finding contact points
   } seconds;
 
+  std::vector<BySubsteps> by_substeps;       ///< [stages with such steps], ascending
   LargestDisplacement largest_displacement;  ///< at the end
   Index largest_substeps = 1;           ///< the finest subdivision of a step, whatever asked for it
   Index divided_steps = 0;              ///< steps that did not converge until they were divided …

@@ -49,7 +49,7 @@ void pass_histories(Archive& archive, RunResult& result) {
   archive.all(result.steps, result.base, result.energy_time, result.energies, result.contacts,
               result.support_gap, result.iterations, result.preconditioner, result.largest_substeps,
               result.divided_steps, result.divided_in_stage, result.most_parts, result.settled,
-              result.made);
+              result.made, result.by_substeps);
   ContactHistory& contact = result.contact_history;
   archive.all(contact.open, contact.stick, contact.slide, contact.iterations, contact.substeps);
   for (MonitorHistory& m : result.monitors)

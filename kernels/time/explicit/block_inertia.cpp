@@ -105,6 +105,7 @@ void find_inertia(Motion::Data& m) {
     s.damped = device::allocate<Real>("motion::damped", 9 * small);
     s.slowed = device::allocate<Real>("motion::slowed", 9 * small);
     s.turn = device::allocate<Real>("motion::block_turn", 9 * static_cast<std::size_t>(m.covers));
+    s.lost = device::allocate<Real>("motion::lost", m.covers);
     s.step = device::allocate<Real>("motion::block_step", m.covers);
   }
   list_vertices(m);

@@ -156,8 +156,8 @@ void slow_strain(const Motion::Data& m) {
         for (int i = 0; i < width; ++i)
           for (int j = 0; j < width; ++j) {
             Real sum = 0;
-            for (int l = 0; l < width; ++l) sum += once[i * width + l] * once[l * width + j];
-            damped(own + i * width + j) = sum;
+            for (int l = 0; l < width; ++l) sum += k[i * width + l] * once[l * width + j];
+            damped(own + i * width + j) = share * sum;
           }
       },
       width * width);

@@ -111,8 +111,9 @@ void make_schedule(Motion::Data& m, Real dt) {
       of_block = std::max(of_block, level[c]);
     }
   }
-  const std::vector<Index> points = sort_by_level(level, s.deepest, s.points);
-  s.block = device::to_device("motion::block_order", sort_by_level(touched, s.deepest, s.blocks));
+  const std::vector<Index> points = sort_by_level(level, s.deepest, m.explicit_scheme.points);
+  s.block = device::to_device("motion::block_order",
+                              sort_by_level(touched, s.deepest, m.explicit_scheme.blocks));
   s.point = device::to_device("motion::point_order", points);
   s.own = device::to_device("motion::own_level", own);
   s.touched = device::to_device("motion::touched_level", touched);

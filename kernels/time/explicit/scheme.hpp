@@ -34,7 +34,6 @@ struct Schedule {
   Array<int> touched;                 ///< [P] of its fastest point, own at least
   Array<int> level;                   ///< [points]
   Array<Index> block, point;          ///< all of them, the fastest first
-  std::vector<Index> blocks, points;  ///< [deepest+1] how many are as fast as l or faster
   Array<Index> begin;                 ///< [P+1] into the entries of each block, the fastest first:
   Array<Index> entry_point;
   Array<Real> entry_weight;  ///< [entries][functions]
@@ -50,12 +49,14 @@ struct ExplicitScheme {
   Array<Real> stiffness;  ///< [P][3n][3n] N/m, of the rock in place, index 3k + d
   Array<Real> turn;       ///< [P][9] how blocks have turned since
   Array<Real> slowed;     ///< [P][3n][3n] (M + θh²K)⁻¹ in place: strain takes inertia with it
-  /// [P][3n][3n] P², P = (M + θh²K)⁻¹ θh²K: the share of a velocity that strain loses in a substep.
+  /// [P][3n][3n] kg, (M + θh²K) P², P = (M + θh²K)⁻¹ θh²K: times a velocity, the impulse that damps strain in a substep.
   Array<Real> damped;
+  Array<Real> lost;                   ///< [P] J, by that since the step began
   Array<Real> step;                   ///< [P] s, the longest substep of each block
   Array<Index> vertex_begin, vertex;  ///< [P+1] the surface vertices of each block
   HeldRows held;
   Schedule schedule;
+  std::vector<Index> blocks, points;  ///< [deepest+1] how many are as fast as level l or faster
   Field start;          ///< displacements at the start of the step
   Field period_start;   ///< and of the period, where something acts from outside
   Field outside;        ///< N, what acts from outside beside constant loads: at the end of a period

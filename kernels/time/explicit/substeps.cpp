@@ -35,13 +35,14 @@ struct ExplicitStep {
       }
       const Index ticks = Index{1} << s.schedule.deepest;
       begin_periods();
-      for (bool goes_on = true; goes_on; ++report.newton) {
+      for (bool goes_on = true; goes_on; ++report.substeps) {
         for (Index k = 1; k < ticks; ++k) tick(k);
         goes_on = end_period() && !interrupt_signal;
       }
       report.converged = std::isfinite(kinetic_energy(m));
     }
     end();
+    report.visits = visits;
     return report;
   }
 
@@ -50,6 +51,7 @@ struct ExplicitStep {
     if (m.contact) begin_contact(m);
     Kokkos::deep_copy(s.start, m.now.displacement);
     Kokkos::deep_copy(s.account, 0.0);
+    Kokkos::deep_copy(s.lost, 0.0);
     Kokkos::deep_copy(s.pull, 0.0);
     Kokkos::deep_copy(s.held.impulse, 0.0);
     acts = m.varying_loads.any() || m.following.any() || m.dashpots.any() ||
@@ -86,10 +88,11 @@ struct ExplicitStep {
   void advance_points(int from) {
     if (!m.contact || !m.system.contacts.any()) return;
     const Schedule& schedule = s.schedule;
-    if (schedule.points[from] == 0) return;
+    if (s.points[from] == 0) return;
     contact::advance(m.contact->contacts, m.contact->motion,
-                     {schedule.point, schedule.level, schedule.points[from], schedule.period},
+                     {schedule.point, schedule.level, s.points[from], schedule.period},
                      m.contact->force, s.account);
+    visits += s.points[from];
   }
 
   /// Half an impulse of all, and off.
@@ -103,7 +106,7 @@ struct ExplicitStep {
   void tick(Index k) {
     int from = s.schedule.deepest;
     for (Index left = k; left % 2 == 0; left /= 2) --from;
-    if (s.schedule.blocks[from] == 0) return;
+    if (s.blocks[from] == 0) return;
     advance_points(from);
     tick_blocks(m, {from, 1, true, k});
   }
@@ -242,6 +245,7 @@ struct ExplicitStep {
           }
         });
     find_reactions();
+    for (const Real lost : device::to_host(s.lost)) m.now.work.damping += lost;
     count_wall_work(m, m.now.walls, course.walls);
     m.now.walls = course.walls;
     m.energy_made = 0;
@@ -294,6 +298,7 @@ struct ExplicitStep {
   Real dt;
   const StepCourse& course;
   Real began, done = 0;
+  std::int64_t visits = 0;
   bool acts = false;  ///< something from outside, beside constant loads
 };
 

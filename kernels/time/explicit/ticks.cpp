@@ -8,20 +8,57 @@ constexpr int most_width = solve::most_block_width;
 
 /// What a tick of a block needs, in one place for the device.
 struct Scene {
-  ExplicitScheme scheme;
+  explicit Scene(const Motion::Data& m);
+  Schedule schedule;
+  HeldRows held;
+  Array<Real> slowed, damped, turn, lost;
+  Array<Index> vertex_begin, vertex;
   finite::Deformation rock;
-  Field d, v, load, force, home, x, speed, target;
+  Field d, v, load, force, home, x, speed, outside, target, target_before;
   Array<std::uint8_t> gone;
+  solve::DevicePoints vertices;
+  int functions;
   Index covers;
   Real mass_damping;
-  bool touches, outside, moving;
+  bool touches, pushed, moving;
 };
+
+Scene::Scene(const Motion::Data& m)
+    : schedule(m.explicit_scheme.schedule),
+      held(m.explicit_scheme.held),
+      slowed(m.explicit_scheme.slowed),
+      damped(m.explicit_scheme.damped),
+      turn(m.explicit_scheme.turn),
+      lost(m.explicit_scheme.lost),
+      vertex_begin(m.explicit_scheme.vertex_begin),
+      vertex(m.explicit_scheme.vertex),
+      rock(*m.rock->finite_strain()),
+      d(m.now.displacement),
+      v(m.now.velocity),
+      load(m.load),
+      outside(m.explicit_scheme.outside),
+      target(m.system.springs.target),
+      target_before(m.explicit_scheme.target_before),
+      gone(m.gone),
+      functions(m.explicit_scheme.functions),
+      covers(m.covers),
+      mass_damping(m.damping.mass),
+      touches(m.contact != nullptr),
+      pushed(m.explicit_scheme.outside.extent(0) > 0),
+      moving(m.supports.tables.any()) {
+  if (!m.contact) return;
+  force = m.contact->force;
+  home = m.contact->home;
+  x = m.contact->motion.x;
+  speed = m.contact->motion.v;
+  vertices = m.contact->vertex;
+}
 
 /// x[3k + d] += the impulses of the points that tick, N s.
 KOKKOS_INLINE_FUNCTION void add_point_impulses(const Scene& scene, Index p, const Tick& tick,
                                                Real* x) {
-  const Schedule& s = scene.scheme.schedule;
-  const int n = scene.scheme.functions;
+  const Schedule& s = scene.schedule;
+  const int n = scene.functions;
   for (Index e = s.begin(p); e < s.begin(p + 1); ++e) {
     const Index c = s.entry_point(e);
     if (s.level(c) < tick.from) return;
@@ -36,35 +73,41 @@ KOKKOS_INLINE_FUNCTION void add_point_impulses(const Scene& scene, Index p, cons
 /// Those of the block's own forces over h, and of what acts from outside.
 KOKKOS_INLINE_FUNCTION void add_own_impulses(const Scene& scene, Index p, const Tick& tick, Real h,
                                              Real* x) {
-  const int n = scene.scheme.functions, width = 3 * n;
+  const int n = scene.functions, width = 3 * n;
   Real f[most_width];
   for (int i = 0; i < width; ++i) f[i] = scene.load(i / 3 * scene.covers + p, i % 3);
   finite::take_internal_force(scene.rock, scene.d, p, f,
-                              &scene.scheme.turn(9 * static_cast<std::size_t>(p)));
+                              &scene.turn(9 * static_cast<std::size_t>(p)));
   for (int i = 0; i < width; ++i) x[i] += h * f[i];
-  if (!scene.outside || tick.from > 0) return;
-  const Real period = tick.share * scene.scheme.schedule.period;
+  if (!scene.pushed || tick.from > 0) return;
+  const Real period = tick.share * scene.schedule.period;
   for (int i = 0; i < width; ++i)
-    x[i] += period * scene.scheme.outside(i / 3 * scene.covers + p, i % 3);
+    x[i] += period * scene.outside(i / 3 * scene.covers + p, i % 3);
 }
 
-/// v += R (M + θh²K)⁻¹ Rᵀ x, less `lost` of the damping of strain and what mass damping takes in h.
-KOKKOS_INLINE_FUNCTION void kick(const Scene& scene, Index p, Real* x, Real lost, Real h) {
-  const int n = scene.scheme.functions, width = 3 * n;
+/// v += R (M + θh²K)⁻¹ Rᵀ x; `share` of the damping of strain and what mass damping takes in h come to x.
+KOKKOS_INLINE_FUNCTION void kick(const Scene& scene, Index p, Real* x, Real share, Real h) {
+  const int n = scene.functions, width = 3 * n;
   const std::size_t own = static_cast<std::size_t>(p) * width * width;
-  const Real *inverse = &scene.scheme.slowed(own), *loss = &scene.scheme.damped(own);
-  const Real* r = &scene.scheme.turn(9 * static_cast<std::size_t>(p));
-  Real impulse[most_width], speed[most_width];
+  const Real *inverse = &scene.slowed(own), *damped = &scene.damped(own);
+  const Real* r = &scene.turn(9 * static_cast<std::size_t>(p));
+  Real impulse[most_width], speed[most_width], loss[most_width];
   turn_vector(r, true, n, x, impulse);
   for (int i = 0; i < width; ++i) x[i] = scene.v(i / 3 * scene.covers + p, i % 3);
-  if (lost > 0) turn_vector(r, true, n, x, speed);
+  turn_vector(r, true, n, x, speed);
   for (int i = 0; i < width; ++i) {
-    Real sum = 0;
-    for (int j = 0; j < width; ++j) sum += inverse[i * width + j] * impulse[j];
-    if (lost > 0)
-      for (int j = 0; j < width; ++j) sum -= lost * loss[i * width + j] * speed[j];
-    x[i] = sum;
+    loss[i] = 0;
+    if (share > 0)
+      for (int j = 0; j < width; ++j) loss[i] += share * damped[i * width + j] * speed[j];
+    impulse[i] -= loss[i];
   }
+  Real lost = 0;  // the impulse times the mean of the speeds
+  for (int i = 0; i < width; ++i) {
+    x[i] = 0;
+    for (int j = 0; j < width; ++j) x[i] += inverse[i * width + j] * impulse[j];
+    lost += loss[i] * (speed[i] + 0.5 * x[i]);
+  }
+  if (share > 0) scene.lost(p) += lost;
   turn_vector(r, false, n, x, speed);
   const Real half = 0.5 * h * scene.mass_damping;
   for (int i = 0; i < width; ++i) {
@@ -101,8 +144,8 @@ KOKKOS_INLINE_FUNCTION void find_lacks(const HeldRows& held, Index set, const Fi
 
 /// Points of a block that are held go to their places, where a drift of h has brought it; `gone`: of the period.
 KOKKOS_INLINE_FUNCTION void place_held(const Scene& scene, Index p, Real h, Real gone) {
-  const HeldRows& held = scene.scheme.held;
-  const Field target = scene.target, before = scene.scheme.target_before;
+  const HeldRows& held = scene.held;
+  const Field target = scene.target, before = scene.target_before;
   const bool moving = scene.moving;
   for (Index set = held.of_block(p); set < held.of_block(p + 1); ++set) {
     const Index begin = held.begin(set);
@@ -129,14 +172,12 @@ KOKKOS_INLINE_FUNCTION void place_held(const Scene& scene, Index p, Real h, Real
 }
 
 /// Where the surface vertices of a block are, and how fast they move.
-KOKKOS_INLINE_FUNCTION void move_vertices(const Scene& scene, const solve::DevicePoints& points,
-                                          Index p) {
-  const ExplicitScheme& s = scene.scheme;
-  for (Index i = s.vertex_begin(p); i < s.vertex_begin(p + 1); ++i) {
-    const Index n = s.vertex(i);
+KOKKOS_INLINE_FUNCTION void move_vertices(const Scene& scene, Index p) {
+  for (Index i = scene.vertex_begin(p); i < scene.vertex_begin(p + 1); ++i) {
+    const Index n = scene.vertex(i);
     Real u[3], w[3];
-    solve::interpolate_all(points, n, scene.d, u);
-    solve::interpolate_all(points, n, scene.v, w);
+    solve::interpolate_all(scene.vertices, n, scene.d, u);
+    solve::interpolate_all(scene.vertices, n, scene.v, w);
     for (int k = 0; k < 3; ++k) {
       scene.x(n, k) = scene.home(n, k) + u[k];
       scene.speed(n, k) = w[k];
@@ -144,39 +185,32 @@ KOKKOS_INLINE_FUNCTION void move_vertices(const Scene& scene, const solve::Devic
   }
 }
 
+/// To where each is touched next.
+KOKKOS_INLINE_FUNCTION void drift(const Scene& scene, Index p, Index count) {
+  const Schedule& s = scene.schedule;
+  const int touched = s.touched(p);
+  const Real way = s.interval(touched);
+  for (int i = 0; i < 3 * scene.functions; ++i) {
+    const Index u = i / 3 * scene.covers + p;
+    scene.d(u, i % 3) += way * scene.v(u, i % 3);
+  }
+  if (!scene.held.any()) return;
+  const Index ticks = Index{1} << s.deepest;
+  const Real gone = static_cast<Real>(count % ticks + ticks / (Index{1} << touched)) /
+                    static_cast<Real>(ticks);
+  place_held(scene, p, way, gone);
+}
+
 }  // namespace
 
 void tick_blocks(const Motion::Data& m, const Tick& tick) {
-  Scene scene{m.explicit_scheme,
-              *m.rock->finite_strain(),
-              m.now.displacement,
-              m.now.velocity,
-              m.load,
-              {},
-              {},
-              {},
-              {},
-              m.system.springs.target,
-              m.gone,
-              m.covers,
-              m.damping.mass,
-              m.contact != nullptr,
-              m.explicit_scheme.outside.extent(0) > 0,
-              m.supports.tables.any()};
-  solve::DevicePoints vertices;
-  if (m.contact) {
-    scene.force = m.contact->force;
-    scene.home = m.contact->home;
-    scene.x = m.contact->motion.x;
-    scene.speed = m.contact->motion.v;
-    vertices = m.contact->vertex;
-  }
-  const int width = 3 * m.explicit_scheme.functions;
+  const Scene scene(m);
+  const int width = 3 * scene.functions;
   const Tick now = tick;
   device::for_each(
-      "rockfold::motion::tick", m.explicit_scheme.schedule.blocks[tick.from],
+      "rockfold::motion::tick", m.explicit_scheme.blocks[tick.from],
       KOKKOS_LAMBDA(const Index b) {
-        const Schedule& s = scene.scheme.schedule;
+        const Schedule& s = scene.schedule;
         const Index p = s.block(b);
         if (scene.gone(p) != 0) return;
         Real x[most_width];
@@ -186,19 +220,8 @@ void tick_blocks(const Motion::Data& m, const Tick& tick) {
         const Real h = own ? now.share * s.interval(s.own(p)) : 0;
         if (own) add_own_impulses(scene, p, now, h, x);
         kick(scene, p, x, own ? now.share : 0, h);
-        if (now.drifts) {
-          const int touched = s.touched(p);
-          const Real way = s.interval(touched);
-          for (int i = 0; i < width; ++i) {
-            const Index u = i / 3 * scene.covers + p;
-            scene.d(u, i % 3) += way * scene.v(u, i % 3);
-          }
-          const Index ticks = Index{1} << s.deepest;
-          const Real gone = static_cast<Real>(now.count % ticks + ticks / (Index{1} << touched)) /
-                            static_cast<Real>(ticks);
-          if (scene.scheme.held.any()) place_held(scene, p, way, gone);
-        }
-        if (scene.touches) move_vertices(scene, vertices, p);
+        if (now.drifts) drift(scene, p, now.count);
+        if (scene.touches) move_vertices(scene, p);
       },
       width);
 }
