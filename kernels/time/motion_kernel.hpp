@@ -31,6 +31,7 @@ struct StateNumbers {
   Real contact_energy = 0;  ///< J, stored in joints
   Real dynamic_ratio = 1;   ///< share of the velocity that steps hand on
   Real walls = 0;           ///< share of the forces on walls that acts
+  Real half_kick = 0;       ///< J: of the half impulse that an explicit step ends with
   Work work;
   std::int64_t steps = 0;  ///< done since the stage began
   std::int64_t begins_with_factors =
@@ -151,7 +152,9 @@ void count_wall_work(Motion::Data& m, Real before, Real after);
 void count_following_work(Motion::Data& m);
 /// Work of changing loads and of pressures that follow, put on at once where nothing has moved yet: `increment` is the way.
 void count_loads_at_once(Motion::Data& m);
+/// J, at the velocity of now.
 Real kinetic_energy(const Motion::Data& m);
+Real kinetic_energy(const Motion::Data& m, const Field& velocity);
 
 }  // namespace motion
 }  // namespace rockfold

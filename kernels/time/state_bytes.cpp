@@ -9,7 +9,7 @@ namespace rockfold {
 namespace {
 
 /// Of the layout below: changed with it.
-constexpr std::uint64_t format = 0x0008'5441'5453'4652;  // "RFSTAT", 8
+constexpr std::uint64_t format = 0x0009'5441'5453'4652;  // "RFSTAT", 9
 
 /// Everything but the fields.
 struct Plain {
@@ -18,7 +18,7 @@ struct Plain {
   motion::StateNumbers numbers;
   std::int64_t contact;  ///< bytes of contacts behind the fields
 };
-static_assert(std::is_trivially_copyable_v<Plain> && sizeof(Plain) == 19 * 8);
+static_assert(std::is_trivially_copyable_v<Plain> && sizeof(Plain) == 20 * 8);
 
 std::size_t length_of(const device::Field& field) {
   return field.extent(0) * sizeof(Vec3);

@@ -57,6 +57,7 @@ struct ExplicitScheme {
   HeldRows held;
   Schedule schedule;
   std::vector<Index> blocks, points;  ///< [deepest+1] how many are as fast as level l or faster
+  Field before_kick;    ///< the velocity before the last half impulse of a step
   Field start;          ///< displacements at the start of the step
   Field period_start;   ///< and of the period, where something acts from outside
   Field outside;        ///< N, what acts from outside beside constant loads: at the end of a period

@@ -121,6 +121,7 @@ struct ExplicitStep {
     advance_points(0);
     find_outside(goes_on ? 1 : 0.5);
     count_outside();
+    if (!goes_on) Kokkos::deep_copy(s.before_kick, m.now.velocity);
     tick_blocks(m, {0, goes_on ? 1 : 0.5, goes_on, 0});
     if (!goes_on && m.contact) settle();
     return goes_on;
@@ -234,6 +235,7 @@ struct ExplicitStep {
     find_target_speed();
     stop_held(m, m.prescribed);
     leave_out_gone(m, m.now.velocity);
+    find_half_kick();
     const auto way = m.increment, d = m.now.displacement, start = s.start;
     const auto v = m.now.velocity, before = m.velocity_before, a = m.now.acceleration;
     const Real rate = 1 / dt;
@@ -253,6 +255,15 @@ struct ExplicitStep {
     m.mean_over = dt;
     m.step_length = 0;
     ++m.now.steps;
+  }
+
+  void find_half_kick() {
+    const auto kick = s.before_kick, v = m.now.velocity;
+    device::for_each(
+        "rockfold::motion::half_kick", m.unknowns, KOKKOS_LAMBDA(const Index u) {
+          for (int i = 0; i < 3; ++i) kick(u, i) = v(u, i) - kick(u, i);
+        });
+    m.now.half_kick = kinetic_energy(m, kick);
   }
 
   /// m/s, of the targets over the last period: prescribed.
@@ -308,6 +319,7 @@ void prepare(Motion::Data& m) {
   find_inertia(m);
   s.held = find_held_rows(m);
   s.start = device::make_field("motion::explicit_start", m.unknowns);
+  s.before_kick = device::make_field("motion::before_kick", m.unknowns);
   s.pull = device::make_field("motion::explicit_pull", m.system.springs.points.count);
   s.target_before = device::make_field("motion::target_before", m.system.springs.points.count);
   s.account = Array<Real>("rockfold::motion::explicit_account", 2);
