@@ -100,7 +100,10 @@ struct ExplicitStep {
     set_period_time();
     advance_points(0);
     find_outside(0.5);
+    const bool first = done == 0;
+    if (first) Kokkos::deep_copy(s.before_kick, m.now.velocity);
     tick_blocks(m, {0, 0.5, true, 0});
+    if (first) m.now.half_kick -= half_kick();
   }
 
   void tick(Index k) {
@@ -235,7 +238,7 @@ struct ExplicitStep {
     find_target_speed();
     stop_held(m, m.prescribed);
     leave_out_gone(m, m.now.velocity);
-    find_half_kick();
+    m.now.half_kick += half_kick();
     const auto way = m.increment, d = m.now.displacement, start = s.start;
     const auto v = m.now.velocity, before = m.velocity_before, a = m.now.acceleration;
     const Real rate = 1 / dt;
@@ -257,13 +260,14 @@ struct ExplicitStep {
     ++m.now.steps;
   }
 
-  void find_half_kick() {
+  /// J, of what the velocity has changed by since before_kick.
+  Real half_kick() {
     const auto kick = s.before_kick, v = m.now.velocity;
     device::for_each(
         "rockfold::motion::half_kick", m.unknowns, KOKKOS_LAMBDA(const Index u) {
           for (int i = 0; i < 3; ++i) kick(u, i) = v(u, i) - kick(u, i);
         });
-    m.now.half_kick = kinetic_energy(m, kick);
+    return kinetic_energy(m, kick);
   }
 
   /// m/s, of the targets over the last period: prescribed.

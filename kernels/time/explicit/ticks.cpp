@@ -237,10 +237,13 @@ void stop_held(const Motion::Data& m, const Field& speed) {
         Real lacks[most_functions];
         find_lacks(
             held, set, v, covers, [&](Index point, int d) { return speed(point, d); }, lacks);
-        for (Index r = begin; r < held.begin(set + 1); ++r)
+        for (Index r = begin; r < held.begin(set + 1); ++r) {
+          const std::size_t own = static_cast<std::size_t>(r) * held.functions;
           for (int k = 0; k < held.functions; ++k)
-            v(k * covers + p, held.component(set)) +=
-                held.way(static_cast<std::size_t>(r) * held.functions + k) * lacks[r - begin];
+            v(k * covers + p, held.component(set)) += held.way(own + k) * lacks[r - begin];
+          for (Index j = begin; j <= r; ++j)
+            held.impulse(j) += held.combine(own + (j - begin)) * lacks[r - begin];
+        }
       });
 }
 
