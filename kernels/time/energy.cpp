@@ -99,8 +99,7 @@ Energy Motion::energy() const {
   const Data& m = *data_;
   const motion::Work& work = m.now.work;
   Energy e;
-  // Leapfrog keeps ½ v₋ᵀM v₊ of the velocities before and after a kick: with that of its middle, (h²/8) fᵀM⁻¹f less than ½ vᵀM v.
-  e.kinetic = motion::kinetic_energy(m) - m.now.half_kick;
+  e.kinetic = motion::kinetic_energy(m);
   e.strain = m.rock->energy(m.now.displacement);
   e.potential = -solve::dot(m.system.work, m.load, m.now.displacement);
   e.loads = work.loads;
@@ -114,6 +113,8 @@ Energy Motion::energy() const {
   e.excavated = work.excavated;
   e.dissipated = m.now.initial_energy + e.loads + e.supports - e.excavated -
                  (e.kinetic + e.strain + e.potential + e.contact);
+  // Leapfrog keeps ½ v₋ᵀM v₊ of the velocities before and after a kick, (h²/8) fᵀM⁻¹f less than ½ vᵀM v in its middle.
+  e.dissipated += m.now.half_kick;
   e.numerical = e.dissipated - (e.damping + e.quiet + e.ratio + e.friction + e.impact);
   return e;
 }

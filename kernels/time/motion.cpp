@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "kernels/time/explicit/explicit_kernel.hpp"
 #include "kernels/time/step_kernel.hpp"
 #include "src/base/vector.hpp"
 
@@ -181,9 +180,6 @@ SolveReport Motion::step(Real dt, bool first, const TrackedPoints* watched,
   return report;
 }
 
-std::string Motion::why_not_explicit() const {
-  return motion::why_not_explicit(*data_);
-}
 Real Motion::largest_increment() const {
   return data_->largest_increment;
 }

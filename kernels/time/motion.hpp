@@ -26,7 +26,6 @@
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "kernels/constraints/cover_system.hpp"
@@ -111,8 +110,6 @@ class Motion {
   /// A step of length dt, or a part of one; the first hands the velocity on (without a velocity to hand on all parts are steps of their own).
   SolveReport step(Real dt, bool first = true, const TrackedPoints* watched = nullptr,
                    const StepCourse& course = {});
-  /// Why steps cannot be taken by explicit substeps; empty: they can.
-  std::string why_not_explicit() const;
   /// m: how far the last step has moved one of the points watched.
   Real largest_increment() const;
   /// Of kinetic energy and that stored in joints: what the last step has made out of nothing, by the rule that blocks which overlap far

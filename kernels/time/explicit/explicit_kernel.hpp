@@ -19,14 +19,9 @@
 // blocks that have turned by R that is R (M + θh²K) Rᵀ.
 #pragma once
 
-#include <string>
-
 #include "kernels/time/motion_kernel.hpp"
 
 namespace rockfold::motion {
-
-/// Why explicit steps cannot be had of this motion; empty: they can.
-std::string why_not_explicit(const Motion::Data& m);
 
 /// What does not change with the motion: masses, stiffness, the surface vertices of blocks.
 void find_inertia(Motion::Data& m);

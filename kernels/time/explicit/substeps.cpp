@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "kernels/time/explicit/explicit_kernel.hpp"
@@ -100,10 +99,7 @@ struct ExplicitStep {
     set_period_time();
     advance_points(0);
     find_outside(0.5);
-    const bool first = done == 0;
-    if (first) Kokkos::deep_copy(s.before_kick, m.now.velocity);
     tick_blocks(m, {0, 0.5, true, 0});
-    if (first) m.now.half_kick -= half_kick();
   }
 
   void tick(Index k) {
@@ -238,7 +234,7 @@ struct ExplicitStep {
     find_target_speed();
     stop_held(m, m.prescribed);
     leave_out_gone(m, m.now.velocity);
-    m.now.half_kick += half_kick();
+    m.now.half_kick = half_kick();
     const auto way = m.increment, d = m.now.displacement, start = s.start;
     const auto v = m.now.velocity, before = m.velocity_before, a = m.now.acceleration;
     const Real rate = 1 / dt;
@@ -331,14 +327,6 @@ void prepare(Motion::Data& m) {
 }
 
 }  // namespace
-
-std::string why_not_explicit(const Motion::Data& m) {
-  if (!m.system.of_blocks || m.system.op.functions == 1)
-    return "covers are not those of blocks, of order 1 or 2";
-  if (m.rock->linear()) return "kinematics are small";
-  if (m.damping.stiffness > 0) return "rayleigh has a beta";
-  return "";
-}
 
 SolveReport take_explicit_step(Motion::Data& m, Real dt, const StepCourse& course) {
   prepare(m);
