@@ -112,9 +112,7 @@ Energy Motion::energy() const {
   e.ratio = work.ratio;
   e.excavated = work.excavated;
   e.dissipated = m.now.initial_energy + e.loads + e.supports - e.excavated -
-                 (e.kinetic + e.strain + e.potential + e.contact);
-  // Leapfrog keeps ½ v₋ᵀM v₊ of the velocities before and after a kick, (h²/8) fᵀM⁻¹f less than ½ vᵀM v in its middle.
-  e.dissipated += m.now.half_kick;
+                 (e.kinetic + e.strain + e.potential + e.contact - m.now.substep_energy);
   e.numerical = e.dissipated - (e.damping + e.quiet + e.ratio + e.friction + e.impact);
   return e;
 }

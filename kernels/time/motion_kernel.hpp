@@ -8,7 +8,7 @@
 #include "kernels/constraints/constrained_system_kernel.hpp"
 #include "kernels/contact/term_kernel.hpp"
 #include "kernels/time/block_forces_kernel.hpp"
-#include "kernels/time/explicit/scheme.hpp"
+#include "kernels/time/explicit/scheme_kernel.hpp"
 #include "kernels/time/forces/deformation_kernel.hpp"
 #include "kernels/time/forces/following_kernel.hpp"
 #include "kernels/time/forces/loads_kernel.hpp"
@@ -31,7 +31,7 @@ struct StateNumbers {
   Real contact_energy = 0;  ///< J, stored in joints
   Real dynamic_ratio = 1;   ///< share of the velocity that steps hand on
   Real walls = 0;           ///< share of the forces on walls that acts
-  Real half_kick = 0;       ///< J: of the half impulse that an explicit step ends with
+  Real substep_energy = 0;  ///< J, see kernels/time/explicit/substeps.cpp
   Work work;
   std::int64_t steps = 0;  ///< done since the stage began
   std::int64_t begins_with_factors =

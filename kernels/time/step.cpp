@@ -290,7 +290,7 @@ void take_mean_acceleration(const Motion::Data& m, const Step& step) {
 
 SolveReport take_step(Motion::Data& m, Real dt, const StepCourse& course) {
   const Step step = make_step(m, dt, course);
-  m.now.half_kick = 0;
+  m.now.substep_energy = 0;
   begin(m, step, course.time_stands);
   predict(m, dt);
   if (m.contact) find_contacts(m, step);
@@ -374,7 +374,7 @@ void begin_stage(Motion::Data& m, Real dynamic_ratio) {
     m.now.work.ratio += kinetic_energy(m);
     Kokkos::deep_copy(m.now.velocity, 0.0);
     Kokkos::deep_copy(m.now.acceleration, 0.0);
-    m.now.half_kick = 0;
+    m.now.substep_energy = 0;
   }
   find_pull_of_springs(m);  // the last step left its mean
   m.now.dynamic_ratio = dynamic_ratio;

@@ -98,8 +98,8 @@ angular_velocity = [0.3, 2, 0.1]
 [analysis]
 type = 'dynamic'
 scheme = 'explicit'
-time_step = 0.0005
-steps = 400
+time_step = 0.05
+steps = 40
 )");
   const RunResult& run = answer.result;
   const Energy &first = run.energies.front(), &last = run.energies.back();

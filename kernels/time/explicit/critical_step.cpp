@@ -6,21 +6,26 @@
 #include <cmath>
 #include <limits>
 
+#include "kernels/device/sums_kernel.hpp"
 #include "kernels/finite/cover_force_kernel.hpp"
 #include "kernels/time/explicit/explicit_kernel.hpp"
 
 namespace rockfold::motion {
 namespace {
 
-/// θ. With the damping P² a mode of strain goes by v' = (1 − p²) v − p x/h, x' = x + h v', p = θ(ωh)²/(1 + θ(ωh)²): as it is where it is slow, and
-/// at once into balance where it is stiff (p = 1: x' = 0).
-constexpr Real inertia_of_strain = 1;
+/// θ, and the factor of the damping. A mode of strain goes by v' = (1 − d) v − (1 − d/2) p x/h, x' = x + h v', p = θ(ωh)²/(1 + θ(ωh)²), d = p²/2: as it is
+/// where it is slow, and into balance where it is stiff (p = 1: what is left of x and v falls by √2 in a substep). With more damping stiff strain
+/// lags behind forces that grow, by h v d/(1 − d/2), and takes as much of an impact's energy.
+constexpr Real inertia_of_strain = 1, damping_of_strain = 0.5;
 
-/// (ωh)² of contact. Beside stiff strain it must be below 4 − p − 2p² ≥ 1. (Beside none an oscillator whose spring is dragged by its share d of h
-/// goes by z² − (2 − (1 + d) a) z + (1 − d a) = 0, a = (ωh)²: stable to 4/(1 + 2d), 2.67 for d = 1/4.)
+/// (ωh)² of contact. Beside strain it must be below (4 − 2d)/(1 − d/2) − p = 4 − p ≥ 3. (Beside none an oscillator whose spring is dragged by its
+/// share s of h goes by z² − (2 − (1 + s) a) z + (1 − s a) = 0, a = (ωh)²: stable to 4/(1 + 2s), 2.67 for s = 1/4.)
 constexpr Real of_contact = 0.9;
 
 constexpr int rounds = 3, iterations = 16;
+
+/// Radians: a block that turns by ϑ along its tangent in a substep is stretched by ϑ²/2, here 5e-7.
+constexpr Real most_turn = 1e-3;
 
 /// a ← (M + θh²K)⁻¹, K [3n][3n].
 KOKKOS_INLINE_FUNCTION void invert_slowed(const Real* mass, const Real* k, Real h, int n, Real* a) {
@@ -69,6 +74,32 @@ KOKKOS_INLINE_FUNCTION Real largest_value(const Real* a, const Real* c, const Re
   return value;
 }
 
+/// rad/s: how fast a block turns that is turned by R, from the mean of Ḟ: |½ (Ḟ Rᵀ − R Ḟᵀ)|.
+KOKKOS_INLINE_FUNCTION Real find_spin(const finite::Deformation& body, const Field& v, Index p,
+                                      const Real* turn) {
+  Real mean[9] = {}, weights = 0;
+  for (Index s = body.begin(p); s < body.begin(p + 1); ++s) {
+    const Index e = static_cast<Index>(body.entry(s) / body.nodes);
+    for (int q = 0; q < body.points; ++q) {
+      Real rate[9];
+      finite::gradient_at(body, v, e, q, rate);
+      const Real weight =
+          device::math::fabs(body.weight(static_cast<std::size_t>(e) * body.points + q));
+      for (int i = 0; i < 9; ++i) mean[i] += weight * rate[i];
+      weights += weight;
+    }
+  }
+  Real square = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i + 1; j < 3; ++j) {
+      Real w = 0;
+      for (int k = 0; k < 3; ++k)
+        w += mean[3 * i + k] * turn[3 * j + k] - mean[3 * j + k] * turn[3 * i + k];
+      square += 0.25 * w * w;
+    }
+  return weights > 0 ? device::math::sqrt(square) / weights : 0;
+}
+
 /// ExplicitScheme::turn.
 void find_turns(const Motion::Data& m) {
   const finite::Deformation rock = *m.rock->finite_strain();
@@ -107,6 +138,8 @@ void find_block_steps(Motion::Data& m) {
   m.step_length = 0;  // the terms' tangents are no matrix of a step
   const solve::PointTerms terms = m.system.terms, contacts = m.system.contacts;
   const bool touches = m.contact != nullptr;
+  const finite::Deformation rock = *m.rock->finite_strain();
+  const Field velocity = m.now.velocity;
   const auto stiffness = s.stiffness, mass = s.mass, turn = s.turn, step = s.step;
   const auto gone = m.gone;
   const Index covers = m.covers;
@@ -129,7 +162,10 @@ void find_block_steps(Motion::Data& m) {
               gone(p) != 0 ? 0 : largest_value(a, c, &turn(9 * static_cast<std::size_t>(p)), n);
           h = value > 0 ? device::math::sqrt(of_contact / value) : unlimited;
         }
-        step(p) = h;
+        const Real spin =
+            gone(p) != 0 ? 0
+                         : find_spin(rock, velocity, p, &turn(9 * static_cast<std::size_t>(p)));
+        step(p) = spin > 0 ? device::math::fmin(h, most_turn / spin) : h;
       },
       width * width);
 }
@@ -157,10 +193,34 @@ void slow_strain(const Motion::Data& m) {
           for (int j = 0; j < width; ++j) {
             Real sum = 0;
             for (int l = 0; l < width; ++l) sum += k[i * width + l] * once[l * width + j];
-            damped(own + i * width + j) = share * sum;
+            damped(own + i * width + j) = damping_of_strain * share * sum;
           }
       },
       width * width);
+}
+
+Real strain_inertia(const Motion::Data& m) {
+  const ExplicitScheme& s = m.explicit_scheme;
+  const Schedule schedule = s.schedule;
+  const auto stiffness = s.stiffness, turn = s.turn;
+  const Field velocity = m.now.velocity;
+  const Index covers = m.covers;
+  const int n = s.functions, width = 3 * n;
+  const auto out = m.sums;
+  device::sum_then<1>(
+      "rockfold::motion::strain_inertia", covers, m.partial,
+      KOKKOS_LAMBDA(const Index p, device::Sums<1>& sum) {
+        const Real h = schedule.interval(schedule.own(p));
+        const Real* k = &stiffness(static_cast<std::size_t>(p) * width * width);
+        Real x[solve::most_block_width], v[solve::most_block_width];
+        for (int i = 0; i < width; ++i) x[i] = velocity(i / 3 * covers + p, i % 3);
+        turn_vector(&turn(9 * static_cast<std::size_t>(p)), true, n, x, v);
+        for (int i = 0; i < width; ++i)
+          for (int j = 0; j < width; ++j)
+            sum.value[0] += 0.5 * inertia_of_strain * h * h * v[i] * k[i * width + j] * v[j];
+      },
+      KOKKOS_LAMBDA(const device::Sums<1>& sum) { out(0) = sum.value[0]; });
+  return device::to_host(m.sums)[0];
 }
 
 }  // namespace rockfold::motion

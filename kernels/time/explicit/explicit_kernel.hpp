@@ -31,6 +31,8 @@ HeldRows find_held_rows(const Motion::Data& m);
 void find_block_steps(Motion::Data& m);
 /// ExplicitScheme::slowed and damped, for the intervals of the schedule.
 void slow_strain(const Motion::Data& m);
+/// J: ½ vᵀ(θh²K)v, kinetic energy of the inertia that strain has been given.
+Real strain_inertia(const Motion::Data& m);
 
 /// For the contact points of now, and at most dt s.
 void make_schedule(Motion::Data& m, Real dt);

@@ -24,25 +24,39 @@ struct PointLists {
   std::vector<Real> weight;
 };
 
-/// Whether springs or dashpots act, which are looked at once a period.
-bool has_stiff_loads(const Motion::Data& m) {
-  if (m.dashpots.any()) return true;
-  if (!m.system.springs.any()) return false;
-  for (const Vec3& k : device::copy_to_host(m.system.springs.stiffness))
-    if (k[0] > 0 || k[1] > 0 || k[2] > 0) return true;
-  return false;
+/// [P] 1: pulled by springs or dashpots, which are looked at once a period.
+std::vector<std::uint8_t> find_pulled(const Motion::Data& m) {
+  std::vector<std::uint8_t> pulled(m.covers, 0);
+  const auto add = [&](const solve::DevicePoints& points, const auto& pulls) {
+    const std::vector<Index> begin = device::to_host(points.begin),
+                             unknown = device::to_host(points.unknown);
+    for (Index n = 0; n < points.count; ++n)
+      if (pulls(n))
+        for (Index i = begin[n]; i < begin[n + 1]; ++i) pulled[unknown[i] % m.covers] = 1;
+  };
+  if (m.dashpots.any()) add(m.dashpots.points.points, [](Index) { return true; });
+  const solve::Springs& springs = m.system.springs;
+  if (!springs.any()) return pulled;
+  const std::vector<Vec3> held = device::copy_to_host(springs.held),
+                          stiffness = device::copy_to_host(springs.stiffness);
+  add(springs.points, [&](Index n) {
+    for (int d = 0; d < 3; ++d)
+      if (!(held[n][d] > 0) && stiffness[n][d] > 0) return true;
+    return false;
+  });
+  return pulled;
 }
 
 /// The period, and the levels of the blocks' own clocks.
 std::vector<int> find_own_levels(const Motion::Data& m, Real dt, Schedule& s) {
   const std::vector<Real> step = device::to_host(m.explicit_scheme.step);
-  Real longest = 0, shortest = dt;
-  for (const Real h : step) {
-    longest = std::max(longest, std::min(h, dt));
-    shortest = std::min(shortest, h);
+  const std::vector<std::uint8_t> pulled = find_pulled(m);
+  Real longest = 0, of_pulled = dt;
+  for (std::size_t p = 0; p < step.size(); ++p) {
+    longest = std::max(longest, std::min(step[p], dt));
+    if (pulled[p] != 0) of_pulled = std::min(of_pulled, step[p]);
   }
-  const Real wanted = has_stiff_loads(m) ? shortest : longest;
-  s.period = dt / std::ceil((1 - 1e-12) * dt / wanted);
+  s.period = dt / std::ceil((1 - 1e-12) * dt / std::min(longest, of_pulled));
   std::vector<int> own;
   s.deepest = 0;
   for (const Real h : step) {

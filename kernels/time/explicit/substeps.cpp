@@ -17,7 +17,16 @@ constexpr Real served = 0.25;
 /// Periods of one step: more are a mistake in the model rather than patience.
 constexpr Real most_periods = 1e8;
 
-/// One step of the user's. (All is public, since nvcc allows no lambda in a private member.)
+Real sum_of(const Array<Real>& values) {
+  Real sum = 0;
+  for (const Real value : device::to_host(values)) sum += value;
+  return sum;
+}
+
+/// One step of the user's. Its accounts: leapfrog keeps the energy between places and the velocities half a substep before or after them, with the
+/// inertia that strain has been given. Half an impulse x = ½ h f at the end of h changes the velocity by Δv and does x·Δv/2 more than the force
+/// does along its way, and the half at the start of the next as much less: what contact and the rock's stress do so, without the kinetic energy of
+/// strain's inertia, is what a state has more than is kept, substep_energy. (A constant force does the same work either way.) (All is public, since nvcc allows no lambda in a private member.)
 struct ExplicitStep {
   ExplicitStep(Motion::Data& data, Real length, const StepCourse& how)
       : m(data), s(data.explicit_scheme), dt(length), course(how), began(data.now.time) {}
@@ -49,7 +58,8 @@ struct ExplicitStep {
     m.rock->begin_step(m.now.displacement, {});
     if (m.contact) begin_contact(m);
     Kokkos::deep_copy(s.start, m.now.displacement);
-    Kokkos::deep_copy(s.account, 0.0);
+    Kokkos::deep_copy(s.friction, 0.0);
+    Kokkos::deep_copy(s.pushed, 0.0);
     Kokkos::deep_copy(s.lost, 0.0);
     Kokkos::deep_copy(s.pull, 0.0);
     Kokkos::deep_copy(s.held.impulse, 0.0);
@@ -70,6 +80,8 @@ struct ExplicitStep {
       contact::detect(*m.contact, m.system.contacts);
       m.contact_seconds += timer.seconds();
       contacts.options.still = still;
+      // Points begin with the speeds that they ended with, so that half an impulse is the other half of the last one.
+      Kokkos::deep_copy(m.contact->motion.v, contacts.speed_before);
       Kokkos::deep_copy(m.contact->force, 0.0);
     }
     find_block_steps(m);
@@ -90,7 +102,7 @@ struct ExplicitStep {
     if (s.points[from] == 0) return;
     contact::advance(m.contact->contacts, m.contact->motion,
                      {schedule.point, schedule.level, s.points[from], schedule.period},
-                     m.contact->force, s.account);
+                     m.contact->force, s.friction);
     visits += s.points[from];
   }
 
@@ -120,7 +132,6 @@ struct ExplicitStep {
     advance_points(0);
     find_outside(goes_on ? 1 : 0.5);
     count_outside();
-    if (!goes_on) Kokkos::deep_copy(s.before_kick, m.now.velocity);
     tick_blocks(m, {0, goes_on ? 1 : 0.5, goes_on, 0});
     if (!goes_on && m.contact) settle();
     return goes_on;
@@ -131,10 +142,12 @@ struct ExplicitStep {
     contact::DeviceContacts& contacts = m.contact->contacts;
     const Real stored =
         contact::settle_in_place(contacts, m.contact->motion.x, m.contact->motion.v);
-    const std::vector<Real> account = device::to_host(s.account);
-    Kokkos::deep_copy(s.account, 0.0);
-    m.now.work.friction += account[0];
-    m.now.work.impact += m.now.contact_energy - stored - account[0] - account[1];
+    const Real friction = device::to_host(s.friction)[0];
+    const Real work = sum_of(s.pushed);
+    Kokkos::deep_copy(s.friction, 0.0);
+    Kokkos::deep_copy(s.pushed, 0.0);
+    m.now.work.friction += friction;
+    m.now.work.impact += m.now.contact_energy - stored - friction - work;
     m.now.contact_energy = stored;
   }
 
@@ -234,7 +247,7 @@ struct ExplicitStep {
     find_target_speed();
     stop_held(m, m.prescribed);
     leave_out_gone(m, m.now.velocity);
-    m.now.half_kick = half_kick();
+    m.now.substep_energy = sum_of(s.last_push) + sum_of(s.last_stress) - strain_inertia(m);
     const auto way = m.increment, d = m.now.displacement, start = s.start;
     const auto v = m.now.velocity, before = m.velocity_before, a = m.now.acceleration;
     const Real rate = 1 / dt;
@@ -246,7 +259,7 @@ struct ExplicitStep {
           }
         });
     find_reactions();
-    for (const Real lost : device::to_host(s.lost)) m.now.work.damping += lost;
+    m.now.work.damping += sum_of(s.lost);
     count_wall_work(m, m.now.walls, course.walls);
     m.now.walls = course.walls;
     m.energy_made = 0;
@@ -254,16 +267,6 @@ struct ExplicitStep {
     m.mean_over = dt;
     m.step_length = 0;
     ++m.now.steps;
-  }
-
-  /// J, of what the velocity has changed by since before_kick.
-  Real half_kick() {
-    const auto kick = s.before_kick, v = m.now.velocity;
-    device::for_each(
-        "rockfold::motion::half_kick", m.unknowns, KOKKOS_LAMBDA(const Index u) {
-          for (int i = 0; i < 3; ++i) kick(u, i) = v(u, i) - kick(u, i);
-        });
-    return kinetic_energy(m, kick);
   }
 
   /// m/s, of the targets over the last period: prescribed.
@@ -319,10 +322,9 @@ void prepare(Motion::Data& m) {
   find_inertia(m);
   s.held = find_held_rows(m);
   s.start = device::make_field("motion::explicit_start", m.unknowns);
-  s.before_kick = device::make_field("motion::before_kick", m.unknowns);
   s.pull = device::make_field("motion::explicit_pull", m.system.springs.points.count);
   s.target_before = device::make_field("motion::target_before", m.system.springs.points.count);
-  s.account = Array<Real>("rockfold::motion::explicit_account", 2);
+  s.friction = Array<Real>("rockfold::motion::explicit_friction", 1);
   s.ready = true;
 }
 

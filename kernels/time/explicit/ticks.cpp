@@ -11,7 +11,7 @@ struct Scene {
   explicit Scene(const Motion::Data& m);
   Schedule schedule;
   HeldRows held;
-  Array<Real> slowed, damped, turn, lost;
+  Array<Real> slowed, damped, turn, lost, pushed, last_push, last_stress;
   Array<Index> vertex_begin, vertex;
   finite::Deformation rock;
   Field d, v, load, force, home, x, speed, outside, target, target_before;
@@ -20,7 +20,7 @@ struct Scene {
   int functions;
   Index covers;
   Real mass_damping;
-  bool touches, pushed, moving;
+  bool touches, acted_on, moving;
 };
 
 Scene::Scene(const Motion::Data& m)
@@ -30,6 +30,9 @@ Scene::Scene(const Motion::Data& m)
       damped(m.explicit_scheme.damped),
       turn(m.explicit_scheme.turn),
       lost(m.explicit_scheme.lost),
+      pushed(m.explicit_scheme.pushed),
+      last_push(m.explicit_scheme.last_push),
+      last_stress(m.explicit_scheme.last_stress),
       vertex_begin(m.explicit_scheme.vertex_begin),
       vertex(m.explicit_scheme.vertex),
       rock(*m.rock->finite_strain()),
@@ -44,7 +47,7 @@ Scene::Scene(const Motion::Data& m)
       covers(m.covers),
       mass_damping(m.damping.mass),
       touches(m.contact != nullptr),
-      pushed(m.explicit_scheme.outside.extent(0) > 0),
+      acted_on(m.explicit_scheme.outside.extent(0) > 0),
       moving(m.supports.tables.any()) {
   if (!m.contact) return;
   force = m.contact->force;
@@ -70,50 +73,69 @@ KOKKOS_INLINE_FUNCTION void add_point_impulses(const Scene& scene, Index p, cons
   }
 }
 
-/// Those of the block's own forces over h, and of what acts from outside.
-KOKKOS_INLINE_FUNCTION void add_own_impulses(const Scene& scene, Index p, const Tick& tick, Real h,
-                                             Real* x) {
-  const int n = scene.functions, width = 3 * n;
-  Real f[most_width];
-  for (int i = 0; i < width; ++i) f[i] = scene.load(i / 3 * scene.covers + p, i % 3);
+/// That of the rock's stress over h.
+KOKKOS_INLINE_FUNCTION void add_stress_impulse(const Scene& scene, Index p, Real h, Real* x) {
+  Real f[most_width] = {};
   finite::take_internal_force(scene.rock, scene.d, p, f,
                               &scene.turn(9 * static_cast<std::size_t>(p)));
-  for (int i = 0; i < width; ++i) x[i] += h * f[i];
-  if (!scene.pushed || tick.from > 0) return;
+  for (int i = 0; i < 3 * scene.functions; ++i) x[i] += h * f[i];
+}
+
+/// Those of constant loads over h, and of what acts from outside.
+KOKKOS_INLINE_FUNCTION void add_load_impulses(const Scene& scene, Index p, const Tick& tick, Real h,
+                                              Real* x) {
+  const int width = 3 * scene.functions;
+  for (int i = 0; i < width; ++i) x[i] += h * scene.load(i / 3 * scene.covers + p, i % 3);
+  if (!scene.acted_on || tick.from > 0) return;
   const Real period = tick.share * scene.schedule.period;
   for (int i = 0; i < width; ++i)
     x[i] += period * scene.outside(i / 3 * scene.covers + p, i % 3);
 }
 
-/// v += R (M + θh²K)⁻¹ Rᵀ x; `share` of the damping of strain and what mass damping takes in h come to x.
-KOKKOS_INLINE_FUNCTION void kick(const Scene& scene, Index p, Real* x, Real share, Real h) {
+/// v += R (M + θh²K)⁻¹ Rᵀ x, with `share` of the damping of strain and what mass damping takes in h. What is damped is the mean of the velocities
+/// before and after: it takes energy whatever the impulses are, and in the frame of the middle a block that turns has no strain in it.
+KOKKOS_INLINE_FUNCTION void kick(const Scene& scene, Index p, const Real* x, Real share, Real h) {
   const int n = scene.functions, width = 3 * n;
   const std::size_t own = static_cast<std::size_t>(p) * width * width;
   const Real *inverse = &scene.slowed(own), *damped = &scene.damped(own);
   const Real* r = &scene.turn(9 * static_cast<std::size_t>(p));
-  Real impulse[most_width], speed[most_width], loss[most_width];
+  Real impulse[most_width], speed[most_width], change[most_width];
   turn_vector(r, true, n, x, impulse);
-  for (int i = 0; i < width; ++i) x[i] = scene.v(i / 3 * scene.covers + p, i % 3);
-  turn_vector(r, true, n, x, speed);
   for (int i = 0; i < width; ++i) {
-    loss[i] = 0;
-    if (share > 0)
-      for (int j = 0; j < width; ++j) loss[i] += share * damped[i * width + j] * speed[j];
-    impulse[i] -= loss[i];
+    change[i] = 0;
+    for (int j = 0; j < width; ++j) change[i] += inverse[i * width + j] * impulse[j];
   }
-  Real lost = 0;  // the impulse times the mean of the speeds
-  for (int i = 0; i < width; ++i) {
-    x[i] = 0;
-    for (int j = 0; j < width; ++j) x[i] += inverse[i * width + j] * impulse[j];
-    lost += loss[i] * (speed[i] + 0.5 * x[i]);
+  if (share > 0) {
+    for (int i = 0; i < width; ++i) impulse[i] = scene.v(i / 3 * scene.covers + p, i % 3);
+    turn_vector(r, true, n, impulse, speed);
+    for (int i = 0; i < width; ++i) speed[i] += 0.5 * change[i];
+    for (int i = 0; i < width; ++i) {
+      impulse[i] = 0;
+      for (int j = 0; j < width; ++j) impulse[i] += share * damped[i * width + j] * speed[j];
+    }
+    Real lost = 0;  // the impulse times the mean of the speeds
+    for (int i = 0; i < width; ++i) {
+      Real less = 0;
+      for (int j = 0; j < width; ++j) less += inverse[i * width + j] * impulse[j];
+      change[i] -= less;
+      lost += impulse[i] * (speed[i] - 0.5 * less);
+    }
+    scene.lost(p) += lost;
   }
-  if (share > 0) scene.lost(p) += lost;
-  turn_vector(r, false, n, x, speed);
+  turn_vector(r, false, n, change, speed);
   const Real half = 0.5 * h * scene.mass_damping;
   for (int i = 0; i < width; ++i) {
     Real& v = scene.v(i / 3 * scene.covers + p, i % 3);
     v = ((1 - half) * v + speed[i]) / (1 + half);
   }
+}
+
+/// Impulse times velocity, J.
+KOKKOS_INLINE_FUNCTION Real along_velocity(const Scene& scene, Index p, const Real* x) {
+  Real sum = 0;
+  for (int i = 0; i < 3 * scene.functions; ++i)
+    sum += x[i] * scene.v(i / 3 * scene.covers + p, i % 3);
+  return sum;
 }
 
 /// Component r of C of what the points of a set have.
@@ -213,15 +235,25 @@ void tick_blocks(const Motion::Data& m, const Tick& tick) {
         const Schedule& s = scene.schedule;
         const Index p = s.block(b);
         if (scene.gone(p) != 0) return;
-        Real x[most_width];
-        for (int i = 0; i < width; ++i) x[i] = 0;
-        if (scene.touches) add_point_impulses(scene, p, now, x);
         const bool own = s.own(p) >= now.from;
         const Real h = own ? now.share * s.interval(s.own(p)) : 0;
-        if (own) add_own_impulses(scene, p, now, h, x);
+        Real x[most_width], push[most_width], stress[most_width];
+        for (int i = 0; i < width; ++i) push[i] = stress[i] = 0;
+        if (scene.touches) add_point_impulses(scene, p, now, push);
+        if (own) add_stress_impulse(scene, p, h, stress);
+        for (int i = 0; i < width; ++i) x[i] = push[i] + stress[i];
+        if (own) add_load_impulses(scene, p, now, h, x);
+        const Real push_before = along_velocity(scene, p, push),
+                   stress_before = along_velocity(scene, p, stress);
         kick(scene, p, x, own ? now.share : 0, h);
         if (now.drifts) drift(scene, p, now.count);
-        if (scene.touches) move_vertices(scene, p);
+        // A force acts along the ways before and after, which points held are part of.
+        const Real push_after = along_velocity(scene, p, push);
+        const Real start = now.share < 1 && now.drifts ? 1 : now.drifts ? 0.5 : 0;
+        scene.pushed(p) += (1 - start) * push_before + start * push_after;
+        scene.last_push(p) = 0.5 * (push_after - push_before);
+        scene.last_stress(p) = 0.5 * (along_velocity(scene, p, stress) - stress_before);
+        if (scene.touches && now.drifts) move_vertices(scene, p);
       },
       width);
 }

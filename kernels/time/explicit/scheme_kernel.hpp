@@ -49,21 +49,23 @@ struct ExplicitScheme {
   Array<Real> stiffness;  ///< [P][3n][3n] N/m, of the rock in place, index 3k + d
   Array<Real> turn;       ///< [P][9] how blocks have turned since
   Array<Real> slowed;     ///< [P][3n][3n] (M + θh²K)⁻¹ in place: strain takes inertia with it
-  /// [P][3n][3n] kg, (M + θh²K) P², P = (M + θh²K)⁻¹ θh²K: times a velocity, the impulse that damps strain in a substep.
+  /// [P][3n][3n] kg, ½ (M + θh²K) P², P = (M + θh²K)⁻¹ θh²K: times a velocity, the impulse that damps strain in a substep.
   Array<Real> damped;
   Array<Real> lost;                   ///< [P] J, by that since the step began
+  Array<Real> pushed;                 ///< [P] J, work of contact's forces since they were last counted
+  /// [P] J, half of the last impulse times the change of velocity: contact's, and that of the rock's stress.
+  Array<Real> last_push, last_stress;
   Array<Real> step;                   ///< [P] s, the longest substep of each block
   Array<Index> vertex_begin, vertex;  ///< [P+1] the surface vertices of each block
   HeldRows held;
   Schedule schedule;
   std::vector<Index> blocks, points;  ///< [deepest+1] how many are as fast as level l or faster
-  Field before_kick;    ///< the velocity before the last half impulse of a step
   Field start;          ///< displacements at the start of the step
   Field period_start;   ///< and of the period, where something acts from outside
   Field outside;        ///< N, what acts from outside beside constant loads: at the end of a period
   Field target_before;  ///< of supports, at the start of the period
   Field pull;           ///< [points of supports] N s, of springs
-  Array<Real> account;  ///< [2] J: friction, and work of the contact's forces
+  Array<Real> friction;  ///< [1] J, since it was last counted
 };
 
 }  // namespace rockfold::motion
