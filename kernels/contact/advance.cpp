@@ -29,18 +29,24 @@ KOKKOS_INLINE_FUNCTION bool stays_open(ContactPoint& p, const LocalMotion& l, co
   return true;
 }
 
+/// m: how far the first side has gone from the second in the substep.
+KOKKOS_INLINE_FUNCTION Vector way_of(const LocalMotion& l) {
+  return (l.motion.gap - l.motion.gap_before) * l.n + l.motion.shear[0] * l.a +
+         l.motion.shear[1] * l.b;
+}
+
 }  // namespace
 
 void advance(DeviceContacts& c, const Motion& m, const PointClocks& clocks, const Field& force,
-             const Array<Real>& friction) {
+             const Array<Real>& account) {
   device::grow(c.partial, "contact::partial",
-               static_cast<std::size_t>(device::chunk_count(clocks.count)));
+               2 * static_cast<std::size_t>(device::chunk_count(clocks.count)));
   const auto point = c.current.point;
   const auto laws = c.laws;
   const Real restitution = c.options.restitution;
-  device::sum_then<1>(
+  device::sum_then<2>(
       "rockfold::contact::advance", clocks.count, c.partial,
-      KOKKOS_LAMBDA(const Index k, device::Sums<1>& sum) {
+      KOKKOS_LAMBDA(const Index k, device::Sums<2>& sum) {
         const Index i = clocks.order(k);
         ContactPoint& p = point(i);
         const LocalMotion l = local_motion(p, m);
@@ -49,14 +55,17 @@ void advance(DeviceContacts& c, const Motion& m, const PointClocks& clocks, cons
         PointTraction t;
         if (!stays_open(p, l, law))
           t = advance_memory(p, l, law, explicit_rule(restitution, p.period, dt));
-        const Vector f = force_of(t, l, p.area);
+        const Vector f = force_of(t, l, p.area), before = at(force, i);
         for (int d = 0; d < 3; ++d) force(i, d) = component(f, d);
         p.gap_before = l.motion.gap;
         p.speed_before = l.motion.speed;
         for (int d = 0; d < 2; ++d) p.shear_before[d] += l.motion.shear[d];
         sum.value[0] += p.area * t.friction;
+        sum.value[1] += 0.5 * dot(before + f, way_of(l));
       },
-      KOKKOS_LAMBDA(const device::Sums<1>& sum) { friction(0) += sum.value[0]; });
+      KOKKOS_LAMBDA(const device::Sums<2>& sum) {
+        for (int k = 0; k < 2; ++k) account(k) += sum.value[k];
+      });
 }
 
 Real settle_in_place(DeviceContacts& c, const Field& x, const Field& v) {

@@ -91,9 +91,9 @@ struct PointClocks {
   Real period = 0;  ///< s
 };
 /// Explicit substeps: takes points of `current` to the motion m (its speeds count), in place. `force` [points], N, has those that each ended with
-/// before, and gets those of now. friction[0] += what friction took, J.
+/// before, and gets those of now. account[0] += what friction took, account[1] += what the contact's forces did on the rock, J.
 void advance(DeviceContacts& contacts, const Motion& motion, const PointClocks& clocks,
-             const Field& force, const Array<Real>& friction);
+             const Field& force, const Array<Real>& account);
 /// The points as they are now become those of the last accepted step, with vertices at x moving by v. Returns their elastic energy, J.
 Real settle_in_place(DeviceContacts& contacts, const Field& x, const Field& v);
 /// [points] factor · the stiffness of each point of `current` while it is closed and sticks, N/m.

@@ -106,9 +106,7 @@ void find_inertia(Motion::Data& m) {
     s.slowed = device::allocate<Real>("motion::slowed", 9 * small);
     s.turn = device::allocate<Real>("motion::block_turn", 9 * static_cast<std::size_t>(m.covers));
     s.lost = device::allocate<Real>("motion::lost", m.covers);
-    s.pushed = device::allocate<Real>("motion::pushed", m.covers);
-    s.last_push = device::allocate<Real>("motion::last_push", m.covers);
-    s.last_stress = device::allocate<Real>("motion::last_stress", m.covers);
+    s.ahead = device::allocate<Real>("motion::ahead", m.covers);
     s.step = device::allocate<Real>("motion::block_step", m.covers);
   }
   list_vertices(m);

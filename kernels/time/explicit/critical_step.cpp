@@ -178,7 +178,7 @@ void slow_strain(const Motion::Data& m) {
   device::for_each(
       "rockfold::motion::slow_strain", m.covers,
       KOKKOS_LAMBDA(const Index p) {
-        const Real h = schedule.interval(schedule.own(p)), share = inertia_of_strain * h * h;
+        const Real h = schedule.interval(schedule.block_level(p)), share = inertia_of_strain * h * h;
         const std::size_t own = static_cast<std::size_t>(p) * width * width;
         const Real *a = &slowed(own), *k = &stiffness(own);
         invert_slowed(&mass(static_cast<std::size_t>(p) * n * n), k, h, n, &slowed(own));
@@ -210,7 +210,7 @@ Real strain_inertia(const Motion::Data& m) {
   device::sum_then<1>(
       "rockfold::motion::strain_inertia", covers, m.partial,
       KOKKOS_LAMBDA(const Index p, device::Sums<1>& sum) {
-        const Real h = schedule.interval(schedule.own(p));
+        const Real h = schedule.interval(schedule.block_level(p));
         const Real* k = &stiffness(static_cast<std::size_t>(p) * width * width);
         Real x[solve::most_block_width], v[solve::most_block_width];
         for (int i = 0; i < width; ++i) x[i] = velocity(i / 3 * covers + p, i % 3);

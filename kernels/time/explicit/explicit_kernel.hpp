@@ -37,7 +37,7 @@ Real strain_inertia(const Motion::Data& m);
 /// For the contact points of now, and at most dt s.
 void make_schedule(Motion::Data& m, Real dt);
 
-/// A tick of all blocks that level `from` and faster ones touch.
+/// A tick of all blocks that level `from` and faster ones touch. Where they do not go on, points held stop with their supports (prescribed, m/s).
 struct Tick {
   int from = 0;
   Real share = 1;      ///< of the impulses: ½ where steps begin and end
@@ -45,8 +45,6 @@ struct Tick {
   Index count = 0;     ///< of the period's shortest intervals, that have gone
 };
 void tick_blocks(const Motion::Data& m, const Tick& tick);
-/// ticks.cpp too: takes off the velocity that points held have against `speed`, m/s of the supports' points.
-void stop_held(const Motion::Data& m, const Field& speed);
 
 /// y = R x or Rᵀ x, function by function; index 3k + d.
 KOKKOS_INLINE_FUNCTION void turn_vector(const Real* r, bool back, int n, const Real* x, Real* y) {

@@ -129,8 +129,7 @@ void make_schedule(Motion::Data& m, Real dt) {
   s.block = device::to_device("motion::block_order",
                               sort_by_level(touched, s.deepest, m.explicit_scheme.blocks));
   s.point = device::to_device("motion::point_order", points);
-  s.own = device::to_device("motion::own_level", own);
-  s.touched = device::to_device("motion::touched_level", touched);
+  s.block_level = device::to_device("motion::block_level", touched);
   s.level = device::to_device("motion::point_level", level);
   store_entries(lists, points, m.covers, m.explicit_scheme.functions, s);
   slow_strain(m);

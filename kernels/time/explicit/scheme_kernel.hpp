@@ -26,12 +26,12 @@ struct HeldRows {
   KOKKOS_INLINE_FUNCTION bool any() const { return sets > 0; }
 };
 
-/// Who is looked at how often: a clock of level l ticks every period/2^l. A contact point goes by the faster of its two blocks.
+/// Who is looked at how often: a clock of level l ticks every period/2^l. A contact point goes by the faster of its two blocks' own steps, and a block
+/// by the fastest of its points: its stress answers what pushes it at once.
 struct Schedule {
   Real period = 0;                    ///< s
   int deepest = 0;                    ///< the fastest level
-  Array<int> own;                     ///< [P] of a block's own forces
-  Array<int> touched;                 ///< [P] of its fastest point, own at least
+  Array<int> block_level;             ///< [P]
   Array<int> level;                   ///< [points]
   Array<Index> block, point;          ///< all of them, the fastest first
   Array<Index> begin;                 ///< [P+1] into the entries of each block, the fastest first:
@@ -52,9 +52,7 @@ struct ExplicitScheme {
   /// [P][3n][3n] kg, ½ (M + θh²K) P², P = (M + θh²K)⁻¹ θh²K: times a velocity, the impulse that damps strain in a substep.
   Array<Real> damped;
   Array<Real> lost;                   ///< [P] J, by that since the step began
-  Array<Real> pushed;                 ///< [P] J, work of contact's forces since they were last counted
-  /// [P] J, half of the last impulse times the change of velocity: contact's, and that of the rock's stress.
-  Array<Real> last_push, last_stress;
+  Array<Real> ahead;                  ///< [P] J, see substeps.cpp
   Array<Real> step;                   ///< [P] s, the longest substep of each block
   Array<Index> vertex_begin, vertex;  ///< [P+1] the surface vertices of each block
   HeldRows held;
@@ -65,7 +63,7 @@ struct ExplicitScheme {
   Field outside;        ///< N, what acts from outside beside constant loads: at the end of a period
   Field target_before;  ///< of supports, at the start of the period
   Field pull;           ///< [points of supports] N s, of springs
-  Array<Real> friction;  ///< [1] J, since it was last counted
+  Array<Real> account;  ///< [2] J: friction, and work of the contact's forces since they were last counted
 };
 
 }  // namespace rockfold::motion

@@ -25,8 +25,8 @@ Real sum_of(const Array<Real>& values) {
 
 /// One step of the user's. Its accounts: leapfrog keeps the energy between places and the velocities half a substep before or after them, with the
 /// inertia that strain has been given. Half an impulse x = ½ h f at the end of h changes the velocity by Δv and does x·Δv/2 more than the force
-/// does along its way, and the half at the start of the next as much less: what contact and the rock's stress do so, without the kinetic energy of
-/// strain's inertia, is what a state has more than is kept, substep_energy. (A constant force does the same work either way.) (All is public, since nvcc allows no lambda in a private member.)
+/// does along its way, and the half at the start of the next as much less: what contact and the rock's stress are so ahead, without the kinetic energy
+/// of strain's inertia, is what a state has more than is kept, substep_energy. (A constant force does the same work either way.) (All is public, since nvcc allows no lambda in a private member.)
 struct ExplicitStep {
   ExplicitStep(Motion::Data& data, Real length, const StepCourse& how)
       : m(data), s(data.explicit_scheme), dt(length), course(how), began(data.now.time) {}
@@ -58,8 +58,7 @@ struct ExplicitStep {
     m.rock->begin_step(m.now.displacement, {});
     if (m.contact) begin_contact(m);
     Kokkos::deep_copy(s.start, m.now.displacement);
-    Kokkos::deep_copy(s.friction, 0.0);
-    Kokkos::deep_copy(s.pushed, 0.0);
+    Kokkos::deep_copy(s.account, 0.0);
     Kokkos::deep_copy(s.lost, 0.0);
     Kokkos::deep_copy(s.pull, 0.0);
     Kokkos::deep_copy(s.held.impulse, 0.0);
@@ -102,7 +101,7 @@ struct ExplicitStep {
     if (s.points[from] == 0) return;
     contact::advance(m.contact->contacts, m.contact->motion,
                      {schedule.point, schedule.level, s.points[from], schedule.period},
-                     m.contact->force, s.friction);
+                     m.contact->force, s.account);
     visits += s.points[from];
   }
 
@@ -132,6 +131,7 @@ struct ExplicitStep {
     advance_points(0);
     find_outside(goes_on ? 1 : 0.5);
     count_outside();
+    if (!goes_on) find_target_speed();
     tick_blocks(m, {0, goes_on ? 1 : 0.5, goes_on, 0});
     if (!goes_on && m.contact) settle();
     return goes_on;
@@ -142,12 +142,10 @@ struct ExplicitStep {
     contact::DeviceContacts& contacts = m.contact->contacts;
     const Real stored =
         contact::settle_in_place(contacts, m.contact->motion.x, m.contact->motion.v);
-    const Real friction = device::to_host(s.friction)[0];
-    const Real work = sum_of(s.pushed);
-    Kokkos::deep_copy(s.friction, 0.0);
-    Kokkos::deep_copy(s.pushed, 0.0);
-    m.now.work.friction += friction;
-    m.now.work.impact += m.now.contact_energy - stored - friction - work;
+    const std::vector<Real> account = device::to_host(s.account);
+    Kokkos::deep_copy(s.account, 0.0);
+    m.now.work.friction += account[0];
+    m.now.work.impact += m.now.contact_energy - stored - account[0] - account[1];
     m.now.contact_energy = stored;
   }
 
@@ -244,10 +242,8 @@ struct ExplicitStep {
   /// Places and velocities are of one time; what the step has done.
   void end() {
     set_time(m, m.now.time);
-    find_target_speed();
-    stop_held(m, m.prescribed);
     leave_out_gone(m, m.now.velocity);
-    m.now.substep_energy = sum_of(s.last_push) + sum_of(s.last_stress) - strain_inertia(m);
+    m.now.substep_energy = sum_of(s.ahead) - strain_inertia(m);
     const auto way = m.increment, d = m.now.displacement, start = s.start;
     const auto v = m.now.velocity, before = m.velocity_before, a = m.now.acceleration;
     const Real rate = 1 / dt;
@@ -324,7 +320,7 @@ void prepare(Motion::Data& m) {
   s.start = device::make_field("motion::explicit_start", m.unknowns);
   s.pull = device::make_field("motion::explicit_pull", m.system.springs.points.count);
   s.target_before = device::make_field("motion::target_before", m.system.springs.points.count);
-  s.friction = Array<Real>("rockfold::motion::explicit_friction", 1);
+  s.account = Array<Real>("rockfold::motion::explicit_account", 2);
   s.ready = true;
 }
 

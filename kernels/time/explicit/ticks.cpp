@@ -11,10 +11,10 @@ struct Scene {
   explicit Scene(const Motion::Data& m);
   Schedule schedule;
   HeldRows held;
-  Array<Real> slowed, damped, turn, lost, pushed, last_push, last_stress;
+  Array<Real> slowed, damped, turn, lost, ahead;
   Array<Index> vertex_begin, vertex;
   finite::Deformation rock;
-  Field d, v, load, force, home, x, speed, outside, target, target_before;
+  Field d, v, load, force, home, x, speed, outside, target, target_before, target_speed;
   Array<std::uint8_t> gone;
   solve::DevicePoints vertices;
   int functions;
@@ -30,9 +30,7 @@ Scene::Scene(const Motion::Data& m)
       damped(m.explicit_scheme.damped),
       turn(m.explicit_scheme.turn),
       lost(m.explicit_scheme.lost),
-      pushed(m.explicit_scheme.pushed),
-      last_push(m.explicit_scheme.last_push),
-      last_stress(m.explicit_scheme.last_stress),
+      ahead(m.explicit_scheme.ahead),
       vertex_begin(m.explicit_scheme.vertex_begin),
       vertex(m.explicit_scheme.vertex),
       rock(*m.rock->finite_strain()),
@@ -42,6 +40,7 @@ Scene::Scene(const Motion::Data& m)
       outside(m.explicit_scheme.outside),
       target(m.system.springs.target),
       target_before(m.explicit_scheme.target_before),
+      target_speed(m.prescribed),
       gone(m.gone),
       functions(m.explicit_scheme.functions),
       covers(m.covers),
@@ -92,9 +91,11 @@ KOKKOS_INLINE_FUNCTION void add_load_impulses(const Scene& scene, Index p, const
     x[i] += period * scene.outside(i / 3 * scene.covers + p, i % 3);
 }
 
-/// v += R (M + θh²K)⁻¹ Rᵀ x, with `share` of the damping of strain and what mass damping takes in h. What is damped is the mean of the velocities
-/// before and after: it takes energy whatever the impulses are, and in the frame of the middle a block that turns has no strain in it.
-KOKKOS_INLINE_FUNCTION void kick(const Scene& scene, Index p, const Real* x, Real share, Real h) {
+/// v += R (M + θh²K)⁻¹ Rᵀ x, with `share` of the damping of strain, whose impulse is −loss, and what mass damping takes in h. What is damped is the
+/// mean of the velocities before and after: it takes energy whatever the impulses are, and in the frame of the middle a block that turns has no
+/// strain in it.
+KOKKOS_INLINE_FUNCTION void kick(const Scene& scene, Index p, const Real* x, Real share, Real h,
+                                 Real* loss) {
   const int n = scene.functions, width = 3 * n;
   const std::size_t own = static_cast<std::size_t>(p) * width * width;
   const Real *inverse = &scene.slowed(own), *damped = &scene.damped(own);
@@ -113,14 +114,9 @@ KOKKOS_INLINE_FUNCTION void kick(const Scene& scene, Index p, const Real* x, Rea
       impulse[i] = 0;
       for (int j = 0; j < width; ++j) impulse[i] += share * damped[i * width + j] * speed[j];
     }
-    Real lost = 0;  // the impulse times the mean of the speeds
-    for (int i = 0; i < width; ++i) {
-      Real less = 0;
-      for (int j = 0; j < width; ++j) less += inverse[i * width + j] * impulse[j];
-      change[i] -= less;
-      lost += impulse[i] * (speed[i] - 0.5 * less);
-    }
-    scene.lost(p) += lost;
+    for (int i = 0; i < width; ++i)
+      for (int j = 0; j < width; ++j) change[i] -= inverse[i * width + j] * impulse[j];
+    turn_vector(r, false, n, impulse, loss);
   }
   turn_vector(r, false, n, change, speed);
   const Real half = 0.5 * h * scene.mass_damping;
@@ -128,14 +124,6 @@ KOKKOS_INLINE_FUNCTION void kick(const Scene& scene, Index p, const Real* x, Rea
     Real& v = scene.v(i / 3 * scene.covers + p, i % 3);
     v = ((1 - half) * v + speed[i]) / (1 + half);
   }
-}
-
-/// Impulse times velocity, J.
-KOKKOS_INLINE_FUNCTION Real along_velocity(const Scene& scene, Index p, const Real* x) {
-  Real sum = 0;
-  for (int i = 0; i < 3 * scene.functions; ++i)
-    sum += x[i] * scene.v(i / 3 * scene.covers + p, i % 3);
-  return sum;
 }
 
 /// Component r of C of what the points of a set have.
@@ -193,6 +181,26 @@ KOKKOS_INLINE_FUNCTION void place_held(const Scene& scene, Index p, Real h, Real
   }
 }
 
+/// Takes off the velocity that points of a block held have against that of the supports.
+KOKKOS_INLINE_FUNCTION void stop_held(const Scene& scene, Index p) {
+  const HeldRows& held = scene.held;
+  const Field speed = scene.target_speed;
+  for (Index set = held.of_block(p); set < held.of_block(p + 1); ++set) {
+    const Index begin = held.begin(set);
+    Real lacks[most_functions];
+    find_lacks(
+        held, set, scene.v, scene.covers,
+        [&](Index point, int d) { return speed(point, d); }, lacks);
+    for (Index r = begin; r < held.begin(set + 1); ++r) {
+      const std::size_t own = static_cast<std::size_t>(r) * held.functions;
+      for (int k = 0; k < held.functions; ++k)
+        scene.v(k * scene.covers + p, held.component(set)) += held.way(own + k) * lacks[r - begin];
+      for (Index j = begin; j <= r; ++j)
+        held.impulse(j) += held.combine(own + (j - begin)) * lacks[r - begin];
+    }
+  }
+}
+
 /// Where the surface vertices of a block are, and how fast they move.
 KOKKOS_INLINE_FUNCTION void move_vertices(const Scene& scene, Index p) {
   for (Index i = scene.vertex_begin(p); i < scene.vertex_begin(p + 1); ++i) {
@@ -210,15 +218,15 @@ KOKKOS_INLINE_FUNCTION void move_vertices(const Scene& scene, Index p) {
 /// To where each is touched next.
 KOKKOS_INLINE_FUNCTION void drift(const Scene& scene, Index p, Index count) {
   const Schedule& s = scene.schedule;
-  const int touched = s.touched(p);
-  const Real way = s.interval(touched);
+  const int level = s.block_level(p);
+  const Real way = s.interval(level);
   for (int i = 0; i < 3 * scene.functions; ++i) {
     const Index u = i / 3 * scene.covers + p;
     scene.d(u, i % 3) += way * scene.v(u, i % 3);
   }
   if (!scene.held.any()) return;
   const Index ticks = Index{1} << s.deepest;
-  const Real gone = static_cast<Real>(count % ticks + ticks / (Index{1} << touched)) /
+  const Real gone = static_cast<Real>(count % ticks + ticks / (Index{1} << level)) /
                     static_cast<Real>(ticks);
   place_held(scene, p, way, gone);
 }
@@ -235,48 +243,33 @@ void tick_blocks(const Motion::Data& m, const Tick& tick) {
         const Schedule& s = scene.schedule;
         const Index p = s.block(b);
         if (scene.gone(p) != 0) return;
-        const bool own = s.own(p) >= now.from;
-        const Real h = own ? now.share * s.interval(s.own(p)) : 0;
-        Real x[most_width], push[most_width], stress[most_width];
-        for (int i = 0; i < width; ++i) push[i] = stress[i] = 0;
-        if (scene.touches) add_point_impulses(scene, p, now, push);
-        if (own) add_stress_impulse(scene, p, h, stress);
-        for (int i = 0; i < width; ++i) x[i] = push[i] + stress[i];
-        if (own) add_load_impulses(scene, p, now, h, x);
-        const Real push_before = along_velocity(scene, p, push),
-                   stress_before = along_velocity(scene, p, stress);
-        kick(scene, p, x, own ? now.share : 0, h);
-        if (now.drifts) drift(scene, p, now.count);
-        // A force acts along the ways before and after, which points held are part of.
-        const Real push_after = along_velocity(scene, p, push);
-        const Real start = now.share < 1 && now.drifts ? 1 : now.drifts ? 0.5 : 0;
-        scene.pushed(p) += (1 - start) * push_before + start * push_after;
-        scene.last_push(p) = 0.5 * (push_after - push_before);
-        scene.last_stress(p) = 0.5 * (along_velocity(scene, p, stress) - stress_before);
+        const Real h = now.share * s.interval(s.block_level(p));
+        Real x[most_width], v[most_width], loss[most_width];
+        for (int i = 0; i < width; ++i) x[i] = loss[i] = 0;
+        if (scene.touches) add_point_impulses(scene, p, now, x);
+        add_stress_impulse(scene, p, h, x);
+        Real stressed[most_width];
+        for (int i = 0; i < width; ++i) {
+          stressed[i] = x[i];
+          v[i] = scene.v(i / 3 * scene.covers + p, i % 3);
+        }
+        add_load_impulses(scene, p, now, h, x);
+        kick(scene, p, x, now.share, h, loss);
+        if (now.drifts)
+          drift(scene, p, now.count);
+        else if (scene.held.any())
+          stop_held(scene, p);
+        Real lost = 0, ahead = 0;
+        for (int i = 0; i < width; ++i) {
+          const Real after = scene.v(i / 3 * scene.covers + p, i % 3);
+          lost += 0.5 * loss[i] * (v[i] + after);
+          ahead += 0.5 * stressed[i] * (after - v[i]);
+        }
+        scene.lost(p) += lost;
+        scene.ahead(p) = ahead;
         if (scene.touches && now.drifts) move_vertices(scene, p);
       },
       width);
-}
-
-void stop_held(const Motion::Data& m, const Field& speed) {
-  const HeldRows held = m.explicit_scheme.held;
-  if (!held.any()) return;
-  const auto v = m.now.velocity;
-  const Index covers = m.covers;
-  device::for_each(
-      "rockfold::motion::stop_held", held.sets, KOKKOS_LAMBDA(const Index set) {
-        const Index p = held.cover(set), begin = held.begin(set);
-        Real lacks[most_functions];
-        find_lacks(
-            held, set, v, covers, [&](Index point, int d) { return speed(point, d); }, lacks);
-        for (Index r = begin; r < held.begin(set + 1); ++r) {
-          const std::size_t own = static_cast<std::size_t>(r) * held.functions;
-          for (int k = 0; k < held.functions; ++k)
-            v(k * covers + p, held.component(set)) += held.way(own + k) * lacks[r - begin];
-          for (Index j = begin; j <= r; ++j)
-            held.impulse(j) += held.combine(own + (j - begin)) * lacks[r - begin];
-        }
-      });
 }
 
 }  // namespace rockfold::motion
