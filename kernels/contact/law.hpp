@@ -36,6 +36,10 @@
 // motion apart, and Newton's iteration seeks them one by one.)
 // Along the face nothing is given back either: the shear of such a point is k_s (s + (1 − e) T_s Δ/Δt), no more than its strength, with
 // T_s = 10/ω: of a stretch a tenth of its speed comes back. The stretch s slips as above.
+// Explicit steps look at a point many times while it is pressed, and take what acts now (momentary_impact): the spring's pressure, but no more than
+// brings the sides to the speed of their rebound in this substep. There a point that shakes under its load closes and parts many times within one
+// impact, so that the speed w_in is the largest since it was open, and fades once the impact is over; in implicit steps it is that of the last
+// closing. What is closed and pressed for good is damped by a tenth of critical, which implicit steps take by themselves.
 // A joint of the cut that has never opened is elastic: waves pass through it without drag, and with e > 0 its pressure is the discrete gradient
 // too, so that blocks in touch hand on what hits them.
 #pragma once
@@ -56,8 +60,7 @@ inline constexpr Real shear_delay = 10;
 /// Of critical, of joints at the frequency 1/P, in explicit steps.
 inline constexpr Real explicit_damping = 0.1;
 
-/// Periods 1/ω in which, in explicit steps, an impact that is over is forgotten: sides still pressed into each other part no faster than
-/// with this share of the speed that they came with.
+/// Periods 1/ω in which, in explicit steps, the speed of an impact fades while it presses less than its spring would: an impact lasts π of them.
 inline constexpr Real impact_memory = 10;
 
 /// `period`: 1/ω = √(m/K), s, with m = m₁ m₂/(m₁ + m₂) of two blocks and K (N/m) all that is between them.

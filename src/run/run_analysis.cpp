@@ -119,6 +119,8 @@ class Run {
   void pass(Archive& archive);
   void save_checkpoint();
   void save_checkpoint_if_due();
+  /// Counts those of an explicit step.
+  void note_substeps(const SolveReport& report, Index step);
   void save_motion();
   void solve_static();
   void start(const AnalysisStage& stage);
@@ -185,6 +187,16 @@ bool Run::accept(const SolveReport& report, Index step, Real time) {
   return false;
 }
 
+void Run::note_substeps(const SolveReport& report, Index step) {
+  if (report.substeps == 0) return;
+  std::vector<BySubsteps>& all = result_.by_substeps;
+  if (all.empty() || all.back().stage != at_.stage) all.push_back({at_.stage, step, 0, 0, 0});
+  BySubsteps& stage = all.back();
+  stage.steps = step - stage.first + 1;
+  stage.substeps += report.substeps;
+  stage.visits += report.visits;
+}
+
 void Run::save_motion() {
   motion_.save();
   counts_ = {result_.iterations, result_.preconditioner, result_.support_gap, at_.newton};
@@ -235,6 +247,7 @@ bool Run::take_step(Index step, Real dt) {
     if (!makes_energy && !goes_far) {
       ++at.done;
       note_gain(input_, motion_, result_.made);
+      note_substeps(report, step);
     } else if (makes_energy || at.parts < most_substeps) {
       halve();
     } else {
@@ -366,8 +379,7 @@ StepCourse Run::course_to(Real end) const {
     return {true, false, start + (letting_go_.settling().walls() - start) / left};
   }
   const bool substeps = stage.scheme == Scheme::explicit_;
-  if (stage.release.empty())
-    return {false, substeps, stage.excavate != 0 ? 0 : motion_.walls()};
+  if (stage.release.empty()) return {false, substeps, stage.excavate != 0 ? 0 : motion_.walls()};
   return {false, substeps, walls_left(stage.release, end - at_.stage_began)};
 }
 

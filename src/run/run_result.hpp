@@ -165,12 +165,11 @@ struct MadeEnergy {
 /// A stage's steps that were taken by explicit substeps.
 struct BySubsteps {
   Index stage = 0;
-  Index first = 0;  ///< step
+  Index first = 0;  ///< step, from 1
   Index steps = 0;
-  std::int64_t substeps = 0;
+  std::int64_t substeps =
+      0;  ///< as long as the slowest block allows; others are looked at 2, 4, 8 … times in one
   std::int64_t visits = 0;  ///< of contact points
-  /// Why "auto" came to them, in visits a second of motion; 0: the model asked for them.
-  Real by_iterations = 0, by_substeps = 0;
 };
 
 struct RunResult {

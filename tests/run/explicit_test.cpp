@@ -20,13 +20,11 @@ std::string rock(Real friction_angle, const std::string& more = "") {
 }
 
 /// A block of 2 × 1 × about 1.5 m on another that is held, on a plane that dips by 30° to the east.
-std::string on_incline(Real friction_angle, const std::string& analysis, int order = 1) {
+std::string on_incline(Real friction_angle, const std::string& analysis) {
   return rock(friction_angle) +
          "[[solid]]\nname = 'rock'\nshape = 'box'\nmin = [0, 0, 0]\nmax = [2, 1, 3]\n"
          "[[joint]]\nname = 'J'\ndip = 30\ndip_direction = 90\npoint = [1, 0.5, 1.5]\n"
-         "[cover]\nlattice = 'block'\norder = " +
-         std::to_string(order) +
-         "\n[[fixed]]\nwhere = {block_at = [1, 0.5, 0.2]}\n"
+         "[cover]\nlattice = 'block'\n[[fixed]]\nwhere = {block_at = [1, 0.5, 0.2]}\n"
          "[[monitor]]\nname = 'top'\npoint = [1, 0.5, 2.5]\n"
          "[analysis]\nkinematics = 'large'\n" +
          analysis;
@@ -58,15 +56,12 @@ void expect_closed_accounts(const RunResult& run, Real share) {
 TEST(ExplicitSteps, LetABlockSlideAsFrictionDoes) {
   const Real slope = 30 * std::numbers::pi / 180, friction = 20 * std::numbers::pi / 180;
   const Real acceleration = gravity * (std::sin(slope) - std::cos(slope) * std::tan(friction));
-  for (const int order : {1, 2}) {
-    // It starts from rest, held by friction at rest: what it lacks comes at once.
-    const ModelAnswer answer = run_model(
-        "gravity = [0, 0, -9.81]\n" +
-        on_incline(20, "type = 'dynamic'\nscheme = 'explicit'\ntime_step = 0.01\nsteps = 40\n",
-                   order));
-    EXPECT_NEAR(way(answer) / (0.5 * acceleration * 0.16), 1, 1e-2) << order;
-    EXPECT_GT(answer.result.contacts.slide, 0);
-  }
+  // It starts from rest, held by friction at rest: what it lacks comes at once.
+  const ModelAnswer answer = run_model(
+      "gravity = [0, 0, -9.81]\n" +
+      on_incline(20, "type = 'dynamic'\nscheme = 'explicit'\ntime_step = 0.01\nsteps = 40\n"));
+  EXPECT_NEAR(way(answer) / (0.5 * acceleration * 0.16), 1, 1e-3);
+  EXPECT_GT(answer.result.contacts.slide, 0);
 }
 
 TEST(ExplicitSteps, LeaveAtRestWhatFrictionHolds) {

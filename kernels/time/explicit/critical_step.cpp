@@ -163,8 +163,7 @@ void find_block_steps(Motion::Data& m) {
           h = value > 0 ? device::math::sqrt(of_contact / value) : unlimited;
         }
         const Real spin =
-            gone(p) != 0 ? 0
-                         : find_spin(rock, velocity, p, &turn(9 * static_cast<std::size_t>(p)));
+            gone(p) != 0 ? 0 : find_spin(rock, velocity, p, &turn(9 * static_cast<std::size_t>(p)));
         step(p) = spin > 0 ? device::math::fmin(h, most_turn / spin) : h;
       },
       width * width);
@@ -178,7 +177,8 @@ void slow_strain(const Motion::Data& m) {
   device::for_each(
       "rockfold::motion::slow_strain", m.covers,
       KOKKOS_LAMBDA(const Index p) {
-        const Real h = schedule.interval(schedule.block_level(p)), share = inertia_of_strain * h * h;
+        const Real h = schedule.interval(schedule.block_level(p)),
+                   share = inertia_of_strain * h * h;
         const std::size_t own = static_cast<std::size_t>(p) * width * width;
         const Real *a = &slowed(own), *k = &stiffness(own);
         invert_slowed(&mass(static_cast<std::size_t>(p) * n * n), k, h, n, &slowed(own));

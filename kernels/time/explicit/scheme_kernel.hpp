@@ -29,12 +29,12 @@ struct HeldRows {
 /// Who is looked at how often: a clock of level l ticks every period/2^l. A contact point goes by the faster of its two blocks' own steps, and a block
 /// by the fastest of its points: its stress answers what pushes it at once.
 struct Schedule {
-  Real period = 0;                    ///< s
-  int deepest = 0;                    ///< the fastest level
-  Array<int> block_level;             ///< [P]
-  Array<int> level;                   ///< [points]
-  Array<Index> block, point;          ///< all of them, the fastest first
-  Array<Index> begin;                 ///< [P+1] into the entries of each block, the fastest first:
+  Real period = 0;            ///< s
+  int deepest = 0;            ///< the fastest level
+  Array<int> block_level;     ///< [P]
+  Array<int> level;           ///< [points]
+  Array<Index> block, point;  ///< all of them, the fastest first
+  Array<Index> begin;         ///< [P+1] into the entries of each block, the fastest first:
   Array<Index> entry_point;
   Array<Real> entry_weight;  ///< [entries][functions]
 
@@ -58,12 +58,13 @@ struct ExplicitScheme {
   HeldRows held;
   Schedule schedule;
   std::vector<Index> blocks, points;  ///< [deepest+1] how many are as fast as level l or faster
-  Field start;          ///< displacements at the start of the step
-  Field period_start;   ///< and of the period, where something acts from outside
+  Field start;                        ///< displacements at the start of the step
+  Field period_start;                 ///< and of the period, where something acts from outside
   Field outside;        ///< N, what acts from outside beside constant loads: at the end of a period
   Field target_before;  ///< of supports, at the start of the period
   Field pull;           ///< [points of supports] N s, of springs
-  Array<Real> account;  ///< [2] J: friction, and work of the contact's forces since they were last counted
+  Array<Real>
+      account;  ///< [2] J: friction, and work of the contact's forces since they were last counted
 };
 
 }  // namespace rockfold::motion

@@ -87,8 +87,7 @@ KOKKOS_INLINE_FUNCTION void add_load_impulses(const Scene& scene, Index p, const
   for (int i = 0; i < width; ++i) x[i] += h * scene.load(i / 3 * scene.covers + p, i % 3);
   if (!scene.acted_on || tick.from > 0) return;
   const Real period = tick.share * scene.schedule.period;
-  for (int i = 0; i < width; ++i)
-    x[i] += period * scene.outside(i / 3 * scene.covers + p, i % 3);
+  for (int i = 0; i < width; ++i) x[i] += period * scene.outside(i / 3 * scene.covers + p, i % 3);
 }
 
 /// v += R (M + θh²K)⁻¹ Rᵀ x, with `share` of the damping of strain, whose impulse is −loss, and what mass damping takes in h. What is damped is the
@@ -189,8 +188,8 @@ KOKKOS_INLINE_FUNCTION void stop_held(const Scene& scene, Index p) {
     const Index begin = held.begin(set);
     Real lacks[most_functions];
     find_lacks(
-        held, set, scene.v, scene.covers,
-        [&](Index point, int d) { return speed(point, d); }, lacks);
+        held, set, scene.v, scene.covers, [&](Index point, int d) { return speed(point, d); },
+        lacks);
     for (Index r = begin; r < held.begin(set + 1); ++r) {
       const std::size_t own = static_cast<std::size_t>(r) * held.functions;
       for (int k = 0; k < held.functions; ++k)
@@ -226,8 +225,8 @@ KOKKOS_INLINE_FUNCTION void drift(const Scene& scene, Index p, Index count) {
   }
   if (!scene.held.any()) return;
   const Index ticks = Index{1} << s.deepest;
-  const Real gone = static_cast<Real>(count % ticks + ticks / (Index{1} << level)) /
-                    static_cast<Real>(ticks);
+  const Real gone =
+      static_cast<Real>(count % ticks + ticks / (Index{1} << level)) / static_cast<Real>(ticks);
   place_held(scene, p, way, gone);
 }
 

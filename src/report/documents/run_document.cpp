@@ -222,6 +222,17 @@ Vec3 sum_of_forces(const std::vector<Reaction>& conditions) {
   return total;
 }
 
+Json substeps_json(const RunReport& report) {
+  Json list = Json::array();
+  for (const BySubsteps& by : report.run.by_substeps)
+    list.push_back({{"step", report.model.analysis->stages[by.stage].name},
+                    {"first", by.first},
+                    {"steps", by.steps},
+                    {"substeps", by.substeps},
+                    {"visits", by.visits}});
+  return list;
+}
+
 }  // namespace
 
 Index mathematical_covers(const CoverArrays& covers) {
@@ -260,6 +271,7 @@ Json run_document(const DocumentHead& head, const RunReport& report, BlockList l
   if (has_confirmed(report)) document["confirmed"] = confirmed_json(report);
   if (is_shaken(report)) document["shaken"] = shaken_json(report);
   if (report.reduction) document["reduction"] = reduction_json(report);
+  if (!report.run.by_substeps.empty()) document["substeps"] = substeps_json(report);
   document["iterations"] = {{"pcg", report.run.iterations.pcg},
                             {"open_close", report.run.iterations.open_close},
                             {"fallbacks", report.run.iterations.fallbacks},

@@ -343,6 +343,10 @@ std::string run_summary(const RunReport& report) {
   text +=
       fact("steps", fmt::format("{} to t = {:.6g} s, {} solver iterations ({})", steps, run.time,
                                 grouped(run.iterations.pcg), preconditioner_text(run)));
+  for (const BySubsteps& by : run.by_substeps)
+    text += fact("explicit steps", fmt::format("{} to {}: {} substeps, {} contact points looked at",
+                                               grouped(by.first), grouped(by.first + by.steps - 1),
+                                               grouped(by.substeps), grouped(by.visits)));
   text += record_fact(report.model);
   const LargestDisplacement& largest = run.largest_displacement;
   const bool counts_anew = resets(report.model);
