@@ -224,9 +224,8 @@ KOKKOS_INLINE_FUNCTION void drift(const Scene& scene, Index p, Index count) {
     scene.d(u, i % 3) += way * scene.v(u, i % 3);
   }
   if (!scene.held.any()) return;
-  const Index ticks = Index{1} << s.deepest;
-  const Real gone =
-      static_cast<Real>(count % ticks + ticks / (Index{1} << level)) / static_cast<Real>(ticks);
+  const Index ticks = Index{1} << s.deepest, next = count % ticks + (ticks >> level);
+  const Real gone = static_cast<Real>(next) / static_cast<Real>(ticks);
   place_held(scene, p, way, gone);
 }
 
