@@ -180,6 +180,12 @@ SolveReport Motion::step(Real dt, bool first, const TrackedPoints* watched,
   return report;
 }
 
+Real Motion::substep_visits(Real dt) {
+  save();
+  const Real visits = motion::count_substep_visits(*data_, dt);
+  restore();
+  return visits;
+}
 Real Motion::largest_increment() const {
   return data_->largest_increment;
 }

@@ -118,6 +118,9 @@ class Motion {
   /// Where in the last step contact has made most of what it made out of nothing; energy 0: it lost on the whole.
   const EnergyGain& largest_gain() const;
 
+  /// Visits of contact points that a second of explicit steps of length dt would take, as the rock is now. Forgets what was saved.
+  Real substep_visits(Real dt);
+
   /// rad/s: the largest natural frequency of the rock on its supports as it is now, within about a percent, from below.
   /// Schemes with β < γ/2 are stable up to dt = 1 / (frequency √(γ/2 − β)) (Hughes 1987, §9.1.2), for γ ≥ 1/2.
   Real largest_frequency();

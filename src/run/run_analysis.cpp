@@ -119,6 +119,9 @@ class Run {
   void pass(Archive& archive);
   void save_checkpoint();
   void save_checkpoint_if_due();
+  bool may_choose_scheme() const;
+  /// Where a step ends or has been divided: whether the rest is explicit.
+  void choose_scheme(Real dt, bool ends);
   /// Counts those of an explicit step.
   void note_substeps(const SolveReport& report, Index step);
   void save_motion();
@@ -190,11 +193,31 @@ bool Run::accept(const SolveReport& report, Index step, Real time) {
 void Run::note_substeps(const SolveReport& report, Index step) {
   if (report.substeps == 0) return;
   std::vector<BySubsteps>& all = result_.by_substeps;
-  if (all.empty() || all.back().stage != at_.stage) all.push_back({at_.stage, step, 0, 0, 0});
+  if (all.empty() || all.back().stage != at_.stage)
+    all.push_back({at_.stage, step, 0, 0, 0, at_.work.iterated, at_.work.instead,
+                   at_.by_substeps == 2 ? 1 : 0});
   BySubsteps& stage = all.back();
   stage.steps = step - stage.first + 1;
   stage.substeps += report.substeps;
   stage.visits += report.visits;
+}
+
+bool Run::may_choose_scheme() const {
+  return at_.by_substeps == 0 && input_.contact &&
+         may_choose(input_.model, analysis_.stages[at_.stage]);
+}
+
+void Run::choose_scheme(Real dt, bool ends) {
+  if (!may_choose_scheme()) return;
+  const ContactCount points = motion_.contact_count();
+  SchemeWork work = at_.work;
+  work.iterated += visits_of_iteration * static_cast<Real>(at_.newton) *
+                   static_cast<Real>(points.open + points.stick + points.slide);
+  if (is_dear(work)) {
+    work.instead = motion_.substep_visits(dt) * (motion_.time() - at_.stage_began);
+    at_.by_substeps = is_dear(work) ? 1 : 0;
+  }
+  if (ends || at_.by_substeps != 0) at_.work = work;
 }
 
 void Run::save_motion() {
@@ -237,6 +260,12 @@ bool Run::take_step(Index step, Real dt) {
       count(report);
       halve();
       at.needed = at.parts;
+      choose_scheme(dt, false);
+      continue;
+    }
+    if (!report.converged && may_choose_scheme() && !interrupt_signal) {
+      motion_.restore();
+      at.by_substeps = 2;
       continue;
     }
     if (!report.converged && report.inverted == none) report.inverted = at.inverted;
@@ -262,6 +291,7 @@ bool Run::take_step(Index step, Real dt) {
   }
   if (!result_.interrupted) at.under_way = 0;
   substeps_ = at.parts;
+  if (!result_.interrupted) choose_scheme(dt, true);
   result_.largest_substeps = std::max(result_.largest_substeps, at.parts);
   if (at.needed > 1 && !result_.interrupted) {
     ++result_.divided_steps;
@@ -332,6 +362,8 @@ void Run::begin(const AnalysisStage& stage, Progress& progress) {
       at_.walls_before *= motion_.walls();
       motion_.begin_release();
     }
+    at_.by_substeps = 0;
+    at_.work = {};
     if (stage.reset_displacement) recorder_.count_from(motion_.state().displacement);
     at_.settled = settles ? 0 : 1;
     if (settles)
@@ -378,7 +410,7 @@ StepCourse Run::course_to(Real end) const {
     const Real start = motion_.walls(), left = static_cast<Real>(at_.parts - at_.done);
     return {true, false, start + (letting_go_.settling().walls() - start) / left};
   }
-  const bool substeps = stage.scheme == Scheme::explicit_;
+  const bool substeps = stage.scheme == Scheme::explicit_ || at_.by_substeps != 0;
   if (stage.release.empty()) return {false, substeps, stage.excavate != 0 ? 0 : motion_.walls()};
   return {false, substeps, walls_left(stage.release, end - at_.stage_began)};
 }

@@ -9,7 +9,7 @@ namespace rockfold {
 namespace {
 
 /// Of what follows: changed with it.
-constexpr std::uint64_t format = 0x0005'504b'4843'4652;  // "RFCHKP", 5
+constexpr std::uint64_t format = 0x0006'504b'4843'4652;  // "RFCHKP", 6
 
 struct StageLength {
   std::int64_t steps = 0;

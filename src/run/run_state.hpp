@@ -9,6 +9,7 @@
 #include "src/base/archive.hpp"
 #include "src/model/model.hpp"
 #include "src/run/run_result.hpp"
+#include "src/run/scheme_choice.hpp"
 
 namespace rockfold {
 
@@ -47,6 +48,9 @@ struct RunPosition {
   Index inverted = none;  ///< element that a longer part turned inside out
   Real end = 0;           ///< s
   Real stage_began = 0;   ///< s
+  Index by_substeps =
+      0;  ///< "auto" takes the rest of the stage by explicit substeps, 1: for its work, 2: as a step failed
+  SchemeWork work;  ///< of the stage
   Real walls_before =
       1;  ///< share of the forces on walls that was left when the release under way began
 };

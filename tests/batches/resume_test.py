@@ -170,6 +170,20 @@ class Resume(ProgramTest):
         self.assertEqual(self.json_of("info", "part.vtkhdf")["states"]["hash"], hashes)
         self.assertIn(f"step 50       {hashes[-1]}", self.run_program("info", "part.vtkhdf", "--hashes").stdout)
 
+    def test_explicit_steps_too_have_the_same_states_on_any_number_of_threads(self):
+        explicit = ("--set", "step.slide.scheme=explicit")
+        whole = self.whole_run("whole.vtkhdf", "--threads", "1", *explicit)
+        (substeps,) = whole["substeps"]
+        self.assertEqual((substeps["step"], substeps["first"], substeps["steps"]), ("slide", 11, 40))
+        self.assertGreater(substeps["substeps"], 40)
+        hashes = self.json_of("info", "whole.vtkhdf", "--hashes")["states"]["hash"]
+        for threads in ("2", "4"):
+            self.whole_run(f"{threads}.vtkhdf", "--threads", threads, *explicit)
+            self.assertEqual(self.json_of("info", f"{threads}.vtkhdf", "--hashes")["states"]["hash"], hashes)
+        self.stopped(signal.SIGKILL, 20, "part.vtkhdf", "--threads", "1", *explicit)
+        self.resumed("part.vtkhdf", "--threads", "4")
+        self.assertEqual(self.json_of("info", "part.vtkhdf")["states"]["hash"], hashes)
+
     def test_a_finished_run_is_told_again_and_goes_on_to_another_end(self):
         whole = self.whole_run()
         self.assertEqual(self.resumed("whole.vtkhdf"), whole)

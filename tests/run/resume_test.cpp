@@ -136,6 +136,17 @@ TEST(Resume, WhileExcavatedRockIsLetGo) {
   EXPECT_EQ(checkpoints, 7u + static_cast<std::size_t>(whole.result.settled[0].steps));
 }
 
+TEST(Resume, OfExplicitSteps) {
+  for (const std::string& model : {tumbling, dug}) {
+    ModelAnswer whole;
+    std::string by_substeps = model;
+    by_substeps.insert(by_substeps.rfind("type = 'dynamic'"), "scheme = 'explicit'\n");
+    EXPECT_GT(expect_the_same_end(by_substeps, whole), 4U);
+    ASSERT_EQ(whole.result.by_substeps.size(), 1U);
+    EXPECT_GE(whole.result.by_substeps[0].substeps, whole.result.by_substeps[0].steps);
+  }
+}
+
 TEST(Resume, UnderARecordKnowsHowFarTheGroundHasCome) {
   ModelAnswer whole;
   EXPECT_EQ(expect_the_same_end(shaken, whole), 7u);

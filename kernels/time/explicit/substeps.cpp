@@ -60,6 +60,7 @@ struct ExplicitStep {
     Kokkos::deep_copy(s.start, m.now.displacement);
     Kokkos::deep_copy(s.account, 0.0);
     Kokkos::deep_copy(s.lost, 0.0);
+    Kokkos::deep_copy(s.ahead, 0.0);  // of blocks that are gone too
     Kokkos::deep_copy(s.pull, 0.0);
     Kokkos::deep_copy(s.held.impulse, 0.0);
     acts = m.varying_loads.any() || m.following.any() || m.dashpots.any() ||
@@ -330,6 +331,21 @@ SolveReport take_explicit_step(Motion::Data& m, Real dt, const StepCourse& cours
   prepare(m);
   Kokkos::deep_copy(m.velocity_before, m.now.velocity);
   return ExplicitStep(m, dt, course).run();
+}
+
+Real count_substep_visits(Motion::Data& m, Real dt) {
+  if (!m.contact) return 0;
+  prepare(m);
+  const StepCourse course;
+  ExplicitStep step(m, dt, course);
+  begin_contact(m);
+  step.find_points();
+  const ExplicitScheme& s = m.explicit_scheme;
+  if (!m.system.contacts.any()) return 0;
+  Real visits = s.points[0];  // of a period
+  for (std::size_t level = 1; level < s.points.size(); ++level)
+    visits += static_cast<Real>(s.points[level]) * std::pow(2, static_cast<int>(level) - 1);
+  return visits / s.schedule.period;
 }
 
 }  // namespace rockfold::motion

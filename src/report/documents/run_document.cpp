@@ -222,6 +222,13 @@ Vec3 sum_of_forces(const std::vector<Reaction>& conditions) {
   return total;
 }
 
+/// Why steps are explicit.
+Json reason(const BySubsteps& by) {
+  if (by.failed != 0) return {{"asked", false}, {"failed", true}};
+  if (by.iterated == 0) return {{"asked", true}};
+  return {{"asked", false}, {"iterations", by.iterated}, {"substeps", by.instead}};
+}
+
 Json substeps_json(const RunReport& report) {
   Json list = Json::array();
   for (const BySubsteps& by : report.run.by_substeps)
@@ -229,7 +236,8 @@ Json substeps_json(const RunReport& report) {
                     {"first", by.first},
                     {"steps", by.steps},
                     {"substeps", by.substeps},
-                    {"visits", by.visits}});
+                    {"visits", by.visits},
+                    {"because", reason(by)}});
   return list;
 }
 

@@ -318,6 +318,13 @@ std::string energy_text(const Energy& energy) {
   return text.empty() ? "0 J" : text;
 }
 
+/// Why steps are explicit, where the model did not ask for it.
+std::string reason_text(const BySubsteps& by) {
+  if (by.failed != 0) return ", as the implicit one did not come to balance";
+  if (by.iterated == 0) return "";
+  return fmt::format(", as iterations had cost {:.2g} times as much", by.iterated / by.instead);
+}
+
 /// The preconditioner of the last solve, and the fallback by its name where one was taken.
 std::string preconditioner_text(const RunResult& run) {
   const std::int64_t count = run.iterations.fallbacks;
@@ -344,9 +351,10 @@ std::string run_summary(const RunReport& report) {
       fact("steps", fmt::format("{} to t = {:.6g} s, {} solver iterations ({})", steps, run.time,
                                 grouped(run.iterations.pcg), preconditioner_text(run)));
   for (const BySubsteps& by : run.by_substeps)
-    text += fact("explicit steps", fmt::format("{} to {}: {} substeps, {} contact points looked at",
-                                               grouped(by.first), grouped(by.first + by.steps - 1),
-                                               grouped(by.substeps), grouped(by.visits)));
+    text += fact("explicit steps",
+                 fmt::format("{} to {}{}: {} substeps, {} contact points looked at",
+                             grouped(by.first), grouped(by.first + by.steps - 1), reason_text(by),
+                             grouped(by.substeps), grouped(by.visits)));
   text += record_fact(report.model);
   const LargestDisplacement& largest = run.largest_displacement;
   const bool counts_anew = resets(report.model);
