@@ -8,8 +8,8 @@ namespace rockfold {
 
 /// How a solve went. Whoever solves looks at `converged`: nothing is accepted silently.
 struct SolveReport {
-  Index iterations = 0;  ///< of conjugate gradients
-  Index newton = 0;      ///< iterations of Newton's method
+  Index iterations = 0;       ///< of conjugate gradients
+  Index newton = 0;           ///< iterations of Newton's method
   std::int64_t substeps = 0;  ///< of an explicit step
   std::int64_t visits = 0;    ///< of contact points in them
   Real residual =
