@@ -43,7 +43,7 @@ void advance(DeviceContacts& c, const Motion& m, const PointClocks& clocks, cons
                2 * static_cast<std::size_t>(device::chunk_count(clocks.count)));
   const auto point = c.current.point;
   const auto laws = c.laws;
-  const Real restitution = c.options.restitution;
+  const Real restitution = clocks.restitution;
   device::sum_then<2>(
       "rockfold::contact::advance", clocks.count, c.partial,
       KOKKOS_LAMBDA(const Index k, device::Sums<2>& sum) {

@@ -88,7 +88,8 @@ struct PointClocks {
   Array<Index> order;
   Array<int> level;  ///< [points]
   Index count = 0;
-  Real period = 0;  ///< s
+  Real period = 0;       ///< s
+  Real restitution = 0;  ///< that of impacts; 1 where nothing hits anything
 };
 /// Explicit substeps: takes points of `current` to the motion m (its speeds count), in place. `force` [points], N, has those that each ended with
 /// before, and gets those of now. account[0] += what friction took, account[1] += what the contact's forces did on the rock, J.

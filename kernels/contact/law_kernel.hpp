@@ -258,6 +258,17 @@ KOKKOS_INLINE_FUNCTION bool overloads_bonds(const JointLaw& law, const ContactMe
                                               math::fmax(0.0, law.cohesion + t[0] * law.friction));
 }
 
+/// J/m²: what slip takes in an explicit step, whose forces do the mean of their work at both ends; s: the trial stretch.
+KOKKOS_INLINE_FUNCTION Real mean_friction(const JointLaw& law, const ContactMemory& before,
+                                          const ContactMemory& after, const Real* s, Real length,
+                                          const Strength& now) {
+  const Real slip = after.slip - before.slip, opening = after.dilation - before.dilation;
+  const Real along = length > 0 ? (before.shear[0] * s[0] + before.shear[1] * s[1]) / length : 0;
+  return math::fmax(0.0,
+                    0.5 * slip * (law.shear_stiffness * along + now.shear) -
+                        0.5 * opening * (law.normal_stiffness * before.pressed + now.pressure));
+}
+
 /// The law of law.hpp. `held`: as if nothing slipped.
 KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactRule& rule,
                                               const ContactMemory& before,
@@ -298,6 +309,8 @@ KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactR
   } else if (!slide(law, line, p, s, length, now, out)) {
     open(law, out);
     return out;
+  } else if (rule.momentary) {
+    out.friction = mean_friction(law, before, memory, s, length, now);
   }
   const bool drags = rule.momentary || (impact && !bonded);
   shear(law, now, s, motion.shear, drags ? rule.shear_drag : 0, out);

@@ -47,6 +47,8 @@ struct StepCourse {
   bool time_stands = false;
   /// By explicit substeps, as many as it takes to be stable (kernels/time/explicit).
   bool by_substeps = false;
+  /// > 0: substeps relax to rest, until no block's forces are further out of balance than this share of those that act on it.
+  Real tolerance_of_balance = 0;
   /// Share of what excavated rock pressed its walls with that is left at the step's end.
   Real walls = 0;
 };

@@ -143,8 +143,9 @@ class Needs {
     for (const AnalysisStage& stage : model_.analysis->stages) {
       if (stage.scheme != Scheme::explicit_) continue;
       const Place place = key_of(stage.place, "scheme");
-      if (stage.type != AnalysisType::dynamic)
-        found_.push_back({place, "is \"explicit\", which is for type = \"dynamic\""});
+      if (stage.type == AnalysisType::static_)
+        found_.push_back(
+            {place, "is \"explicit\", which is for type = \"dynamic\" or \"quasi_static\""});
       if (model_.cover->lattice != LatticeKind::block || model_.cover->order == 0)
         found_.push_back({place,
                           "is \"explicit\", which is for block covers of order 1 or 2 "

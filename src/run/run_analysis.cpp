@@ -408,11 +408,14 @@ StepCourse Run::course_to(Real end) const {
   const AnalysisStage& stage = analysis_.stages[at_.stage];
   if (!at_.settled) {
     const Real start = motion_.walls(), left = static_cast<Real>(at_.parts - at_.done);
-    return {true, false, start + (letting_go_.settling().walls() - start) / left};
+    return {true, false, 0, start + (letting_go_.settling().walls() - start) / left};
   }
   const bool substeps = stage.scheme == Scheme::explicit_ || at_.by_substeps != 0;
-  if (stage.release.empty()) return {false, substeps, stage.excavate != 0 ? 0 : motion_.walls()};
-  return {false, substeps, walls_left(stage.release, end - at_.stage_began)};
+  const bool relaxes = substeps && stage.type == AnalysisType::quasi_static;
+  const Real tolerance = relaxes ? stage.tolerance_of_balance : 0;
+  if (stage.release.empty())
+    return {false, substeps, tolerance, stage.excavate != 0 ? 0 : motion_.walls()};
+  return {false, substeps, tolerance, walls_left(stage.release, end - at_.stage_began)};
 }
 
 /// Step 0.

@@ -100,12 +100,14 @@ void find_inertia(Motion::Data& m) {
   const std::size_t small = static_cast<std::size_t>(m.covers) * s.functions * s.functions;
   if (s.mass.extent(0) != small) {
     s.mass = device::allocate<Real>("motion::block_mass", small);
+    s.factor = device::allocate<Real>("motion::mass_factor", m.covers);
     s.inverse = device::allocate<Real>("motion::block_mass_inverse", small);
     s.stiffness = device::allocate<Real>("motion::block_stiffness", 9 * small);
     s.damped = device::allocate<Real>("motion::damped", 9 * small);
     s.slowed = device::allocate<Real>("motion::slowed", 9 * small);
     s.turn = device::allocate<Real>("motion::block_turn", 9 * static_cast<std::size_t>(m.covers));
     s.lost = device::allocate<Real>("motion::lost", m.covers);
+    s.unbalanced = device::allocate<Real>("motion::unbalanced", m.covers);
     s.ahead = device::allocate<Real>("motion::ahead", m.covers);
     s.step = device::allocate<Real>("motion::block_step", m.covers);
   }

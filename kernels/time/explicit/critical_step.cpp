@@ -27,15 +27,16 @@ constexpr int rounds = 3, iterations = 16;
 /// Radians: a block that turns by ϑ along its tangent in a substep is stretched by ϑ²/2, here 5e-7.
 constexpr Real most_turn = 1e-3;
 
-/// a ← (M + θh²K)⁻¹, K [3n][3n].
-KOKKOS_INLINE_FUNCTION void invert_slowed(const Real* mass, const Real* k, Real h, int n, Real* a) {
+/// a ← (factor · M + θh²K)⁻¹, K [3n][3n].
+KOKKOS_INLINE_FUNCTION void invert_slowed(const Real* mass, Real factor, const Real* k, Real h,
+                                          int n, Real* a) {
   const int width = 3 * n;
   Real scale[solve::most_block_width];
   const Real share = inertia_of_strain * h * h;
   for (int i = 0; i < width; ++i)
     for (int j = 0; j < width; ++j)
       a[i * width + j] =
-          share * k[i * width + j] + (i % 3 == j % 3 ? mass[(i / 3) * n + j / 3] : 0);
+          share * k[i * width + j] + (i % 3 == j % 3 ? factor * mass[(i / 3) * n + j / 3] : 0);
   for (int i = 0; i < width; ++i)
     scale[i] = a[i * width + i] > 0 ? 1 / device::math::sqrt(a[i * width + i]) : 0;
   for (int i = 0; i < width; ++i)
@@ -157,7 +158,7 @@ void find_block_steps(Motion::Data& m) {
         if (touches && contacts.any()) solve::add_terms(contacts, p, covers, n, c);
         Real h = 0;
         for (int round = 0; round < rounds && h < unlimited; ++round) {
-          invert_slowed(small, &stiffness(own), h, n, a);
+          invert_slowed(small, 1, &stiffness(own), h, n, a);
           const Real value =
               gone(p) != 0 ? 0 : largest_value(a, c, &turn(9 * static_cast<std::size_t>(p)), n);
           h = value > 0 ? device::math::sqrt(of_contact / value) : unlimited;
@@ -172,7 +173,8 @@ void find_block_steps(Motion::Data& m) {
 void slow_strain(const Motion::Data& m) {
   const ExplicitScheme& s = m.explicit_scheme;
   const Schedule schedule = s.schedule;
-  const auto stiffness = s.stiffness, mass = s.mass, slowed = s.slowed, damped = s.damped;
+  const auto stiffness = s.stiffness, mass = s.mass, factor = s.factor, slowed = s.slowed,
+             damped = s.damped;
   const int n = s.functions, width = 3 * n;
   device::for_each(
       "rockfold::motion::slow_strain", m.covers,
@@ -181,7 +183,7 @@ void slow_strain(const Motion::Data& m) {
                    share = inertia_of_strain * h * h;
         const std::size_t own = static_cast<std::size_t>(p) * width * width;
         const Real *a = &slowed(own), *k = &stiffness(own);
-        invert_slowed(&mass(static_cast<std::size_t>(p) * n * n), k, h, n, &slowed(own));
+        invert_slowed(&mass(static_cast<std::size_t>(p) * n * n), factor(p), k, h, n, &slowed(own));
         Real once[solve::most_block_width * solve::most_block_width];
         for (int i = 0; i < width; ++i)
           for (int j = 0; j < width; ++j) {
@@ -199,25 +201,29 @@ void slow_strain(const Motion::Data& m) {
       width * width);
 }
 
-Real strain_inertia(const Motion::Data& m) {
+Real added_inertia(const Motion::Data& m) {
   const ExplicitScheme& s = m.explicit_scheme;
   const Schedule schedule = s.schedule;
-  const auto stiffness = s.stiffness, turn = s.turn;
+  const auto stiffness = s.stiffness, turn = s.turn, mass = s.mass, factor = s.factor;
   const Field velocity = m.now.velocity;
   const Index covers = m.covers;
   const int n = s.functions, width = 3 * n;
   const auto out = m.sums;
   device::sum_then<1>(
-      "rockfold::motion::strain_inertia", covers, m.partial,
+      "rockfold::motion::added_inertia", covers, m.partial,
       KOKKOS_LAMBDA(const Index p, device::Sums<1>& sum) {
         const Real h = schedule.interval(schedule.block_level(p));
         const Real* k = &stiffness(static_cast<std::size_t>(p) * width * width);
         Real x[solve::most_block_width], v[solve::most_block_width];
         for (int i = 0; i < width; ++i) x[i] = velocity(i / 3 * covers + p, i % 3);
         turn_vector(&turn(9 * static_cast<std::size_t>(p)), true, n, x, v);
+        const Real* own = &mass(static_cast<std::size_t>(p) * n * n);
         for (int i = 0; i < width; ++i)
-          for (int j = 0; j < width; ++j)
-            sum.value[0] += 0.5 * inertia_of_strain * h * h * v[i] * k[i * width + j] * v[j];
+          for (int j = 0; j < width; ++j) {
+            const Real more = i % 3 == j % 3 ? (factor(p) - 1) * own[(i / 3) * n + j / 3] : 0;
+            sum.value[0] +=
+                0.5 * v[i] * (inertia_of_strain * h * h * k[i * width + j] + more) * v[j];
+          }
       },
       KOKKOS_LAMBDA(const device::Sums<1>& sum) { out(0) = sum.value[0]; });
   return device::to_host(m.sums)[0];

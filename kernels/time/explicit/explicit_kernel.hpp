@@ -17,6 +17,10 @@
 // in their joints (c/h of 1 mm: 2e6 rad/s), so that strain alone is given more inertia, M + θh²K with the block's own K (selective mass scaling:
 // Olovsson, Simonsson & Unosson, Int. J. Numer. Meth. Engng 63, 2005, 1436), and damped: no motion as a rigid body strains, and none is changed. Of
 // blocks that have turned by R that is R (M + θh²K) Rᵀ.
+//
+// A quasi-static step relaxes: each generalised force f of a block is damped by 0.8 |f| against the velocity that goes with it (local damping: Cundall,
+// in: Numerical Methods in Geomechanics, Innsbruck 1988, as FLAC and 3DEC have it). It takes nothing where forces are in balance, so that the rest
+// it comes to is that of the forces alone, and what slips on the way follows the law.
 #pragma once
 
 #include "kernels/time/motion_kernel.hpp"
@@ -31,18 +35,20 @@ HeldRows find_held_rows(const Motion::Data& m);
 void find_block_steps(Motion::Data& m);
 /// ExplicitScheme::slowed and damped, for the intervals of the schedule.
 void slow_strain(const Motion::Data& m);
-/// J: ½ vᵀ(θh²K)v, kinetic energy of the inertia that strain has been given.
-Real strain_inertia(const Motion::Data& m);
+/// J: ½ vᵀ((factor − 1) M + θh²K)v, kinetic energy of the inertia that blocks and their strain have been given.
+Real added_inertia(const Motion::Data& m);
 
-/// For the contact points of now, and at most dt s.
-void make_schedule(Motion::Data& m, Real dt);
+/// For the contact points of now, and at most dt s. Where steps relax all blocks go by one clock, each with the mass that is stable with it: local damping
+/// is of whole forces, and masses do not matter to rest.
+void make_schedule(Motion::Data& m, Real dt, bool relaxes);
 
 /// A tick of all blocks that level `from` and faster ones touch. Where they do not go on, points held stop with their supports (prescribed, m/s).
 struct Tick {
   int from = 0;
-  Real share = 1;      ///< of the impulses: ½ where steps begin and end
-  bool drifts = true;  ///< to where each is touched next
-  Index count = 0;     ///< of the period's shortest intervals, that have gone
+  Real share = 1;        ///< of the impulses: ½ where steps begin and end
+  bool drifts = true;    ///< to where each is touched next
+  Index count = 0;       ///< of the period's shortest intervals, that have gone
+  bool relaxes = false;  ///< forces are damped locally
 };
 void tick_blocks(const Motion::Data& m, const Tick& tick);
 

@@ -113,10 +113,20 @@ void store_entries(const PointLists& lists, const std::vector<Index>& order, Ind
 
 }  // namespace
 
-void make_schedule(Motion::Data& m, Real dt) {
+void make_schedule(Motion::Data& m, Real dt, bool relaxes) {
   Schedule& s = m.explicit_scheme.schedule;
   const PointLists lists(m);
-  std::vector<int> own = find_own_levels(m, dt, s), touched = own, level(lists.count, 0);
+  std::vector<int> own = find_own_levels(m, dt, s);
+  std::vector<Real> factor(own.size(), 1);
+  if (relaxes) {
+    const std::vector<Real> step = device::to_host(m.explicit_scheme.step);
+    for (std::size_t p = 0; p < own.size(); ++p)
+      factor[p] = std::pow(std::max(1.0, s.period / step[p]), 2);
+    std::fill(own.begin(), own.end(), 0);
+    s.deepest = 0;
+  }
+  m.explicit_scheme.factor = device::to_device("motion::mass_factor", factor);
+  std::vector<int> touched = own, level(lists.count, 0);
   for (Index c = 0; c < lists.count; ++c) {
     for (Index i = lists.begin[c]; i < lists.begin[c + 1]; ++i)
       level[c] = std::max(level[c], own[lists.unknown[i] % m.covers]);

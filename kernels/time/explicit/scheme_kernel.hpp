@@ -45,15 +45,17 @@ struct ExplicitScheme {
   bool ready = false;  ///< for the stage: what does not change with the motion is there
   int functions = 1;
   Array<Real> mass;       ///< [P][n][n] kg, m of M = m ⊗ 1
+  Array<Real> factor;     ///< [P] of mass, ≥ 1: what blocks move as if they had
   Array<Real> inverse;    ///< [P][n][n]; zero in functions that have no mass beside the others
   Array<Real> stiffness;  ///< [P][3n][3n] N/m, of the rock in place, index 3k + d
   Array<Real> turn;       ///< [P][9] how blocks have turned since
   Array<Real> slowed;     ///< [P][3n][3n] (M + θh²K)⁻¹ in place: strain takes inertia with it
   /// [P][3n][3n] kg, ½ (M + θh²K) P², P = (M + θh²K)⁻¹ θh²K: times a velocity, the impulse that damps strain in a substep.
   Array<Real> damped;
-  Array<Real> lost;                   ///< [P] J, by that since the step began
-  Array<Real> ahead;                  ///< [P] J, see substeps.cpp
-  Array<Real> step;                   ///< [P] s, the longest substep of each block
+  Array<Real> lost;        ///< [P] J, by that since the step began
+  Array<Real> ahead;       ///< [P] J, see substeps.cpp
+  Array<Real> unbalanced;  ///< [P] of steps that relax: forces out of balance over those that act
+  Array<Real> step;        ///< [P] s, the longest substep of each block
   Array<Index> vertex_begin, vertex;  ///< [P+1] the surface vertices of each block
   HeldRows held;
   Schedule schedule;

@@ -14,6 +14,9 @@ namespace {
 /// then meet no unseen face.
 constexpr Real served = 0.25;
 
+/// A look costs as much as a tick of some hundred blocks.
+constexpr int periods_between_looks = 20;
+
 /// Periods of one step: more are a mistake in the model rather than patience.
 constexpr Real most_periods = 1e8;
 
@@ -51,6 +54,7 @@ struct ExplicitStep {
     }
     end();
     report.visits = visits;
+    if (relaxes()) find_unbalanced(report);
     return report;
   }
 
@@ -60,6 +64,7 @@ struct ExplicitStep {
     Kokkos::deep_copy(s.start, m.now.displacement);
     Kokkos::deep_copy(s.account, 0.0);
     Kokkos::deep_copy(s.lost, 0.0);
+    Kokkos::deep_copy(s.unbalanced, 0.0);
     Kokkos::deep_copy(s.ahead, 0.0);  // of blocks that are gone too
     Kokkos::deep_copy(s.pull, 0.0);
     Kokkos::deep_copy(s.held.impulse, 0.0);
@@ -85,7 +90,7 @@ struct ExplicitStep {
       Kokkos::deep_copy(m.contact->force, 0.0);
     }
     find_block_steps(m);
-    make_schedule(m, dt - done);
+    make_schedule(m, dt - done, relaxes());
   }
 
   /// m: how far vertices may go before points are looked for anew.
@@ -96,12 +101,29 @@ struct ExplicitStep {
                                                m.contact->contacts.current.found_at) > far();
   }
 
+  bool relaxes() const { return course.tolerance_of_balance > 0; }
+
+  /// Of a step that relaxes: whether all blocks were in balance at the end of the last period but one, looked at now and then. Time goes to the step's
+  /// end.
+  bool is_at_rest() {
+    if (!relaxes() || ++periods % periods_between_looks != 0) return false;
+    const auto unbalanced = s.unbalanced;
+    const Real most = device::largest(
+        "rockfold::motion::unbalanced", m.covers,
+        KOKKOS_LAMBDA(const Index p) { return unbalanced(p); });
+    if (most > course.tolerance_of_balance) return false;
+    done = dt;
+    m.now.time = began + dt;
+    return true;
+  }
+
   void advance_points(int from) {
     if (!m.contact || !m.system.contacts.any()) return;
     const Schedule& schedule = s.schedule;
     if (s.points[from] == 0) return;
     contact::advance(m.contact->contacts, m.contact->motion,
-                     {schedule.point, schedule.level, s.points[from], schedule.period},
+                     {schedule.point, schedule.level, s.points[from], schedule.period,
+                      relaxes() ? 1 : m.contact->contacts.options.restitution},
                      m.contact->force, s.account);
     visits += s.points[from];
   }
@@ -111,7 +133,7 @@ struct ExplicitStep {
     set_period_time();
     advance_points(0);
     find_outside(0.5);
-    tick_blocks(m, {0, 0.5, true, 0});
+    tick_blocks(m, {0, 0.5, true, 0, relaxes()});
   }
 
   void tick(Index k) {
@@ -119,7 +141,7 @@ struct ExplicitStep {
     for (Index left = k; left % 2 == 0; left /= 2) --from;
     if (s.blocks[from] == 0) return;
     advance_points(from);
-    tick_blocks(m, {from, 1, true, k});
+    tick_blocks(m, {from, 1, true, k, relaxes()});
   }
 
   /// Whether another period follows: not at the end of the step, nor where points are to be looked for.
@@ -127,13 +149,13 @@ struct ExplicitStep {
     const Real period = s.schedule.period;
     done = dt - done < 1.5 * period ? dt : done + period;
     m.now.time = began + done;
-    const bool goes_on = done < dt && !has_gone_far();
+    const bool goes_on = done < dt && !is_at_rest() && !has_gone_far();
     if (goes_on) set_period_time();
     advance_points(0);
     find_outside(goes_on ? 1 : 0.5);
     count_outside();
     if (!goes_on) find_target_speed();
-    tick_blocks(m, {0, goes_on ? 1 : 0.5, goes_on, 0});
+    tick_blocks(m, {0, goes_on ? 1 : 0.5, goes_on, 0, relaxes()});
     if (!goes_on && m.contact) settle();
     return goes_on;
   }
@@ -146,7 +168,9 @@ struct ExplicitStep {
     const std::vector<Real> account = device::to_host(s.account);
     Kokkos::deep_copy(s.account, 0.0);
     m.now.work.friction += account[0];
-    m.now.work.impact += m.now.contact_energy - stored - account[0] - account[1];
+    // Nothing hits anything while rock relaxes: what contact takes then is part of the way to rest.
+    Real& taken = relaxes() ? m.now.work.damping : m.now.work.impact;
+    taken += m.now.contact_energy - stored - account[0] - account[1];
     m.now.contact_energy = stored;
   }
 
@@ -232,6 +256,15 @@ struct ExplicitStep {
     add_following_pressures(m.following, m.now.time, m.now.displacement, 1, m.following_before);
   }
 
+  void find_unbalanced(SolveReport& report) const {
+    const std::vector<Real> of_block = device::to_host(s.unbalanced);
+    for (std::size_t p = 0; p < of_block.size(); ++p) {
+      if (!(of_block[p] > report.unbalanced)) continue;
+      report.unbalanced = of_block[p];
+      report.unbalanced_cover = static_cast<Index>(p);
+    }
+  }
+
   /// What the work of the first period starts from.
   void keep_outside() {
     if (!acts) return;
@@ -244,7 +277,7 @@ struct ExplicitStep {
   void end() {
     set_time(m, m.now.time);
     leave_out_gone(m, m.now.velocity);
-    m.now.substep_energy = sum_of(s.ahead) - strain_inertia(m);
+    m.now.substep_energy = sum_of(s.ahead) - added_inertia(m);
     const auto way = m.increment, d = m.now.displacement, start = s.start;
     const auto v = m.now.velocity, before = m.velocity_before, a = m.now.acceleration;
     const Real rate = 1 / dt;
@@ -309,7 +342,7 @@ struct ExplicitStep {
   Real dt;
   const StepCourse& course;
   Real began, done = 0;
-  std::int64_t visits = 0;
+  std::int64_t visits = 0, periods = 0;
   bool acts = false;  ///< something from outside, beside constant loads
 };
 

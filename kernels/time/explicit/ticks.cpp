@@ -11,7 +11,7 @@ struct Scene {
   explicit Scene(const Motion::Data& m);
   Schedule schedule;
   HeldRows held;
-  Array<Real> slowed, damped, turn, lost, ahead;
+  Array<Real> slowed, damped, turn, lost, ahead, unbalanced, mass, factor;
   Array<Index> vertex_begin, vertex;
   finite::Deformation rock;
   Field d, v, load, force, home, x, speed, outside, target, target_before, target_speed;
@@ -31,6 +31,9 @@ Scene::Scene(const Motion::Data& m)
       turn(m.explicit_scheme.turn),
       lost(m.explicit_scheme.lost),
       ahead(m.explicit_scheme.ahead),
+      unbalanced(m.explicit_scheme.unbalanced),
+      mass(m.explicit_scheme.mass),
+      factor(m.explicit_scheme.factor),
       vertex_begin(m.explicit_scheme.vertex_begin),
       vertex(m.explicit_scheme.vertex),
       rock(*m.rock->finite_strain()),
@@ -123,6 +126,57 @@ KOKKOS_INLINE_FUNCTION void kick(const Scene& scene, Index p, const Real* x, Rea
     Real& v = scene.v(i / 3 * scene.covers + p, i % 3);
     v = ((1 - half) * v + speed[i]) / (1 + half);
   }
+}
+
+/// Of force. FLAC and 3DEC take as much.
+constexpr Real local_damping = 0.8;
+
+/// Local damping: what each impulse loses, and its work at the mean velocity, with that of the damping of strain.
+KOKKOS_INLINE_FUNCTION void relax(const Scene& scene, Index p, Real* x, Real* loss) {
+  for (int i = 0; i < 3 * scene.functions; ++i) {
+    const Real v = scene.v(i / 3 * scene.covers + p, i % 3);
+    loss[i] = local_damping * device::math::fabs(x[i]) * (v > 0 ? 1 : v < 0 ? -1 : 0);
+    x[i] -= loss[i];
+  }
+}
+
+/// N: the sizes of all forces on the block, whatever way they act.
+KOKKOS_INLINE_FUNCTION Real acting_force(const Scene& scene, Index p) {
+  Real sum = 0, square = 0;
+  for (int i = 0; i < 3; ++i) square += scene.load(p, i) * scene.load(p, i);
+  sum += device::math::sqrt(square);
+  if (!scene.touches) return sum;
+  for (Index e = scene.schedule.begin(p); e < scene.schedule.begin(p + 1); ++e) {
+    square = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Real f = scene.force(scene.schedule.entry_point(e), i);
+      square += f * f;
+    }
+    sum += device::math::sqrt(square);
+  }
+  return sum;
+}
+
+/// ExplicitScheme::unbalanced, from the impulses x over h; of a block with points held from what they leave of them: the change of its momentum.
+KOKKOS_INLINE_FUNCTION void judge_balance(const Scene& scene, Index p, const Real* x,
+                                          const Real* before, Real h) {
+  const int n = scene.functions;
+  const bool holds = scene.held.any() && scene.held.of_block(p) < scene.held.of_block(p + 1);
+  const Real* m = &scene.mass(static_cast<std::size_t>(p) * n * n);
+  Real most = 0;
+  for (int k = 0; k < n; ++k) {
+    Real square = 0;
+    for (int i = 0; i < 3; ++i) {
+      Real f = holds ? 0 : x[3 * k + i];
+      for (int l = 0; holds && l < n; ++l)
+        f +=
+            scene.factor(p) * m[k * n + l] * (scene.v(l * scene.covers + p, i) - before[3 * l + i]);
+      square += f * f;
+    }
+    most = device::math::fmax(most, square);
+  }
+  const Real acts = acting_force(scene, p);
+  scene.unbalanced(p) = acts > 0 ? device::math::sqrt(most) / (h * acts) : 0;
 }
 
 /// Component r of C of what the points of a set have.
@@ -242,8 +296,8 @@ void tick_blocks(const Motion::Data& m, const Tick& tick) {
         const Index p = s.block(b);
         if (scene.gone(p) != 0) return;
         const Real h = now.share * s.interval(s.block_level(p));
-        Real x[most_width], v[most_width], loss[most_width];
-        for (int i = 0; i < width; ++i) x[i] = loss[i] = 0;
+        Real x[most_width], v[most_width], loss[most_width], slowing[most_width], whole[most_width];
+        for (int i = 0; i < width; ++i) x[i] = loss[i] = slowing[i] = 0;
         if (scene.touches) add_point_impulses(scene, p, now, x);
         add_stress_impulse(scene, p, h, x);
         Real stressed[most_width];
@@ -252,6 +306,8 @@ void tick_blocks(const Motion::Data& m, const Tick& tick) {
           v[i] = scene.v(i / 3 * scene.covers + p, i % 3);
         }
         add_load_impulses(scene, p, now, h, x);
+        for (int i = 0; i < width; ++i) whole[i] = x[i];
+        if (now.relaxes) relax(scene, p, x, slowing);
         kick(scene, p, x, now.share, h, loss);
         if (now.drifts)
           drift(scene, p, now.count);
@@ -260,11 +316,12 @@ void tick_blocks(const Motion::Data& m, const Tick& tick) {
         Real lost = 0, ahead = 0;
         for (int i = 0; i < width; ++i) {
           const Real after = scene.v(i / 3 * scene.covers + p, i % 3);
-          lost += 0.5 * loss[i] * (v[i] + after);
+          lost += 0.5 * (loss[i] + slowing[i]) * (v[i] + after);
           ahead += 0.5 * stressed[i] * (after - v[i]);
         }
         scene.lost(p) += lost;
         scene.ahead(p) = ahead;
+        if (now.relaxes && now.from == 0) judge_balance(scene, p, whole, v, h);
         if (scene.touches && now.drifts) move_vertices(scene, p);
       },
       width);

@@ -86,6 +86,12 @@ void read_scheme(TableReader& in, AnalysisStage& stage) {
   const auto given = in.choose("scheme", {{"auto", "implicit", "explicit"}, {}}, Need::optional);
   constexpr Scheme schemes[] = {Scheme::automatic, Scheme::implicit, Scheme::explicit_};
   if (given) stage.scheme = schemes[*given];
+  if (!in.read("tolerance_of_balance", stage.tolerance_of_balance, between(1e-12, 0.1, ""),
+               Need::optional))
+    return;
+  if (stage.type != AnalysisType::quasi_static || stage.scheme != Scheme::explicit_)
+    in.wrong("tolerance_of_balance",
+             "is for type = \"quasi_static\" with scheme = \"explicit\"");
 }
 
 void read_kinematics(TableReader& in, Analysis& analysis) {
