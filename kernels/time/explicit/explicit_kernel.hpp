@@ -29,6 +29,7 @@ namespace rockfold::motion {
 
 /// What does not change with the motion: masses, stiffness, the surface vertices of blocks.
 void find_inertia(Motion::Data& m);
+/// For the inertia of now: slow_strain.
 HeldRows find_held_rows(const Motion::Data& m);
 
 /// ExplicitScheme::step: what is stable with the contact points of now, whatever their states.

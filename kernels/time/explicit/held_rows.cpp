@@ -9,24 +9,25 @@ namespace {
 /// Of a row's own size: what is left of one that others make up is rounding.
 constexpr Real independent = 1e-8;
 
-/// A row and what it is of the points chosen so far.
+/// A component of a point that is held, as a row of its block's functions (index 3k + d), and what it is of the rows chosen so far.
 struct Row {
   Index point = 0;
-  std::vector<Real> weight, combine;
+  int component = 0;
+  std::vector<Real> weight, left, combine;
 };
 
 /// On the host: the arrays of HeldRows.
 struct Lists {
-  std::vector<Index> cover, begin{0}, point;
-  std::vector<int> component;
-  std::vector<Real> combine, row, way;
+  std::vector<Index> cover, begin{0}, point, entry_begin{0}, entry_point;
+  std::vector<int> component, entry_component;
+  std::vector<Real> combine, row, way, share;
 };
 
-std::vector<Real> times_inverse(const Real* inverse, int n, const std::vector<Real>& row) {
-  std::vector<Real> product(n, 0);
-  for (int k = 0; k < n; ++k)
-    for (int l = 0; l < n; ++l) product[k] += inverse[k * n + l] * row[l];
-  return product;
+std::vector<Real> product(const std::vector<Real>& a, const std::vector<Real>& x) {
+  std::vector<Real> y(x.size(), 0);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    for (std::size_t j = 0; j < x.size(); ++j) y[i] += a[i * x.size() + j] * x[j];
+  return y;
 }
 
 Real dot(const std::vector<Real>& a, const std::vector<Real>& b) {
@@ -35,52 +36,94 @@ Real dot(const std::vector<Real>& a, const std::vector<Real>& b) {
   return sum;
 }
 
-/// Gram and Schmidt with the largest row first, in the measure of the inverse mass.
-void add_set(Index cover, int component, std::vector<Row> rows, const Real* inverse, int n,
-             Lists& to) {
-  std::vector<Real> size_at_first;
-  for (const Row& row : rows)
-    size_at_first.push_back(dot(row.weight, times_inverse(inverse, n, row.weight)));
-  int chosen = 0;
-  for (; chosen < n; ++chosen) {
+/// R A Rᵀ, function by function.
+std::vector<Real> turned(const Real* a, const Real* r, int width) {
+  std::vector<Real> half(width * width, 0), whole(width * width, 0);
+  for (int i = 0; i < width; ++i)
+    for (int j = 0; j < width; ++j)
+      for (int k = 0; k < 3; ++k)
+        half[i * width + j] += r[3 * (i % 3) + k] * a[(i / 3 * 3 + k) * width + j];
+  for (int i = 0; i < width; ++i)
+    for (int j = 0; j < width; ++j)
+      for (int k = 0; k < 3; ++k)
+        whole[i * width + j] += half[i * width + j / 3 * 3 + k] * r[3 * (j % 3) + k];
+  return whole;
+}
+
+/// What each point takes of the impulses of the rows chosen: A (AᵀA)⁻¹, least in the norm, with `a` [rows][chosen] the rows in those chosen.
+std::vector<Real> find_shares(const std::vector<Real>& a, std::size_t rows, int chosen, int width) {
+  std::vector<Real> normal(chosen * chosen, 0), share(rows * width, 0);
+  for (std::size_t r = 0; r < rows; ++r)
+    for (int i = 0; i < chosen; ++i)
+      for (int j = 0; j < chosen; ++j)
+        normal[i * chosen + j] += a[r * width + i] * a[r * width + j];
+  std::vector<Real> scale(chosen);
+  for (int i = 0; i < chosen; ++i) scale[i] = 1 / std::sqrt(normal[i * chosen + i]);
+  for (int i = 0; i < chosen; ++i)
+    for (int j = 0; j < chosen; ++j) normal[i * chosen + j] *= scale[i] * scale[j];
+  solve::invert_symmetric(chosen, normal.data());
+  for (std::size_t r = 0; r < rows; ++r)
+    for (int i = 0; i < chosen; ++i)
+      for (int j = 0; j < chosen; ++j)
+        share[r * width + i] += scale[i] * scale[j] * a[r * width + j] *
+                                (i <= j ? normal[i * chosen + j] : normal[j * chosen + i]);
+  return share;
+}
+
+/// Gram and Schmidt with the largest row first, in the measure of the block's inverse inertia.
+void add_block(Index cover, std::vector<Row> rows, const std::vector<Real>& inverse, int width,
+               Lists& to) {
+  std::vector<std::vector<Real>> ways;
+  std::vector<Real> first;
+  for (Row& row : rows) {
+    row.left = row.weight;
+    row.combine.assign(width, 0);
+    first.push_back(dot(row.weight, product(inverse, row.weight)));
+  }
+  for (int chosen = 0; chosen < width; ++chosen) {
     std::size_t best = rows.size();
     Real most = 0;
     for (std::size_t r = 0; r < rows.size(); ++r) {
-      const Real size = dot(rows[r].weight, times_inverse(inverse, n, rows[r].weight));
-      if (!(size > independent * size_at_first[r]) || !(size > most)) continue;
+      const Real size = dot(rows[r].left, product(inverse, rows[r].left));
+      if (!(size > independent * first[r]) || !(size > most)) continue;
       best = r;
       most = size;
     }
     if (best == rows.size()) break;
-    Row& row = rows[best];
-    row.combine.resize(n, 0);
-    row.combine[chosen] += 1;
+    Row unit = rows[best];
+    unit.combine[chosen] += 1;
     const Real scale = 1 / std::sqrt(most);
-    for (Real& w : row.weight) w *= scale;
-    for (Real& c : row.combine) c *= scale;
-    const std::vector<Real> way = times_inverse(inverse, n, row.weight);
-    to.point.push_back(row.point);
-    to.row.insert(to.row.end(), row.weight.begin(), row.weight.end());
+    for (Real& w : unit.left) w *= scale;
+    for (Real& c : unit.combine) c *= scale;
+    const std::vector<Real> way = product(inverse, unit.left);
+    to.point.push_back(unit.point);
+    to.component.push_back(unit.component);
+    to.row.insert(to.row.end(), unit.left.begin(), unit.left.end());
     to.way.insert(to.way.end(), way.begin(), way.end());
-    to.combine.insert(to.combine.end(), row.combine.begin(), row.combine.end());
-    const Row unit = row;
+    to.combine.insert(to.combine.end(), unit.combine.begin(), unit.combine.end());
+    ways.push_back(way);
     for (std::size_t r = 0; r < rows.size(); ++r) {
-      if (r == best) {
-        rows[r].weight.assign(n, 0);
-        continue;
-      }
-      const Real share = dot(rows[r].weight, way);
-      rows[r].combine.resize(n, 0);
-      for (int k = 0; k < n; ++k) {
-        rows[r].weight[k] -= share * unit.weight[k];
+      const Real share = dot(rows[r].left, way);
+      for (int k = 0; k < width; ++k) {
+        rows[r].left[k] = r == best ? 0 : rows[r].left[k] - share * unit.left[k];
         rows[r].combine[k] -= share * unit.combine[k];
       }
     }
   }
-  if (chosen == 0) return;
+  if (ways.empty()) return;
+  std::vector<Real> in_chosen(rows.size() * width, 0);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (std::size_t c = 0; c < ways.size(); ++c)
+      in_chosen[r * width + c] = dot(rows[r].weight, ways[c]);
+    to.entry_point.push_back(rows[r].point);
+    to.entry_component.push_back(rows[r].component);
+  }
+  const std::vector<Real> share =
+      find_shares(in_chosen, rows.size(), static_cast<int>(ways.size()), width);
+  to.share.insert(to.share.end(), share.begin(), share.end());
   to.cover.push_back(cover);
-  to.component.push_back(component);
   to.begin.push_back(static_cast<Index>(to.point.size()));
+  to.entry_begin.push_back(static_cast<Index>(to.entry_point.size()));
 }
 
 }  // namespace
@@ -88,39 +131,45 @@ void add_set(Index cover, int component, std::vector<Row> rows, const Real* inve
 HeldRows find_held_rows(const Motion::Data& m) {
   const solve::Springs& springs = m.system.springs;
   HeldRows held;
-  const int n = held.functions = m.explicit_scheme.functions;
+  const int n = m.explicit_scheme.functions, width = held.width = 3 * n;
   if (!springs.any()) return held;
   const std::vector<Index> begin = device::to_host(springs.points.begin),
                            unknown = device::to_host(springs.points.unknown);
   const std::vector<Real> weight = device::to_host(springs.points.weight),
-                          inverse = device::to_host(m.explicit_scheme.inverse);
+                          slowed = device::to_host(m.explicit_scheme.slowed),
+                          turn = device::to_host(m.explicit_scheme.turn);
   const std::vector<Vec3> is_held = device::copy_to_host(springs.held);
-  std::vector<std::vector<Row>> rows(static_cast<std::size_t>(m.covers) * 3);
+  std::vector<std::vector<Row>> rows(m.covers);
   for (Index p = 0; p < springs.points.count; ++p)
     for (int d = 0; d < 3; ++d) {
       if (!(is_held[p][d] > 0) || begin[p] == begin[p + 1]) continue;
-      Row row{p, std::vector<Real>(n, 0), {}};
+      Row row{p, d, std::vector<Real>(width, 0), {}, {}};
       for (Index i = begin[p]; i < begin[p + 1]; ++i)
-        row.weight[unknown[i] / m.covers] += weight[i];
-      rows[static_cast<std::size_t>(unknown[begin[p]] % m.covers) * 3 + d].push_back(row);
+        row.weight[3 * (unknown[i] / m.covers) + d] += weight[i];
+      rows[unknown[begin[p]] % m.covers].push_back(row);
     }
   Lists lists;
-  for (std::size_t s = 0; s < rows.size(); ++s)
-    if (!rows[s].empty())
-      add_set(static_cast<Index>(s / 3), static_cast<int>(s % 3), std::move(rows[s]),
-              &inverse[s / 3 * n * n], n, lists);
-  held.sets = static_cast<Index>(lists.cover.size());
   std::vector<Index> of_block(m.covers + 1, 0);
-  for (const Index p : lists.cover) ++of_block[p + 1];
-  std::partial_sum(of_block.begin(), of_block.end(), of_block.begin());
+  for (Index p = 0; p < m.covers; ++p) {
+    of_block[p] = static_cast<Index>(lists.cover.size());
+    if (rows[p].empty()) continue;
+    const std::size_t own = static_cast<std::size_t>(p) * width * width;
+    add_block(p, std::move(rows[p]),
+              turned(&slowed[own], &turn[9 * static_cast<std::size_t>(p)], width), width, lists);
+  }
+  of_block[m.covers] = held.sets = static_cast<Index>(lists.cover.size());
   held.of_block = device::to_device("motion::held_of_block", of_block);
   held.cover = device::to_device("motion::held_cover", lists.cover);
-  held.component = device::to_device("motion::held_component", lists.component);
   held.begin = device::to_device("motion::held_begin", lists.begin);
   held.point = device::to_device("motion::held_point", lists.point);
+  held.component = device::to_device("motion::held_component", lists.component);
   held.combine = device::to_device("motion::held_combine", lists.combine);
   held.row = device::to_device("motion::held_row", lists.row);
   held.way = device::to_device("motion::held_way", lists.way);
+  held.entry_begin = device::to_device("motion::held_entry_begin", lists.entry_begin);
+  held.entry_point = device::to_device("motion::held_entry_point", lists.entry_point);
+  held.entry_component = device::to_device("motion::held_entry_component", lists.entry_component);
+  held.share = device::to_device("motion::held_share", lists.share);
   held.impulse = Array<Real>("rockfold::motion::held_impulse", lists.point.size());
   return held;
 }

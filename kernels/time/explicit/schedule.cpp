@@ -143,6 +143,7 @@ void make_schedule(Motion::Data& m, Real dt, bool relaxes) {
   s.level = device::to_device("motion::point_level", level);
   store_entries(lists, points, m.covers, m.explicit_scheme.functions, s);
   slow_strain(m);
+  m.explicit_scheme.held = find_held_rows(m);
 }
 
 }  // namespace rockfold::motion

@@ -10,19 +10,24 @@ namespace rockfold::motion {
 using device::Array;
 using device::Field;
 
-/// What holds a component of a block's motion: rows that do not depend on each other, combined such that C m⁻¹ Cᵀ = 1.
+/// What holds a block: rows of its functions (index 3k + d) that do not depend on each other, combined such that C A Cᵀ = 1 in its inverse inertia A as
+/// it is turned. (In any other measure what supports bear would leave strain behind.)
 struct HeldRows {
-  int functions = 1;
-  Index sets = 0;         ///< (block, component), ascending
-  Array<Index> of_block;  ///< [P+1] the sets of each block
-  Array<Index> cover;     ///< [sets]
-  Array<int> component;   ///< [sets]
-  Array<Index> begin;     ///< [sets+1]
-  Array<Index> point;     ///< [rows] of the springs' points
-  Array<Real> combine;    ///< [rows][functions] of the set's points, in their order, lower triangle
-  Array<Real> row;        ///< [rows][functions] C
-  Array<Real> way;        ///< [rows][functions] m⁻¹ Cᵀ
-  Array<Real> impulse;    ///< [rows] N s, of each point on the rock since the step began
+  int width = 3;             ///< 3n
+  Index sets = 0;            ///< blocks with points held, ascending
+  Array<Index> of_block;     ///< [P+1] the set of each block
+  Array<Index> cover;        ///< [sets]
+  Array<Index> begin;        ///< [sets+1]
+  Array<Index> point;        ///< [rows] of the springs' points, …
+  Array<int> component;      ///< [rows] … and which of theirs
+  Array<Real> combine;       ///< [rows][width] of the set's rows, in their order, lower triangle
+  Array<Real> row;           ///< [rows][width] C
+  Array<Real> way;           ///< [rows][width] A Cᵀ
+  Array<Real> impulse;       ///< [rows] N s, since they were last counted
+  Array<Index> entry_begin;  ///< [sets+1] all points held of a block, …
+  Array<Index> entry_point;  ///< … of each component,
+  Array<int> entry_component;
+  Array<Real> share;  ///< [entries][width] what they take of the rows' impulses
   KOKKOS_INLINE_FUNCTION bool any() const { return sets > 0; }
 };
 

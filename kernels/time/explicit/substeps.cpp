@@ -67,7 +67,6 @@ struct ExplicitStep {
     Kokkos::deep_copy(s.unbalanced, 0.0);
     Kokkos::deep_copy(s.ahead, 0.0);  // of blocks that are gone too
     Kokkos::deep_copy(s.pull, 0.0);
-    Kokkos::deep_copy(s.held.impulse, 0.0);
     acts = m.varying_loads.any() || m.following.any() || m.dashpots.any() ||
            m.system.springs.any() || m.now.walls > 0 || course.walls > 0;
     if (!acts || s.outside.extent(0) > 0) return;
@@ -157,6 +156,7 @@ struct ExplicitStep {
     if (!goes_on) find_target_speed();
     tick_blocks(m, {0, goes_on ? 1 : 0.5, goes_on, 0, relaxes()});
     if (!goes_on && m.contact) settle();
+    if (!goes_on) count_held();
     return goes_on;
   }
 
@@ -312,17 +312,28 @@ struct ExplicitStep {
         });
   }
 
+  /// What the points held of a block have pushed with, shared among all of them.
+  void count_held() {
+    const HeldRows held = s.held;
+    if (!held.any()) return;
+    const auto pull = s.pull;
+    device::for_each(
+        "rockfold::motion::held_impulse", held.sets, KOKKOS_LAMBDA(const Index set) {
+          const Index begin = held.begin(set), count = held.begin(set + 1) - begin;
+          for (Index e = held.entry_begin(set); e < held.entry_begin(set + 1); ++e)
+            for (Index r = 0; r < count; ++r)
+              pull(held.entry_point(e), held.entry_component(e)) +=
+                  held.share(static_cast<std::size_t>(e) * held.width + r) *
+                  held.impulse(begin + r);
+        });
+    Kokkos::deep_copy(held.impulse, 0.0);
+  }
+
   /// The mean over the step of what supports pushed with, and their work.
   void find_reactions() {
     const solve::Springs springs = m.system.springs;
     if (!springs.any()) return;
-    const HeldRows held = s.held;
     const auto pull = s.pull, reaction = m.now.reaction, way = m.increment;
-    device::for_each(
-        "rockfold::motion::held_impulse", held.sets, KOKKOS_LAMBDA(const Index set) {
-          for (Index r = held.begin(set); r < held.begin(set + 1); ++r)
-            pull(held.point(r), held.component(set)) += held.impulse(r);
-        });
     const Real rate = 1 / dt;
     const auto out = m.sums;
     device::sum_then<1>(
@@ -350,7 +361,6 @@ void prepare(Motion::Data& m) {
   ExplicitScheme& s = m.explicit_scheme;
   if (s.ready) return;
   find_inertia(m);
-  s.held = find_held_rows(m);
   s.start = device::make_field("motion::explicit_start", m.unknowns);
   s.pull = device::make_field("motion::explicit_pull", m.system.springs.points.count);
   s.target_before = device::make_field("motion::target_before", m.system.springs.points.count);

@@ -179,29 +179,18 @@ KOKKOS_INLINE_FUNCTION void judge_balance(const Scene& scene, Index p, const Rea
   scene.unbalanced(p) = acts > 0 ? device::math::sqrt(most) / (h * acts) : 0;
 }
 
-/// Component r of C of what the points of a set have.
-template <class OfPoint>
-KOKKOS_INLINE_FUNCTION Real combined(const HeldRows& held, Index set, Index r,
-                                     const OfPoint& of_point) {
-  const Index begin = held.begin(set);
-  Real sum = 0;
-  for (Index j = begin; j <= r; ++j)
-    sum += held.combine(static_cast<std::size_t>(r) * held.functions + (j - begin)) *
-           of_point(held.point(j), held.component(set));
-  return sum;
-}
-
-/// What rows lack of `of_point` in the field x of block p.
+/// What the rows of a set lack of `of_point` in the field x of block p.
 template <class OfPoint>
 KOKKOS_INLINE_FUNCTION void find_lacks(const HeldRows& held, Index set, const Field& x,
                                        Index covers, const OfPoint& of_point, Real* lacks) {
   const Index p = held.cover(set), begin = held.begin(set);
   for (Index r = begin; r < held.begin(set + 1); ++r) {
-    Real is = 0;
-    for (int k = 0; k < held.functions; ++k)
-      is += held.row(static_cast<std::size_t>(r) * held.functions + k) *
-            x(k * covers + p, held.component(set));
-    lacks[r - begin] = combined(held, set, r, of_point) - is;
+    const std::size_t own = static_cast<std::size_t>(r) * held.width;
+    Real lack = 0;
+    for (Index j = begin; j <= r; ++j)
+      lack += held.combine(own + (j - begin)) * of_point(held.point(j), held.component(j));
+    for (int i = 0; i < held.width; ++i) lack -= held.row(own + i) * x(i / 3 * covers + p, i % 3);
+    lacks[r - begin] = lack;
   }
 }
 
@@ -212,8 +201,7 @@ KOKKOS_INLINE_FUNCTION void place_held(const Scene& scene, Index p, Real h, Real
   const bool moving = scene.moving;
   for (Index set = held.of_block(p); set < held.of_block(p + 1); ++set) {
     const Index begin = held.begin(set);
-    const int n = held.functions, i = held.component(set);
-    Real lacks[most_functions];
+    Real lacks[most_width];
     find_lacks(
         held, set, scene.d, scene.covers,
         [&](Index point, int d) {
@@ -222,14 +210,12 @@ KOKKOS_INLINE_FUNCTION void place_held(const Scene& scene, Index p, Real h, Real
         },
         lacks);
     for (Index r = begin; r < held.begin(set + 1); ++r) {
-      for (int k = 0; k < n; ++k) {
-        const Real by = held.way(static_cast<std::size_t>(r) * n + k) * lacks[r - begin];
-        scene.d(k * scene.covers + p, i) += by;
-        scene.v(k * scene.covers + p, i) += by / h;
+      held.impulse(r) += lacks[r - begin] / h;
+      for (int i = 0; i < held.width; ++i) {
+        const Real by = held.way(static_cast<std::size_t>(r) * held.width + i) * lacks[r - begin];
+        scene.d(i / 3 * scene.covers + p, i % 3) += by;
+        scene.v(i / 3 * scene.covers + p, i % 3) += by / h;
       }
-      for (Index j = begin; j <= r; ++j)
-        held.impulse(j) +=
-            held.combine(static_cast<std::size_t>(r) * n + (j - begin)) * lacks[r - begin] / h;
     }
   }
 }
@@ -240,16 +226,15 @@ KOKKOS_INLINE_FUNCTION void stop_held(const Scene& scene, Index p) {
   const Field speed = scene.target_speed;
   for (Index set = held.of_block(p); set < held.of_block(p + 1); ++set) {
     const Index begin = held.begin(set);
-    Real lacks[most_functions];
+    Real lacks[most_width];
     find_lacks(
         held, set, scene.v, scene.covers, [&](Index point, int d) { return speed(point, d); },
         lacks);
     for (Index r = begin; r < held.begin(set + 1); ++r) {
-      const std::size_t own = static_cast<std::size_t>(r) * held.functions;
-      for (int k = 0; k < held.functions; ++k)
-        scene.v(k * scene.covers + p, held.component(set)) += held.way(own + k) * lacks[r - begin];
-      for (Index j = begin; j <= r; ++j)
-        held.impulse(j) += held.combine(own + (j - begin)) * lacks[r - begin];
+      held.impulse(r) += lacks[r - begin];
+      for (int i = 0; i < held.width; ++i)
+        scene.v(i / 3 * scene.covers + p, i % 3) +=
+            held.way(static_cast<std::size_t>(r) * held.width + i) * lacks[r - begin];
     }
   }
 }
