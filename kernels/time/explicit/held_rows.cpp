@@ -50,23 +50,27 @@ std::vector<Real> turned(const Real* a, const Real* r, int width) {
   return whole;
 }
 
-/// What each point takes of the impulses of the rows chosen: A (AᵀA)⁻¹, least in the norm, with `a` [rows][chosen] the rows in those chosen.
-std::vector<Real> find_shares(const std::vector<Real>& a, std::size_t rows, int chosen, int width) {
-  std::vector<Real> normal(chosen * chosen, 0), share(rows * width, 0);
-  for (std::size_t r = 0; r < rows; ++r)
-    for (int i = 0; i < chosen; ++i)
-      for (int j = 0; j < chosen; ++j)
-        normal[i * chosen + j] += a[r * width + i] * a[r * width + j];
-  std::vector<Real> scale(chosen);
-  for (int i = 0; i < chosen; ++i) scale[i] = 1 / std::sqrt(normal[i * chosen + i]);
-  for (int i = 0; i < chosen; ++i)
-    for (int j = 0; j < chosen; ++j) normal[i * chosen + j] *= scale[i] * scale[j];
-  solve::invert_symmetric(chosen, normal.data());
-  for (std::size_t r = 0; r < rows; ++r)
-    for (int i = 0; i < chosen; ++i)
-      for (int j = 0; j < chosen; ++j)
-        share[r * width + i] += scale[i] * scale[j] * a[r * width + j] *
-                                (i <= j ? normal[i * chosen + j] : normal[j * chosen + i]);
+/// [rows][width] what each row takes of the impulses of those chosen, [chosen][width] C: W (WᵀW)⁻ Cᵀ, least in the norm. (Not through W in those chosen:
+/// stiff strain makes their lengths differ by many powers of ten.)
+std::vector<Real> find_shares(const std::vector<Row>& rows, const std::vector<Real>& units,
+                              int chosen, int width) {
+  std::vector<Real> normal(width * width, 0), scale(width, 0), share(rows.size() * width, 0);
+  for (const Row& row : rows)
+    for (int i = 0; i < width; ++i)
+      for (int j = 0; j < width; ++j) normal[i * width + j] += row.weight[i] * row.weight[j];
+  for (int i = 0; i < width; ++i)
+    if (normal[i * width + i] > 0) scale[i] = 1 / std::sqrt(normal[i * width + i]);
+  for (int i = 0; i < width; ++i)
+    for (int j = 0; j < width; ++j) normal[i * width + j] *= scale[i] * scale[j];
+  solve::invert_symmetric(width, normal.data());
+  for (int c = 0; c < chosen; ++c) {
+    std::vector<Real> load(width, 0);
+    for (int i = 0; i < width; ++i)
+      for (int j = 0; j < width; ++j)
+        load[i] += scale[i] * scale[j] * units[c * width + j] *
+                   (i <= j ? normal[i * width + j] : normal[j * width + i]);
+    for (std::size_t r = 0; r < rows.size(); ++r) share[r * width + c] = dot(rows[r].weight, load);
+  }
   return share;
 }
 
@@ -111,15 +115,13 @@ void add_block(Index cover, std::vector<Row> rows, const std::vector<Real>& inve
     }
   }
   if (ways.empty()) return;
-  std::vector<Real> in_chosen(rows.size() * width, 0);
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    for (std::size_t c = 0; c < ways.size(); ++c)
-      in_chosen[r * width + c] = dot(rows[r].weight, ways[c]);
-    to.entry_point.push_back(rows[r].point);
-    to.entry_component.push_back(rows[r].component);
+  for (const Row& row : rows) {
+    to.entry_point.push_back(row.point);
+    to.entry_component.push_back(row.component);
   }
-  const std::vector<Real> share =
-      find_shares(in_chosen, rows.size(), static_cast<int>(ways.size()), width);
+  const std::vector<Real> units(to.row.end() - static_cast<std::ptrdiff_t>(ways.size()) * width,
+                                to.row.end());
+  const std::vector<Real> share = find_shares(rows, units, static_cast<int>(ways.size()), width);
   to.share.insert(to.share.end(), share.begin(), share.end());
   to.cover.push_back(cover);
   to.begin.push_back(static_cast<Index>(to.point.size()));
