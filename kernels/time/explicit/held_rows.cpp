@@ -13,6 +13,7 @@ constexpr Real independent = 1e-8;
 struct Row {
   Index point = 0;
   int component = 0;
+  Real resists = 0;  ///< kg, of the block against this row
   std::vector<Real> weight, left, combine;
 };
 
@@ -50,14 +51,16 @@ std::vector<Real> turned(const Real* a, const Real* r, int width) {
   return whole;
 }
 
-/// [rows][width] what each row takes of the impulses of those chosen, [chosen][width] C: W (WᵀW)⁻ Cᵀ, least in the norm. (Not through W in those chosen:
+/// [rows][width] what each row takes of the impulses of those chosen, [chosen][width] C: T W (WᵀTW)⁻ Cᵀ, each as much as
+/// the block resists there. (Not through W in those chosen:
 /// stiff strain makes their lengths differ by many powers of ten.)
 std::vector<Real> find_shares(const std::vector<Row>& rows, const std::vector<Real>& units,
                               int chosen, int width) {
   std::vector<Real> normal(width * width, 0), scale(width, 0), share(rows.size() * width, 0);
   for (const Row& row : rows)
     for (int i = 0; i < width; ++i)
-      for (int j = 0; j < width; ++j) normal[i * width + j] += row.weight[i] * row.weight[j];
+      for (int j = 0; j < width; ++j)
+        normal[i * width + j] += row.resists * row.weight[i] * row.weight[j];
   for (int i = 0; i < width; ++i)
     if (normal[i * width + i] > 0) scale[i] = 1 / std::sqrt(normal[i * width + i]);
   for (int i = 0; i < width; ++i)
@@ -69,7 +72,8 @@ std::vector<Real> find_shares(const std::vector<Row>& rows, const std::vector<Re
       for (int j = 0; j < width; ++j)
         load[i] += scale[i] * scale[j] * units[c * width + j] *
                    (i <= j ? normal[i * width + j] : normal[j * width + i]);
-    for (std::size_t r = 0; r < rows.size(); ++r) share[r * width + c] = dot(rows[r].weight, load);
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      share[r * width + c] = rows[r].resists * dot(rows[r].weight, load);
   }
   return share;
 }
@@ -83,6 +87,7 @@ void add_block(Index cover, std::vector<Row> rows, const std::vector<Real>& inve
     row.left = row.weight;
     row.combine.assign(width, 0);
     first.push_back(dot(row.weight, product(inverse, row.weight)));
+    row.resists = first.back() > 0 ? 1 / first.back() : 0;
   }
   for (int chosen = 0; chosen < width; ++chosen) {
     std::size_t best = rows.size();
@@ -145,7 +150,7 @@ HeldRows find_held_rows(const Motion::Data& m) {
   for (Index p = 0; p < springs.points.count; ++p)
     for (int d = 0; d < 3; ++d) {
       if (!(is_held[p][d] > 0) || begin[p] == begin[p + 1]) continue;
-      Row row{p, d, std::vector<Real>(width, 0), {}, {}};
+      Row row{p, d, 0, std::vector<Real>(width, 0), {}, {}};
       for (Index i = begin[p]; i < begin[p + 1]; ++i)
         row.weight[3 * (unknown[i] / m.covers) + d] += weight[i];
       rows[unknown[begin[p]] % m.covers].push_back(row);
