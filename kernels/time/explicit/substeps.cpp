@@ -110,7 +110,13 @@ struct ExplicitStep {
     const Real most = device::largest(
         "rockfold::motion::unbalanced", m.covers,
         KOKKOS_LAMBDA(const Index p) { return unbalanced(p); });
-    if (most > course.tolerance_of_balance) return false;
+    if (most > course.tolerance_of_balance) {
+      Kokkos::deep_copy(s.held.impulse, 0.0);
+      Kokkos::deep_copy(s.pull, 0.0);
+      pulls_since = done;
+      return false;
+    }
+    pulls_until = done;
     done = dt;
     m.now.time = began + dt;
     return true;
@@ -334,7 +340,7 @@ struct ExplicitStep {
     const solve::Springs springs = m.system.springs;
     if (!springs.any()) return;
     const auto pull = s.pull, reaction = m.now.reaction, way = m.increment;
-    const Real rate = 1 / dt;
+    const Real rate = 1 / ((pulls_until > 0 ? pulls_until : dt) - pulls_since);
     const auto out = m.sums;
     device::sum_then<1>(
         "rockfold::motion::explicit_reactions", springs.points.count, m.partial,
@@ -353,6 +359,8 @@ struct ExplicitStep {
   Real dt;
   const StepCourse& course;
   Real began, done = 0;
+  Real pulls_since = 0,
+       pulls_until = 0;  ///< s, over which reactions are the mean; until 0: the step's end
   std::int64_t visits = 0, periods = 0;
   bool acts = false;  ///< something from outside, beside constant loads
 };
