@@ -11,7 +11,7 @@ struct Scene {
   explicit Scene(const Motion::Data& m);
   Schedule schedule;
   HeldRows held;
-  Array<Real> slowed, damped, turn, lost, ahead, unbalanced, mass, factor;
+  Array<Real> slowed, damped, turn, lost, ahead, unbalanced;
   Array<Index> vertex_begin, vertex;
   finite::Deformation rock;
   Field d, v, load, force, home, x, speed, outside, target, target_before, target_speed;
@@ -32,8 +32,6 @@ Scene::Scene(const Motion::Data& m)
       lost(m.explicit_scheme.lost),
       ahead(m.explicit_scheme.ahead),
       unbalanced(m.explicit_scheme.unbalanced),
-      mass(m.explicit_scheme.mass),
-      factor(m.explicit_scheme.factor),
       vertex_begin(m.explicit_scheme.vertex_begin),
       vertex(m.explicit_scheme.vertex),
       rock(*m.rock->finite_strain()),
@@ -131,11 +129,27 @@ KOKKOS_INLINE_FUNCTION void kick(const Scene& scene, Index p, const Real* x, Rea
 /// Of force. FLAC and 3DEC take as much.
 constexpr Real local_damping = 0.8;
 
-/// Local damping: what each impulse loses, and its work at the mean velocity, with that of the damping of strain.
-KOKKOS_INLINE_FUNCTION void relax(const Scene& scene, Index p, Real* x, Real* loss) {
+/// free = x less what points held take of it: x − Cᵀ (A Cᵀ)ᵀ x.
+KOKKOS_INLINE_FUNCTION void take_off_held(const Scene& scene, Index p, const Real* x, Real* free) {
+  const HeldRows& held = scene.held;
+  const int width = 3 * scene.functions;
+  for (int i = 0; i < width; ++i) free[i] = x[i];
+  if (!held.any()) return;
+  for (Index set = held.of_block(p); set < held.of_block(p + 1); ++set)
+    for (Index r = held.begin(set); r < held.begin(set + 1); ++r) {
+      const std::size_t own = static_cast<std::size_t>(r) * width;
+      Real taken = 0;
+      for (int i = 0; i < width; ++i) taken += held.way(own + i) * x[i];
+      for (int i = 0; i < width; ++i) free[i] -= held.row(own + i) * taken;
+    }
+}
+
+/// Local damping: what each impulse loses.
+KOKKOS_INLINE_FUNCTION void relax(const Scene& scene, Index p, const Real* free, Real* x,
+                                  Real* loss) {
   for (int i = 0; i < 3 * scene.functions; ++i) {
     const Real v = scene.v(i / 3 * scene.covers + p, i % 3);
-    loss[i] = local_damping * device::math::fabs(x[i]) * (v > 0 ? 1 : v < 0 ? -1 : 0);
+    loss[i] = local_damping * device::math::fabs(free[i]) * (v > 0 ? 1 : v < 0 ? -1 : 0);
     x[i] -= loss[i];
   }
 }
@@ -157,22 +171,12 @@ KOKKOS_INLINE_FUNCTION Real acting_force(const Scene& scene, Index p) {
   return sum;
 }
 
-/// ExplicitScheme::unbalanced, from the impulses x over h; of a block with points held from what they leave of them: the change of its momentum.
-KOKKOS_INLINE_FUNCTION void judge_balance(const Scene& scene, Index p, const Real* x,
-                                          const Real* before, Real h) {
-  const int n = scene.functions;
-  const bool holds = scene.held.any() && scene.held.of_block(p) < scene.held.of_block(p + 1);
-  const Real* m = &scene.mass(static_cast<std::size_t>(p) * n * n);
+/// ExplicitScheme::unbalanced, from the impulses that nothing holds, over h.
+KOKKOS_INLINE_FUNCTION void judge_balance(const Scene& scene, Index p, const Real* free, Real h) {
   Real most = 0;
-  for (int k = 0; k < n; ++k) {
+  for (int k = 0; k < scene.functions; ++k) {
     Real square = 0;
-    for (int i = 0; i < 3; ++i) {
-      Real f = holds ? 0 : x[3 * k + i];
-      for (int l = 0; holds && l < n; ++l)
-        f +=
-            scene.factor(p) * m[k * n + l] * (scene.v(l * scene.covers + p, i) - before[3 * l + i]);
-      square += f * f;
-    }
+    for (int i = 0; i < 3; ++i) square += free[3 * k + i] * free[3 * k + i];
     most = device::math::fmax(most, square);
   }
   const Real acts = acting_force(scene, p);
@@ -281,7 +285,7 @@ void tick_blocks(const Motion::Data& m, const Tick& tick) {
         const Index p = s.block(b);
         if (scene.gone(p) != 0) return;
         const Real h = now.share * s.interval(s.block_level(p));
-        Real x[most_width], v[most_width], loss[most_width], slowing[most_width], whole[most_width];
+        Real x[most_width], v[most_width], loss[most_width], slowing[most_width], free[most_width];
         for (int i = 0; i < width; ++i) x[i] = loss[i] = slowing[i] = 0;
         if (scene.touches) add_point_impulses(scene, p, now, x);
         add_stress_impulse(scene, p, h, x);
@@ -291,8 +295,11 @@ void tick_blocks(const Motion::Data& m, const Tick& tick) {
           v[i] = scene.v(i / 3 * scene.covers + p, i % 3);
         }
         add_load_impulses(scene, p, now, h, x);
-        for (int i = 0; i < width; ++i) whole[i] = x[i];
-        if (now.relaxes) relax(scene, p, x, slowing);
+        if (now.relaxes) {
+          take_off_held(scene, p, x, free);
+          relax(scene, p, free, x, slowing);
+          if (now.from == 0) judge_balance(scene, p, free, h);
+        }
         kick(scene, p, x, now.share, h, loss);
         if (now.drifts)
           drift(scene, p, now.count);
@@ -306,7 +313,6 @@ void tick_blocks(const Motion::Data& m, const Tick& tick) {
         }
         scene.lost(p) += lost;
         scene.ahead(p) = ahead;
-        if (now.relaxes && now.from == 0) judge_balance(scene, p, whole, v, h);
         if (scene.touches && now.drifts) move_vertices(scene, p);
       },
       width);
