@@ -138,6 +138,47 @@ TEST(ExplicitSteps, HoldPointsExactlyInTheirPlaces) {
   EXPECT_LT(run.off_place.distance, 1e-12);
 }
 
+/// Two blocks on a footing that stands on three of its corners: what they bear strains it.
+std::string on_corners(const std::string& steps) {
+  return "gravity = [0, 0, -9.81]\n" + rock(30) +
+         "[[solid]]\nname = 'rock'\nshape = 'box'\nmin = [0, 0, 0]\nmax = [2, 1, 3]\n"
+         "[[joint]]\nname = 'low'\ndip = 0\ndip_direction = 0\npoint = [0, 0, 1]\n"
+         "[[joint]]\nname = 'high'\ndip = 10\ndip_direction = 90\npoint = [1, 0.5, 2]\n"
+         "[cover]\nlattice = 'block'\n"
+         "[[fixed]]\nwhere = {point = [0, 0, 0]}\n[[fixed]]\nwhere = {point = [2, 0, 0]}\n"
+         "[[fixed]]\nwhere = {point = [1, 1, 0]}\n"
+         "[[monitor]]\nname = 'top'\npoint = [1, 0.5, 2.9]\n"
+         "[analysis]\nkinematics = 'large'\n" +
+         steps;
+}
+
+TEST(ExplicitSteps, LeaveAtRestBlocksThatAreHeldAtPoints) {
+  const RunResult run = run_model(on_corners(then_by_substeps(0.01, 5))).result;
+  EXPECT_LT(norm(run.monitors[0].displacement.back()), 1e-9);
+  for (std::size_t n = 6; n < run.energies.size(); ++n)
+    EXPECT_LT(run.energies[n].kinetic, 1e-6 * run.energies[n].strain) << n;
+  Real sum = 0;
+  for (const Reaction& reaction : run.conditions) {
+    EXPECT_GT(reaction.force[2], 0);
+    sum += reaction.force[2];
+  }
+  EXPECT_NEAR(sum / (2500 * gravity * 6), 1, 1e-6);
+}
+
+TEST(ExplicitSteps, RelaxToTheRestThatImplicitStepsComeTo) {
+  const std::string steps = "[[step]]\ntype = 'quasi_static'\ntime_step = 0.1\nsteps = 5\n";
+  const RunResult implicit = run_model(on_corners(steps)).result,
+                  relaxed = run_model(on_corners(steps + "scheme = 'explicit'\n")).result;
+  ASSERT_EQ(implicit.blocks.size(), relaxed.blocks.size());
+  for (std::size_t b = 0; b < implicit.blocks.size(); ++b)
+    for (int d = 0; d < 3; ++d)
+      EXPECT_NEAR(relaxed.blocks[b].displacement[d], implicit.blocks[b].displacement[d],
+                  1e-3 * norm(implicit.blocks[b].displacement))
+          << b;
+  for (std::size_t c = 0; c < implicit.conditions.size(); ++c)
+    EXPECT_NEAR(relaxed.conditions[c].force[2] / implicit.conditions[c].force[2], 1, 1e-3) << c;
+}
+
 /// Two blocks of very different size that hang on each other: a crumb of 1 cm on a cube of 1 m.
 TEST(ExplicitSteps, LetACrumbGoByItsOwnClock) {
   const std::string model =

@@ -129,27 +129,25 @@ KOKKOS_INLINE_FUNCTION void kick(const Scene& scene, Index p, const Real* x, Rea
 /// Of force. FLAC and 3DEC take as much.
 constexpr Real local_damping = 0.8;
 
-/// free = x less what points held take of it: x − Cᵀ (A Cᵀ)ᵀ x.
-KOKKOS_INLINE_FUNCTION void take_off_held(const Scene& scene, Index p, const Real* x, Real* free) {
+/// Takes off x what points held bear of it, Cᵀ (A Cᵀ)ᵀ x: what is left moves none of them, and nothing is left of a block at rest.
+KOKKOS_INLINE_FUNCTION void take_off_held(const Scene& scene, Index p, Real* x) {
   const HeldRows& held = scene.held;
   const int width = 3 * scene.functions;
-  for (int i = 0; i < width; ++i) free[i] = x[i];
-  if (!held.any()) return;
   for (Index set = held.of_block(p); set < held.of_block(p + 1); ++set)
     for (Index r = held.begin(set); r < held.begin(set + 1); ++r) {
       const std::size_t own = static_cast<std::size_t>(r) * width;
       Real taken = 0;
       for (int i = 0; i < width; ++i) taken += held.way(own + i) * x[i];
-      for (int i = 0; i < width; ++i) free[i] -= held.row(own + i) * taken;
+      for (int i = 0; i < width; ++i) x[i] -= held.row(own + i) * taken;
+      held.impulse(r) -= taken;
     }
 }
 
 /// Local damping: what each impulse loses.
-KOKKOS_INLINE_FUNCTION void relax(const Scene& scene, Index p, const Real* free, Real* x,
-                                  Real* loss) {
+KOKKOS_INLINE_FUNCTION void relax(const Scene& scene, Index p, Real* x, Real* loss) {
   for (int i = 0; i < 3 * scene.functions; ++i) {
     const Real v = scene.v(i / 3 * scene.covers + p, i % 3);
-    loss[i] = local_damping * device::math::fabs(free[i]) * (v > 0 ? 1 : v < 0 ? -1 : 0);
+    loss[i] = local_damping * device::math::fabs(x[i]) * (v > 0 ? 1 : v < 0 ? -1 : 0);
     x[i] -= loss[i];
   }
 }
@@ -171,12 +169,12 @@ KOKKOS_INLINE_FUNCTION Real acting_force(const Scene& scene, Index p) {
   return sum;
 }
 
-/// ExplicitScheme::unbalanced, from the impulses that nothing holds, over h.
-KOKKOS_INLINE_FUNCTION void judge_balance(const Scene& scene, Index p, const Real* free, Real h) {
+/// ExplicitScheme::unbalanced, from the impulses x that nothing holds, over h.
+KOKKOS_INLINE_FUNCTION void judge_balance(const Scene& scene, Index p, const Real* x, Real h) {
   Real most = 0;
   for (int k = 0; k < scene.functions; ++k) {
     Real square = 0;
-    for (int i = 0; i < 3; ++i) square += free[3 * k + i] * free[3 * k + i];
+    for (int i = 0; i < 3; ++i) square += x[3 * k + i] * x[3 * k + i];
     most = device::math::fmax(most, square);
   }
   const Real acts = acting_force(scene, p);
@@ -285,7 +283,7 @@ void tick_blocks(const Motion::Data& m, const Tick& tick) {
         const Index p = s.block(b);
         if (scene.gone(p) != 0) return;
         const Real h = now.share * s.interval(s.block_level(p));
-        Real x[most_width], v[most_width], loss[most_width], slowing[most_width], free[most_width];
+        Real x[most_width], v[most_width], loss[most_width], slowing[most_width];
         for (int i = 0; i < width; ++i) x[i] = loss[i] = slowing[i] = 0;
         if (scene.touches) add_point_impulses(scene, p, now, x);
         add_stress_impulse(scene, p, h, x);
@@ -295,10 +293,10 @@ void tick_blocks(const Motion::Data& m, const Tick& tick) {
           v[i] = scene.v(i / 3 * scene.covers + p, i % 3);
         }
         add_load_impulses(scene, p, now, h, x);
+        if (scene.held.any()) take_off_held(scene, p, x);
         if (now.relaxes) {
-          take_off_held(scene, p, x, free);
-          relax(scene, p, free, x, slowing);
-          if (now.from == 0) judge_balance(scene, p, free, h);
+          if (now.from == 0) judge_balance(scene, p, x, h);
+          relax(scene, p, x, slowing);
         }
         kick(scene, p, x, now.share, h, loss);
         if (now.drifts)
