@@ -90,8 +90,7 @@ void read_scheme(TableReader& in, AnalysisStage& stage) {
                Need::optional))
     return;
   if (stage.type != AnalysisType::quasi_static || stage.scheme != Scheme::explicit_)
-    in.wrong("tolerance_of_balance",
-             "is for type = \"quasi_static\" with scheme = \"explicit\"");
+    in.wrong("tolerance_of_balance", "is for type = \"quasi_static\" with scheme = \"explicit\"");
 }
 
 void read_kinematics(TableReader& in, Analysis& analysis) {
