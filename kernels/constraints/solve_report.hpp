@@ -12,9 +12,6 @@ struct SolveReport {
   Index newton = 0;           ///< iterations of Newton's method
   std::int64_t substeps = 0;  ///< of an explicit step
   std::int64_t visits = 0;    ///< of contact points in them
-  Real unbalanced =
-      0;  ///< of a step that relaxes: forces out of balance over those that act, the largest …
-  Index unbalanced_cover = -1;  ///< … and of which block
   Real residual =
       0;  ///< true ‖b − A x‖ / ‖b‖ of the last solve; NaN where numbers left their range
   Real gap = 0;  ///< largest distance of a held point from its place / largest displacement

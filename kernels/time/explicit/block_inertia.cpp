@@ -50,29 +50,6 @@ void find_stiffness(Motion::Data& m) {
   }
 }
 
-void invert_mass(const ExplicitScheme& s, Index covers) {
-  const int n = s.functions;
-  const auto mass = s.mass, inverse = s.inverse;
-  device::for_each(
-      "rockfold::motion::invert_mass", covers,
-      KOKKOS_LAMBDA(const Index p) {
-        Real a[most_functions * most_functions], scale[most_functions];
-        const Real* own = &mass(static_cast<std::size_t>(p) * n * n);
-        for (int k = 0; k < n; ++k) {
-          const Real diagonal = own[k * n + k];
-          scale[k] = diagonal > 0 ? 1 / device::math::sqrt(diagonal) : 0;
-        }
-        for (int k = 0; k < n; ++k)
-          for (int l = 0; l < n; ++l) a[k * n + l] = scale[k] * scale[l] * own[k * n + l];
-        solve::invert_symmetric(n, a);
-        for (int k = 0; k < n; ++k)
-          for (int l = 0; l < n; ++l)
-            inverse((static_cast<std::size_t>(p) * n + k) * n + l) =
-                scale[k] * scale[l] * (k <= l ? a[k * n + l] : a[l * n + k]);
-      },
-      n * n);
-}
-
 /// Each surface vertex is of one block.
 void list_vertices(Motion::Data& m) {
   ExplicitScheme& s = m.explicit_scheme;
@@ -101,7 +78,6 @@ void find_inertia(Motion::Data& m) {
   if (s.mass.extent(0) != small) {
     s.mass = device::allocate<Real>("motion::block_mass", small);
     s.factor = device::allocate<Real>("motion::mass_factor", m.covers);
-    s.inverse = device::allocate<Real>("motion::block_mass_inverse", small);
     s.stiffness = device::allocate<Real>("motion::block_stiffness", 9 * small);
     s.damped = device::allocate<Real>("motion::damped", 9 * small);
     s.slowed = device::allocate<Real>("motion::slowed", 9 * small);
@@ -114,7 +90,6 @@ void find_inertia(Motion::Data& m) {
   list_vertices(m);
   find_stiffness(m);
   find_mass(m);
-  invert_mass(s, m.covers);
 }
 
 }  // namespace rockfold::motion

@@ -1,6 +1,6 @@
 // Explicit steps of block covers: central differences (leapfrog), for masses in motion.
 //
-//   block_inertia.cpp   the mass matrix of each block, inverted once, and the stiffness of its rock
+//   block_inertia.cpp   the mass matrix of each block and the stiffness of its rock
 //   held_rows.cpp       points that are held: the parts of a block's motion that they take
 //   critical_step.cpp   how long a block's substeps may be
 //   schedule.cpp        who is looked at how often

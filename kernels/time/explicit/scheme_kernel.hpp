@@ -51,7 +51,6 @@ struct ExplicitScheme {
   int functions = 1;
   Array<Real> mass;       ///< [P][n][n] kg, m of M = m ⊗ 1
   Array<Real> factor;     ///< [P] of mass, ≥ 1: what blocks move as if they had
-  Array<Real> inverse;    ///< [P][n][n]; zero in functions that have no mass beside the others
   Array<Real> stiffness;  ///< [P][3n][3n] N/m, of the rock in place, index 3k + d
   Array<Real> turn;       ///< [P][9] how blocks have turned since
   Array<Real> slowed;     ///< [P][3n][3n] (M + θh²K)⁻¹ in place: strain takes inertia with it

@@ -29,7 +29,8 @@ Real sum_of(const Array<Real>& values) {
 /// One step of the user's. Its accounts: leapfrog keeps the energy between places and the velocities half a substep before or after them, with the
 /// inertia that strain has been given. Half an impulse x = ½ h f at the end of h changes the velocity by Δv and does x·Δv/2 more than the force
 /// does along its way, and the half at the start of the next as much less: what contact and the rock's stress are so ahead, without the kinetic energy
-/// of strain's inertia, is what a state has more than is kept, substep_energy. (A constant force does the same work either way.) (All is public, since nvcc allows no lambda in a private member.)
+/// of strain's inertia, is what a state has more than is kept, substep_energy. (A constant force does the same work either way.)
+/// (All is public, since nvcc allows no lambda in a private member.)
 struct ExplicitStep {
   ExplicitStep(Motion::Data& data, Real length, const StepCourse& how)
       : m(data), s(data.explicit_scheme), dt(length), course(how), began(data.now.time) {}
@@ -54,7 +55,6 @@ struct ExplicitStep {
     }
     end();
     report.visits = visits;
-    if (relaxes()) find_unbalanced(report);
     return report;
   }
 
@@ -260,15 +260,6 @@ struct ExplicitStep {
   void keep_following() {
     Kokkos::deep_copy(m.following_before, 0.0);
     add_following_pressures(m.following, m.now.time, m.now.displacement, 1, m.following_before);
-  }
-
-  void find_unbalanced(SolveReport& report) const {
-    const std::vector<Real> of_block = device::to_host(s.unbalanced);
-    for (std::size_t p = 0; p < of_block.size(); ++p) {
-      if (!(of_block[p] > report.unbalanced)) continue;
-      report.unbalanced = of_block[p];
-      report.unbalanced_cover = static_cast<Index>(p);
-    }
   }
 
   /// What the work of the first period starts from.
