@@ -20,12 +20,13 @@ KOKKOS_INLINE_FUNCTION PointTraction advance_memory(ContactPoint& p, const Local
 }
 
 /// An open point that stays open: it only keeps account of how fast it closes. False: it may touch, or hold.
-KOKKOS_INLINE_FUNCTION bool stays_open(ContactPoint& p, const LocalMotion& l, const JointLaw& law) {
+KOKKOS_INLINE_FUNCTION bool stays_open(ContactPoint& p, const LocalMotion& l, const JointLaw& law,
+                                       const ImpactRule& rule) {
   ContactMemory& memory = p.memory;
   if (memory.state != Contact::open || !memory.met || law.dilation > 0 ||
       !(l.motion.gap > memory.dilation))
     return false;
-  watch_approach(l.motion, true, memory);
+  watch_approach(rule, l.motion, true, memory);
   return true;
 }
 
@@ -53,8 +54,8 @@ void advance(DeviceContacts& c, const Motion& m, const PointClocks& clocks, cons
         const JointLaw& law = laws(p.law);
         const Real dt = clocks.period / (Index{1} << clocks.level(i));
         PointTraction t;
-        if (!stays_open(p, l, law))
-          t = advance_memory(p, l, law, explicit_rule(restitution, p.period, dt));
+        const ImpactRule rule = explicit_rule(restitution, p.period, dt);
+        if (!stays_open(p, l, law, rule)) t = advance_memory(p, l, law, rule);
         const Vector f = force_of(t, l, p.area), before = at(force, i);
         for (int d = 0; d < 3; ++d) force(i, d) = component(f, d);
         p.gap_before = l.motion.gap;

@@ -38,8 +38,11 @@
 // T_s = 10/ω: of a stretch a tenth of its speed comes back. The stretch s slips as above.
 // Explicit steps look at a point many times while it is pressed, and take what acts now (momentary_impact): the spring's pressure, but no more than
 // brings the sides to the speed of their rebound in this substep. There a point that shakes under its load closes and parts many times within one
-// impact, so that the speed w_in is the largest since it was open, and fades once the impact is over; in implicit steps it is that of the last
-// closing. What is closed and pressed for good is damped by a tenth of critical, which implicit steps take by themselves.
+// impact, so that the speed w_in is the largest since it was open, once it has rebounded nothing but closing is resisted, and w_in fades while it
+// presses less than its spring would; in implicit steps it is that of the last closing. Of the closure w_in P is the impact's; what is deeper is borne as a load. (At the deepest point of a fall onto a spring
+// that is its balance: √((w₀P)² + x_s²) of the x_s + √((w₀P)² + x_s²).) The impact's share of the shear stretch returns e² of its energy, so that an
+// edge that hits comes to rest along the face too. What is closed for good is damped, as implicit steps of some length do by themselves: blocks on
+// elastic joints with friction have motions that grow on their own (a cube 0.25 % below its limit of sliding, on joints stiffer than its rock).
 // A joint of the cut that has never opened is elastic: waves pass through it without drag, and with e > 0 its pressure is the discrete gradient
 // too, so that blocks in touch hand on what hits them.
 #pragma once
@@ -57,11 +60,18 @@ inline constexpr Real most_cohesion = 10;
 /// Periods 1/ω over which what sticks is slowed along a face.
 inline constexpr Real shear_delay = 10;
 
-/// Of critical, of joints at the frequency 1/P, in explicit steps.
-inline constexpr Real explicit_damping = 0.1;
+/// Of critical, of joints at the frequency 1/P, in explicit steps: as much as their steps bear, or friction shakes loose what it should hold near its
+/// limit (implicit steps of a millisecond damp as much by themselves).
+inline constexpr Real explicit_damping = 0.7, least_damping = 0.1;
 
-/// Periods 1/ω in which, in explicit steps, the speed of an impact fades while it presses less than its spring would: an impact lasts π of them.
-inline constexpr Real impact_memory = 10;
+/// Substeps h, in explicit steps: a drag of T = 1.5 h on all points is stable where (ωh)² (1 + 2 T/h) ≤ 4, that is for the (ωh)² ≤ 0.9 of
+/// critical_step.cpp.
+inline constexpr Real most_drag = 1.5;
+
+/// Periods 1/ω in which, in explicit steps, an impact is forgotten while it presses less than its spring would: its closure w_in P then presses as a load
+/// does, and comes out at w_in/12, 0.7 % of the height of a fall. Rebounds are the smaller the shorter it is, and the larger the softer the rock, which
+/// pushes itself off: e = 0.5 returns 0.22 (rigid rock) to 0.28 of the height (rock ten times as stiff as the joint) rather than 0.25.
+inline constexpr Real impact_memory = 12;
 
 /// `period`: 1/ω = √(m/K), s, with m = m₁ m₂/(m₁ + m₂) of two blocks and K (N/m) all that is between them.
 ImpactRule impact_rule(Real restitution, Real period, Real dt);

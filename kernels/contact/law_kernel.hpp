@@ -10,22 +10,31 @@ namespace rockfold::contact {
 
 namespace math = device::math;
 
+// As fmax and fmin, which compilers call as functions for the sake of numbers that are none.
+KOKKOS_INLINE_FUNCTION Real larger(Real a, Real b) {
+  return a > b ? a : b;
+}
+KOKKOS_INLINE_FUNCTION Real smaller(Real a, Real b) {
+  return a < b ? a : b;
+}
+
 KOKKOS_INLINE_FUNCTION ImpactRule impact_rule(Real restitution, Real period, Real dt) {
   ImpactRule rule;
   rule.restitution = restitution;
-  rule.period = math::fmax(period, 0.5 * dt);
+  rule.period = larger(period, 0.5 * dt);
   if (dt > 0) rule.shear_drag = (1 - restitution) * shear_delay * period / dt;
   return rule;
 }
 
-/// Of a point whose step is explicit (kernels/time/explicit). What is closed is damped by a tenth of what would be critical: implicit steps take as
-/// much by themselves, and more would ask for shorter steps.
+/// Of a point whose step is explicit (kernels/time/explicit).
 KOKKOS_INLINE_FUNCTION ImpactRule explicit_rule(Real restitution, Real period, Real dt) {
   ImpactRule rule;
   rule.restitution = restitution;
-  rule.period = math::fmax(period, 0.5 * dt);
+  rule.period = larger(period, 0.5 * dt);
   rule.momentary = true;
-  if (restitution < 1) rule.joint_drag = 2 * explicit_damping * rule.period;
+  if (restitution < 1)
+    rule.joint_drag = larger(2 * least_damping * rule.period,
+                             smaller(2 * explicit_damping * rule.period, most_drag * dt));
   if (dt > 0) {
     rule.reach = rule.period * rule.period / dt;
     rule.shear_drag = rule.joint_drag / dt;
@@ -41,7 +50,7 @@ struct Pressure {
 
 /// The mean over a step that does exactly the work of ½ k ⟨−g⟩².
 KOKKOS_INLINE_FUNCTION Pressure mean_pressure(Real k, Real g0, Real g1) {
-  const Real x0 = math::fmax(0.0, -g0), x1 = math::fmax(0.0, -g1);
+  const Real x0 = larger(0.0, -g0), x1 = larger(0.0, -g1);
   Pressure p;
   if (x0 > 0 && x1 > 0) {
     p.value = 0.5 * k * (x0 + x1);
@@ -62,10 +71,40 @@ KOKKOS_INLINE_FUNCTION Pressure end_pressure(Real k, Real g1) {
   return p;
 }
 
-/// In an explicit step: of what is open the speed of now, of what is pressed the largest.
-KOKKOS_INLINE_FUNCTION void watch_approach(const PointMotionInStep& motion, bool open,
-                                           ContactMemory& memory) {
-  memory.approach = math::fmax(open ? 0.0 : memory.approach, -motion.speed_before);
+/// In an explicit step: of what is open the speed of now, of what is pressed the largest. `parting` tells that this impact has rebounded.
+KOKKOS_INLINE_FUNCTION void watch_approach(const ImpactRule& rule, const PointMotionInStep& motion,
+                                           bool open, ContactMemory& memory) {
+  const Real closing = -motion.speed_before;
+  if (open || closing > memory.approach) {
+    memory.approach = larger(0.0, closing);
+    memory.parting = 0;
+  } else if (motion.speed >= rule.restitution * memory.approach) {
+    memory.parting = 1;
+  }
+}
+
+/// m/s, of parting, to which an impact may still bring the sides.
+KOKKOS_INLINE_FUNCTION Real rebound_of(const ImpactRule& rule, const ContactMemory& memory) {
+  return memory.parting ? 0 : rule.restitution * memory.approach;
+}
+
+/// Of what presses in an explicit step, the share that an impact explains.
+KOKKOS_INLINE_FUNCTION Real share_of_impact(const ImpactRule& rule, Real approach, Real g1) {
+  return g1 < 0 ? smaller(1.0, -approach * rule.period / g1) : 0;
+}
+
+/// In an explicit step: what an impact has stretched along a face returns e² of its energy, by a stiffness as much greater (Walton & Braun, J. Rheol. 30,
+/// 1986, 949). s: the elastic stretch at the step's end.
+KOKKOS_INLINE_FUNCTION void release(const ImpactRule& rule, const ContactMemory& before, Real share,
+                                    const PointMotionInStep& motion, Real* s) {
+  const Real* was = before.shear;
+  const Real length = math::sqrt(was[0] * was[0] + was[1] * was[1]);
+  const Real back = -(was[0] * motion.shear[0] + was[1] * motion.shear[1]);
+  if (!(back > 0)) return;
+  const Real given = 1 - share * (1 - rule.restitution * rule.restitution),
+             way = back / length;  // of `length`
+  const Real along = way > given * length ? given * length - way : length - way / given;
+  for (int i = 0; i < 2; ++i) s[i] += was[i] / length * (along - (length - way));
 }
 
 /// Keeps account of the closing speed that a rebound is measured by.
@@ -73,7 +112,7 @@ KOKKOS_INLINE_FUNCTION void remember_approach(const PointMotionInStep& motion,
                                               ContactMemory& memory) {
   const Real closing = -motion.speed_before;
   if (closing > 0) {
-    memory.approach = memory.parting ? closing : math::fmax(memory.approach, closing);
+    memory.approach = memory.parting ? closing : larger(memory.approach, closing);
     memory.parting = 0;
   } else {
     memory.parting = 1;
@@ -82,23 +121,26 @@ KOKKOS_INLINE_FUNCTION void remember_approach(const PointMotionInStep& motion,
 
 /// In an explicit step: what is deeper than the impact explains presses as a spring that is damped critically while it parts, the rest no harder than
 /// brings the sides to the speed of their rebound in this step.
-KOKKOS_INLINE_FUNCTION Pressure momentary_impact(Real k, const ImpactRule& rule, Real approach,
+KOKKOS_INLINE_FUNCTION Pressure momentary_impact(Real k, const ImpactRule& rule,
+                                                 const ContactMemory& memory,
                                                  const PointMotionInStep& motion, Real g1) {
   Pressure p;
   if (!(g1 < 0)) return p;
   p = end_pressure(k, g1);
   if (rule.restitution >= 1 || !(rule.reach > 0)) return p;
-  const Real beyond = motion.speed - rule.restitution * approach;
-  const Real depth = -g1 - approach * rule.period - 2 * rule.period * math::fmax(0.0, beyond);
-  const Real loaded = k * math::fmax(0.0, depth), most = k * rule.reach * math::fmax(0.0, -beyond);
-  p.value = math::fmin(p.value, loaded + most);
+  const Real beyond = motion.speed - rebound_of(rule, memory);
+  const Real depth = -g1 - memory.approach * rule.period - 2 * rule.period * larger(0.0, beyond);
+  const Real loaded = k * larger(0.0, depth), most = k * rule.reach * larger(0.0, -beyond);
+  p.value = smaller(p.value, loaded + most);
   return p;
 }
 
 /// Of a point that has been open before; g: gap less dilation at both ends of the step (law.hpp, "Impact").
-KOKKOS_INLINE_FUNCTION Pressure impact_pressure(Real k, const ImpactRule& rule, Real approach,
+KOKKOS_INLINE_FUNCTION Pressure impact_pressure(Real k, const ImpactRule& rule,
+                                                const ContactMemory& memory,
                                                 const PointMotionInStep& motion, Real g0, Real g1) {
-  if (rule.momentary) return momentary_impact(k, rule, approach, motion, g1);
+  if (rule.momentary) return momentary_impact(k, rule, memory, motion, g1);
+  const Real approach = memory.approach;
   Pressure p;
   if (rule.restitution > 0)
     p = mean_pressure(k, g0, g1);
@@ -106,7 +148,7 @@ KOKKOS_INLINE_FUNCTION Pressure impact_pressure(Real k, const ImpactRule& rule, 
     p = end_pressure(k, g1);
   const Real beyond = motion.speed - rule.restitution * approach;
   if (!(beyond > 0) || rule.restitution >= 1) return p;
-  const Real depth = math::fmax(0.0, -g1), explained = approach * rule.period;
+  const Real depth = larger(0.0, -g1), explained = approach * rule.period;
   const bool whole = explained >= depth, least = explained <= restitution_error * depth;
   const Real share = whole ? 1 : least ? restitution_error : explained / depth;
   const Real delay = share * rule.period / restitution_error, drag = k * delay * beyond;
@@ -132,9 +174,9 @@ struct Slip {
 KOKKOS_INLINE_FUNCTION Slip find_slip(const JointLaw& law, const StrengthLine& line, Real trial,
                                       Real p, Real slip_before) {
   Slip s;
-  const Real room = math::fmax(0.0, law.dilation_limit - slip_before);
+  const Real room = larger(0.0, law.dilation_limit - slip_before);
   const Real missing = trial - line.cohesion - line.friction * p;
-  s.dilation = room > 0 ? math::fmin(law.dilation, law.residual_friction) : 0;
+  s.dilation = room > 0 ? smaller(law.dilation, law.residual_friction) : 0;
   s.length = missing / (law.shear_stiffness + law.normal_stiffness * s.dilation * line.friction);
   if (s.length > room && s.dilation > 0) {  // it comes to the limit within the step
     s.opening = s.dilation * room;
@@ -205,7 +247,7 @@ KOKKOS_INLINE_FUNCTION bool slide(const JointLaw& law, StrengthLine line, const 
   out.memory.slip += slip.length;
   out.memory.dilation += slip.opening;
   // Nothing but rounding where ψ = φ without cohesion.
-  out.friction += math::fmax(0.0, slip.length * now.shear - slip.opening * now.pressure);
+  out.friction += larger(0.0, slip.length * now.shear - slip.opening * now.pressure);
   return true;
 }
 
@@ -237,10 +279,10 @@ KOKKOS_INLINE_FUNCTION Real stored_closure(const JointLaw& law, const ContactMem
                                            const PointMotionInStep& motion, bool impact,
                                            const PointTraction& out) {
   if (!impact) return out.traction[0] / law.normal_stiffness;
-  const Real closure = math::fmax(0.0, out.memory.dilation - motion.gap);
+  const Real closure = larger(0.0, out.memory.dilation - motion.gap);
   const Real put_in = out.traction[0] * (motion.gap_before - motion.gap);
   const Real had = 0.5 * law.normal_stiffness * before.pressed * before.pressed;
-  return math::fmin(closure, math::sqrt(2 * math::fmax(0.0, had + put_in) / law.normal_stiffness));
+  return smaller(closure, math::sqrt(2 * larger(0.0, had + put_in) / law.normal_stiffness));
 }
 
 /// Whether bonds hold that are stronger than what is left once they are broken.
@@ -254,8 +296,8 @@ KOKKOS_INLINE_FUNCTION bool overloads_bonds(const JointLaw& law, const ContactMe
                                             const PointTraction& now) {
   const Real* t = now.traction;
   return is_bonded(law, before) &&
-         (t[0] < -law.tensile_strength || math::sqrt(t[1] * t[1] + t[2] * t[2]) >
-                                              math::fmax(0.0, law.cohesion + t[0] * law.friction));
+         (t[0] < -law.tensile_strength ||
+          math::sqrt(t[1] * t[1] + t[2] * t[2]) > larger(0.0, law.cohesion + t[0] * law.friction));
 }
 
 /// J/m²: what slip takes in an explicit step, whose forces do the mean of their work at both ends; s: the trial stretch.
@@ -264,9 +306,8 @@ KOKKOS_INLINE_FUNCTION Real mean_friction(const JointLaw& law, const ContactMemo
                                           const Strength& now) {
   const Real slip = after.slip - before.slip, opening = after.dilation - before.dilation;
   const Real along = length > 0 ? (before.shear[0] * s[0] + before.shear[1] * s[1]) / length : 0;
-  return math::fmax(0.0,
-                    0.5 * slip * (law.shear_stiffness * along + now.shear) -
-                        0.5 * opening * (law.normal_stiffness * before.pressed + now.pressure));
+  return larger(0.0, 0.5 * slip * (law.shear_stiffness * along + now.shear) -
+                         0.5 * opening * (law.normal_stiffness * before.pressed + now.pressure));
 }
 
 /// The law of law.hpp. `held`: as if nothing slipped.
@@ -282,10 +323,10 @@ KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactR
   const bool gives_back =
       !before.met && moving && rule.restitution > 0 && !rule.momentary && !bonded;
   if (impact && !momentary) remember_approach(motion, memory);
-  if (momentary) watch_approach(motion, g1 > 0, memory);
+  if (momentary) watch_approach(rule, motion, g1 > 0, memory);
   Pressure p = end_pressure(law.normal_stiffness, g1);  // < 0: what dilation must make up for
   if (impact || gives_back) {
-    p = impact ? impact_pressure(law.normal_stiffness, rule, memory.approach, motion, g0, g1)
+    p = impact ? impact_pressure(law.normal_stiffness, rule, memory, motion, g0, g1)
                : mean_pressure(law.normal_stiffness, g0, g1);
     if (g1 > 0 && (law.dilation > 0 || !(p.value > 0))) {
       p.value -= law.normal_stiffness * g1;
@@ -296,9 +337,10 @@ KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactR
     memory.approach *= 1 - rule.period / (impact_memory * rule.reach);
   if (rule.momentary && !impact && (p.value > 0 || bonded)) {
     const Real damped = p.value - law.normal_stiffness * rule.joint_drag * motion.speed;
-    p.value = bonded ? damped : math::fmax(damped, 0.5 * p.value);
+    p.value = bonded ? damped : larger(damped, 0.5 * p.value);
   }
-  const Real s[2] = {before.shear[0] + motion.shear[0], before.shear[1] + motion.shear[1]};
+  Real s[2] = {before.shear[0] + motion.shear[0], before.shear[1] + motion.shear[1]};
+  if (momentary) release(rule, before, share_of_impact(rule, memory.approach, g1), motion, s);
   const Real length = math::sqrt(s[0] * s[0] + s[1] * s[1]);
   Strength now{p.value, unlimited, 0, p.stiffness};
   const StrengthLine line = residual_line(law, before);
@@ -316,7 +358,7 @@ KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactR
   shear(law, now, s, motion.shear, drags ? rule.shear_drag : 0, out);
   const Real closure = memory.dilation - motion.gap;
   const Real pressed = rule.momentary
-                           ? (bonded ? closure : math::fmax(0.0, closure))
+                           ? (bonded ? closure : larger(0.0, closure))
                            : stored_closure(law, before, motion, impact || gives_back, out);
   memory.pressed = pressed;
   out.elastic = 0.5 * law.normal_stiffness * pressed * pressed;

@@ -35,10 +35,11 @@ struct ContactMemory {
       0;  ///< m, by which slip has opened the joint, and the initial stress closed it at step 0
   Real approach = 0;  ///< m/s, the largest closing speed since it last parted
   Contact state = Contact::open;
-  std::uint8_t broken = 0;   ///< 1: cohesion and friction are residual, tensile strength is lost
-  std::uint8_t met = 0;      ///< 1: it has been open before; what closes then is an impact
-  std::uint8_t parting = 0;  ///< 1: the step before began with its sides moving apart
-  std::uint8_t loose = 0;    ///< 1: its sides have been apart, or no joint joined them: no cohesion
+  std::uint8_t broken = 0;  ///< 1: cohesion and friction are residual, tensile strength is lost
+  std::uint8_t met = 0;     ///< 1: it has been open before; what closes then is an impact
+  std::uint8_t parting =
+      0;  ///< 1: the step before began with its sides moving apart; in explicit steps: an impact has rebounded
+  std::uint8_t loose = 0;  ///< 1: its sides have been apart, or no joint joined them: no cohesion
   std::uint8_t unused[3] = {};  ///< so that equal memories are equal bytes
 };
 
