@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "src/arrays/element_arrays.hpp"
@@ -12,6 +13,8 @@ struct SolveReport {
   Index newton = 0;           ///< iterations of Newton's method
   std::int64_t substeps = 0;  ///< of an explicit step
   std::int64_t visits = 0;    ///< of contact points in them
+  Real shortest = 0;          ///< s, of the substeps; 0: none
+  Real added_mass = 0;        ///< of all mass, at most, to blocks with the shortest substeps
   Real residual =
       0;  ///< true ‖b − A x‖ / ‖b‖ of the last solve; NaN where numbers left their range
   Real gap = 0;  ///< largest distance of a held point from its place / largest displacement
@@ -30,6 +33,9 @@ struct SolveReport {
     next.substeps += substeps;
     next.visits += visits;
     next.fallbacks += fallbacks;
+    next.shortest = next.shortest > 0 && shortest > 0 ? std::min(next.shortest, shortest)
+                                                      : std::max(next.shortest, shortest);
+    next.added_mass = std::max(next.added_mass, added_mass);
     *this = next;
   }
 };

@@ -180,9 +180,9 @@ SolveReport Motion::step(Real dt, bool first, const TrackedPoints* watched,
   return report;
 }
 
-Real Motion::substep_visits(Real dt) {
+Real Motion::substep_visits(Real dt, Real mass_scaling) {
   save();
-  const Real visits = motion::count_substep_visits(*data_, dt);
+  const Real visits = motion::count_substep_visits(*data_, dt, mass_scaling);
   restore();
   return visits;
 }

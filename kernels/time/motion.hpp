@@ -49,8 +49,12 @@ struct StepCourse {
   bool by_substeps = false;
   /// > 0: substeps relax to rest, until no block's forces are further out of balance than this share of those that act on it.
   Real tolerance_of_balance = 0;
+  /// Of all mass, what may be added to the blocks with the shortest substeps, with its weight.
+  Real mass_scaling = 0;
   /// Share of what excavated rock pressed its walls with that is left at the step's end.
   Real walls = 0;
+
+  bool relaxes() const { return tolerance_of_balance > 0; }
 };
 
 struct MotionSetup {
@@ -121,7 +125,7 @@ class Motion {
   const EnergyGain& largest_gain() const;
 
   /// Visits of contact points that a second of explicit steps of length dt would take, as the rock is now. Forgets what was saved.
-  Real substep_visits(Real dt);
+  Real substep_visits(Real dt, Real mass_scaling);
 
   /// rad/s: the largest natural frequency of the rock on its supports as it is now, within about a percent, from below.
   /// Schemes with β < γ/2 are stable up to dt = 1 / (frequency √(γ/2 − β)) (Hughes 1987, §9.1.2), for γ ≥ 1/2.

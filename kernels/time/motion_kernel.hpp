@@ -140,7 +140,7 @@ SolveReport take_step(Motion::Data& m, Real dt, const StepCourse& course);
 /// One step in as many explicit substeps as it takes (explicit/explicit_kernel.hpp).
 SolveReport take_explicit_step(Motion::Data& m, Real dt, const StepCourse& course);
 /// See Motion::substep_visits.
-Real count_substep_visits(Motion::Data& m, Real dt);
+Real count_substep_visits(Motion::Data& m, Real dt, Real mass_scaling);
 /// Scales the velocity by the dynamic ratio, `handed`; at 0 drops the acceleration as well.
 void hand_on(Motion::Data& m);
 

@@ -448,6 +448,8 @@ struct AnalysisStage {
   Scheme scheme = Scheme::automatic;
   /// > 0, of a quasi-static stage by substeps: forces out of balance over those that act, of the block where this is largest.
   Real tolerance_of_balance = 1e-5;
+  /// ≥ 0, of a dynamic stage by substeps: of all mass, what may be added to the blocks with the shortest ones.
+  Real mass_scaling = 0;
   Index steps = 100;                ///< resolved from `steps` or `end_time`; 1 for static
   Real dynamic_ratio = 1.0;         ///< [0, 1]: share of the velocity handed to the next step
   bool reset_displacement = false;  ///< displacements and monitors count from its start

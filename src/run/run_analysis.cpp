@@ -194,12 +194,14 @@ void Run::note_substeps(const SolveReport& report, Index step) {
   if (report.substeps == 0) return;
   std::vector<BySubsteps>& all = result_.by_substeps;
   if (all.empty() || all.back().stage != at_.stage)
-    all.push_back({at_.stage, step, 0, 0, 0, at_.work.iterated, at_.work.instead,
+    all.push_back({at_.stage, step, 0, 0, 0, 0, 0, at_.work.iterated, at_.work.instead,
                    at_.by_substeps == 2 ? 1 : 0});
   BySubsteps& stage = all.back();
   stage.steps = step - stage.first + 1;
   stage.substeps += report.substeps;
   stage.visits += report.visits;
+  stage.shortest = stage.shortest > 0 ? std::min(stage.shortest, report.shortest) : report.shortest;
+  stage.added_mass = std::max(stage.added_mass, report.added_mass);
 }
 
 bool Run::may_choose_scheme() const {
@@ -214,7 +216,8 @@ void Run::choose_scheme(Real dt, bool ends) {
   work.iterated += visits_of_iteration * static_cast<Real>(at_.newton) *
                    static_cast<Real>(points.open + points.stick + points.slide);
   if (is_dear(work)) {
-    work.instead = motion_.substep_visits(dt) * (motion_.time() - at_.stage_began);
+    work.instead = motion_.substep_visits(dt, analysis_.stages[at_.stage].mass_scaling) *
+                   (motion_.time() - at_.stage_began);
     at_.by_substeps = is_dear(work) ? 1 : 0;
   }
   if (ends || at_.by_substeps != 0) at_.work = work;
@@ -408,14 +411,16 @@ StepCourse Run::course_to(Real end) const {
   const AnalysisStage& stage = analysis_.stages[at_.stage];
   if (!at_.settled) {
     const Real start = motion_.walls(), left = static_cast<Real>(at_.parts - at_.done);
-    return {true, false, 0, start + (letting_go_.settling().walls() - start) / left};
+    return {true, false, 0, 0, start + (letting_go_.settling().walls() - start) / left};
   }
   const bool substeps = stage.scheme == Scheme::explicit_ || at_.by_substeps != 0;
   const bool relaxes = substeps && stage.type == AnalysisType::quasi_static;
-  const Real tolerance = relaxes ? stage.tolerance_of_balance : 0;
-  if (stage.release.empty())
-    return {false, substeps, tolerance, stage.excavate != 0 ? 0 : motion_.walls()};
-  return {false, substeps, tolerance, walls_left(stage.release, end - at_.stage_began)};
+  StepCourse course{false, substeps, relaxes ? stage.tolerance_of_balance : 0, stage.mass_scaling};
+  if (!stage.release.empty())
+    course.walls = walls_left(stage.release, end - at_.stage_began);
+  else if (stage.excavate == 0)
+    course.walls = motion_.walls();
+  return course;
 }
 
 /// Step 0.

@@ -170,6 +170,8 @@ struct BySubsteps {
   std::int64_t substeps =
       0;  ///< as long as the slowest block allows; others are looked at 2, 4, 8 … times in one
   std::int64_t visits = 0;  ///< of contact points
+  Real shortest = 0;        ///< s, of the fastest blocks' substeps
+  Real added_mass = 0;      ///< of all mass, at most, to the fastest blocks
   /// What "auto" took them for (scheme_choice.hpp); 0 and 0: the model asked for them.
   Real iterated = 0, instead = 0;
   Index failed = 0;  ///< 1: an implicit step did not come to balance

@@ -370,6 +370,8 @@ TEST(WrongModel, OfAnalyses) {
       {RUN "newmark = {beta = 0}", 7, 19, "analysis.newmark.beta", "found 0, must be >= 1e-4 (1e-4 comes to the explicit scheme"},
       {RUN "newmark = {gamma = -0.5}", 7, 20, "analysis.newmark.gamma", "found -0.5, must be >= 0"},
       {RUN "type = 'quasi_static'\ntolerance_of_balance = 1e-6", 8, 24, "analysis.tolerance_of_balance", "is for type = \"quasi_static\" with scheme = \"explicit\""},
+      {RUN "type = 'quasi_static'\nscheme = 'explicit'\nmass_scaling = 1e-3", 9, 16, "analysis.mass_scaling", "is for type = \"dynamic\" with scheme = \"explicit\" or \"auto\""},
+      {RUN "mass_scaling = 2", 7, 16, "analysis.mass_scaling", "found 2, must be 0 to 1 (of the mass of all rock)"},
       {RUN "scheme = 'leapfrog'", 7, 10, "analysis.scheme", "must be \"auto\", \"implicit\" or \"explicit\""},
       {RUN "kinematics = 'medium'", 7, 14, "analysis.kinematics", "must be \"small\" or \"large\""},
       {RUN "rayleigh = {alpha = -1}", 7, 21, "analysis.rayleigh.alpha", "found -1, must be >= 0 (1/s)"},

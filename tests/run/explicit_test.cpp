@@ -179,23 +179,43 @@ TEST(ExplicitSteps, RelaxToTheRestThatImplicitStepsComeTo) {
     EXPECT_NEAR(relaxed.conditions[c].force[2] / implicit.conditions[c].force[2], 1, 1e-3) << c;
 }
 
-/// Two blocks of very different size that hang on each other: a crumb of 1 cm on a cube of 1 m.
+/// A crumb of 1 cm on a cube of 1 m.
+std::string on_a_cube(const std::string& scaling) {
+  return "gravity = [0, 0, -9.81]\n" + rock(30) +
+         "[[solid]]\nname = 'floor'\nshape = 'box'\nmin = [-2, -2, -1]\nmax = [3, 3, 0]\n"
+         "[[solid]]\nname = 'cube'\nshape = 'box'\nmin = [0, 0, 0.1]\nmax = [1, 1, 1.1]\n"
+         "[[solid]]\nname = 'crumb'\nshape = 'box'\nmin = [0.5, 0.5, 1.1]\nmax = [0.51, 0.51, "
+         "1.11]\n"
+         "interface = 'clean'\n"
+         "[cover]\nlattice = 'block'\n[[fixed]]\nwhere = {block_at = [0.5, 0.5, -0.5]}\n"
+         "[[monitor]]\nname = 'cube'\npoint = [0.5, 0.5, 0.6]\n"
+         "[[monitor]]\nname = 'crumb'\npoint = [0.505, 0.505, 1.105]\n"
+         "[analysis]\ntype = 'dynamic'\nscheme = 'explicit'\ntime_step = 0.005\nsteps = 100\n" +
+         scaling;
+}
+
 TEST(ExplicitSteps, LetACrumbGoByItsOwnClock) {
-  const std::string model =
-      "gravity = [0, 0, -9.81]\n" + rock(30) +
-      "[[solid]]\nname = 'floor'\nshape = 'box'\nmin = [-2, -2, -1]\nmax = [3, 3, 0]\n"
-      "[[solid]]\nname = 'cube'\nshape = 'box'\nmin = [0, 0, 0.1]\nmax = [1, 1, 1.1]\n"
-      "[[solid]]\nname = 'crumb'\nshape = 'box'\nmin = [0.5, 0.5, 1.1]\nmax = [0.51, 0.51, 1.11]\n"
-      "interface = 'clean'\n"
-      "[cover]\nlattice = 'block'\n[[fixed]]\nwhere = {block_at = [0.5, 0.5, -0.5]}\n"
-      "[[monitor]]\nname = 'cube'\npoint = [0.5, 0.5, 0.6]\n"
-      "[[monitor]]\nname = 'crumb'\npoint = [0.505, 0.505, 1.105]\n"
-      "[analysis]\ntype = 'dynamic'\nscheme = 'explicit'\ntime_step = 0.005\nsteps = 100\n";
-  const RunResult run = run_model(model).result;
+  const RunResult run = run_model(on_a_cube("")).result;
   const Vec3 cube = run.monitors[0].displacement.back(),
              crumb = run.monitors[1].displacement.back();
   EXPECT_NEAR(cube[2], -0.1, 1e-3);
   EXPECT_NEAR(crumb[2], cube[2], 1e-3);
+  EXPECT_EQ(run.by_substeps.at(0).added_mass, 0);
+}
+
+TEST(ExplicitSteps, AddMassToTheFastestBlocksWhereThatIsAskedFor) {
+  const BySubsteps own = run_model(on_a_cube("")).result.by_substeps.at(0);
+  const RunResult run = run_model(on_a_cube("mass_scaling = 1e-4\n")).result;
+  const BySubsteps& scaled = run.by_substeps.at(0);
+  EXPECT_GT(scaled.added_mass, 0);
+  EXPECT_LE(scaled.added_mass, 1e-4);
+  EXPECT_LT(2 * scaled.visits, own.visits);
+  EXPECT_NEAR(run.monitors[0].displacement.back()[2], -0.1, 1e-3);
+  // What is added has its weight: the crumb falls with the cube.
+  const MonitorHistory &cube = run.monitors[0], &crumb = run.monitors[1];
+  const std::size_t falling = 25;
+  EXPECT_LT(cube.displacement[falling][2], -0.07);
+  EXPECT_NEAR(crumb.displacement[falling][2], cube.displacement[falling][2], 1e-6);
 }
 
 }  // namespace

@@ -86,6 +86,7 @@ void find_inertia(Motion::Data& m) {
     s.unbalanced = device::allocate<Real>("motion::unbalanced", m.covers);
     s.ahead = device::allocate<Real>("motion::ahead", m.covers);
     s.step = device::allocate<Real>("motion::block_step", m.covers);
+    s.turning = device::allocate<Real>("motion::turning_step", m.covers);
   }
   list_vertices(m);
   find_stiffness(m);

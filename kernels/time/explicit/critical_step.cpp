@@ -141,7 +141,8 @@ void find_block_steps(Motion::Data& m) {
   const bool touches = m.contact != nullptr;
   const finite::Deformation rock = *m.rock->finite_strain();
   const Field velocity = m.now.velocity;
-  const auto stiffness = s.stiffness, mass = s.mass, turn = s.turn, step = s.step;
+  const auto stiffness = s.stiffness, mass = s.mass, turn = s.turn, step = s.step,
+             turning = s.turning;
   const auto gone = m.gone;
   const Index covers = m.covers;
   const int n = s.functions, width = 3 * n;
@@ -165,7 +166,8 @@ void find_block_steps(Motion::Data& m) {
         }
         const Real spin =
             gone(p) != 0 ? 0 : find_spin(rock, velocity, p, &turn(9 * static_cast<std::size_t>(p)));
-        step(p) = spin > 0 ? device::math::fmin(h, most_turn / spin) : h;
+        step(p) = h;
+        turning(p) = spin > 0 ? most_turn / spin : unlimited;
       },
       width * width);
 }

@@ -133,6 +133,18 @@ void add_block(Index cover, std::vector<Row> rows, const std::vector<Real>& inve
   to.entry_begin.push_back(static_cast<Index>(to.entry_point.size()));
 }
 
+/// What each of these covers has of an array, `size` numbers, on the host.
+std::vector<Real> gather(const Array<Real>& from, const std::vector<Index>& covers,
+                         std::size_t size) {
+  const Array<Index> cover = device::to_device("motion::gathered_cover", covers);
+  const Array<Real> to("rockfold::motion::gathered", covers.size() * size);
+  device::for_each(
+      "rockfold::motion::gather", static_cast<Index>(covers.size()), KOKKOS_LAMBDA(const Index i) {
+        for (std::size_t k = 0; k < size; ++k) to(i * size + k) = from(cover(i) * size + k);
+      });
+  return device::to_host(to);
+}
+
 }  // namespace
 
 HeldRows find_held_rows(const Motion::Data& m) {
@@ -142,9 +154,7 @@ HeldRows find_held_rows(const Motion::Data& m) {
   if (!springs.any()) return held;
   const std::vector<Index> begin = device::to_host(springs.points.begin),
                            unknown = device::to_host(springs.points.unknown);
-  const std::vector<Real> weight = device::to_host(springs.points.weight),
-                          slowed = device::to_host(m.explicit_scheme.slowed),
-                          turn = device::to_host(m.explicit_scheme.turn);
+  const std::vector<Real> weight = device::to_host(springs.points.weight);
   const std::vector<Vec3> is_held = device::copy_to_host(springs.held);
   std::vector<std::vector<Row>> rows(m.covers);
   for (Index p = 0; p < springs.points.count; ++p)
@@ -155,14 +165,21 @@ HeldRows find_held_rows(const Motion::Data& m) {
         row.weight[3 * (unknown[i] / m.covers) + d] += weight[i];
       rows[unknown[begin[p]] % m.covers].push_back(row);
     }
+  std::vector<Index> held_covers;
+  for (Index p = 0; p < m.covers; ++p)
+    if (!rows[p].empty()) held_covers.push_back(p);
+  const std::size_t size = static_cast<std::size_t>(width) * width;
+  const std::vector<Real> slowed = gather(m.explicit_scheme.slowed, held_covers, size),
+                          turn = gather(m.explicit_scheme.turn, held_covers, 9);
   Lists lists;
   std::vector<Index> of_block(m.covers + 1, 0);
+  std::size_t next = 0;
   for (Index p = 0; p < m.covers; ++p) {
     of_block[p] = static_cast<Index>(lists.cover.size());
     if (rows[p].empty()) continue;
-    const std::size_t own = static_cast<std::size_t>(p) * width * width;
-    add_block(p, std::move(rows[p]),
-              turned(&slowed[own], &turn[9 * static_cast<std::size_t>(p)], width), width, lists);
+    add_block(p, std::move(rows[p]), turned(&slowed[next * size], &turn[next * 9], width), width,
+              lists);
+    ++next;
   }
   of_block[m.covers] = held.sets = static_cast<Index>(lists.cover.size());
   held.of_block = device::to_device("motion::held_of_block", of_block);

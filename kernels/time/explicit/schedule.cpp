@@ -47,9 +47,50 @@ std::vector<std::uint8_t> find_pulled(const Motion::Data& m) {
   return pulled;
 }
 
+/// kg, of the blocks that are there.
+std::vector<Real> find_masses(const Motion::Data& m) {
+  const int n = m.explicit_scheme.functions;
+  const std::vector<Real> matrix = device::to_host(m.explicit_scheme.mass);
+  const std::vector<std::uint8_t> gone = device::to_host(m.gone);
+  std::vector<Real> mass;
+  for (Index p = 0; p < m.covers; ++p)
+    mass.push_back(gone[p] != 0 ? 0 : matrix[static_cast<std::size_t>(p) * n * n]);
+  return mass;
+}
+
+/// s: to which the shortest steps can be lengthened by at most `more` kg in all. A step grows with the root of its block's mass.
+Real lengthened(const std::vector<Real>& step, const std::vector<Real>& mass, Real more) {
+  std::vector<Index> order(step.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return step[a] < step[b]; });
+  Real least = 0, stiffness = 0, masses = 0;
+  for (std::size_t k = 0; k < order.size() && std::isfinite(step[order[k]]); ++k) {
+    const Real h = step[order[k]], m = mass[order[k]];
+    if (stiffness > 0 && (more + masses) < stiffness * h * h) break;
+    stiffness += m / (h * h);
+    masses += m;
+    least = std::sqrt((more + masses) / stiffness);
+  }
+  return least;
+}
+
+/// s, of blocks as they are, and with mass added to the fastest as far as `mass_scaling` of all mass goes.
+std::vector<Real> find_steps(const Motion::Data& m, Real mass_scaling) {
+  std::vector<Real> step = device::to_host(m.explicit_scheme.step);
+  const std::vector<Real> turning = device::to_host(m.explicit_scheme.turning);
+  if (mass_scaling > 0) {
+    const std::vector<Real> mass = find_masses(m);
+    const Real all = std::accumulate(mass.begin(), mass.end(), Real{0}),
+               least = lengthened(step, mass, mass_scaling * all);
+    for (Real& h : step) h = std::max(h, least);
+  }
+  for (std::size_t p = 0; p < step.size(); ++p) step[p] = std::min(step[p], turning[p]);
+  return step;
+}
+
 /// The period, and the levels of the blocks' own clocks.
-std::vector<int> find_own_levels(const Motion::Data& m, Real dt, Schedule& s) {
-  const std::vector<Real> step = device::to_host(m.explicit_scheme.step);
+std::vector<int> find_own_levels(const Motion::Data& m, const std::vector<Real>& step, Real dt,
+                                 Schedule& s) {
   const std::vector<std::uint8_t> pulled = find_pulled(m);
   Real longest = 0, of_pulled = dt;
   for (std::size_t p = 0; p < step.size(); ++p) {
@@ -111,21 +152,32 @@ void store_entries(const PointLists& lists, const std::vector<Index>& order, Ind
   s.entry_weight = device::to_device("motion::entry_weight", weight);
 }
 
+/// ExplicitScheme::factor and added_mass: what is stable with the blocks' own levels.
+void scale_masses(Motion::Data& m, const std::vector<int>& own) {
+  ExplicitScheme& s = m.explicit_scheme;
+  const std::vector<Real> step = device::to_host(s.step), mass = find_masses(m);
+  std::vector<Real> factor;
+  Real all = 0, more = 0;
+  for (std::size_t p = 0; p < own.size(); ++p) {
+    factor.push_back(std::pow(std::max(1.0, s.schedule.interval(own[p]) / step[p]), 2));
+    all += mass[p];
+    more += mass[p] * (factor[p] - 1);
+  }
+  s.factor = device::to_device("motion::mass_factor", factor);
+  s.added_mass = all > 0 ? more / all : 0;
+}
+
 }  // namespace
 
-void make_schedule(Motion::Data& m, Real dt, bool relaxes) {
+void make_schedule(Motion::Data& m, Real dt, const StepCourse& course) {
   Schedule& s = m.explicit_scheme.schedule;
   const PointLists lists(m);
-  std::vector<int> own = find_own_levels(m, dt, s);
-  std::vector<Real> factor(own.size(), 1);
-  if (relaxes) {
-    const std::vector<Real> step = device::to_host(m.explicit_scheme.step);
-    for (std::size_t p = 0; p < own.size(); ++p)
-      factor[p] = std::pow(std::max(1.0, s.period / step[p]), 2);
+  std::vector<int> own = find_own_levels(m, find_steps(m, course.mass_scaling), dt, s);
+  if (course.relaxes()) {
     std::fill(own.begin(), own.end(), 0);
     s.deepest = 0;
   }
-  m.explicit_scheme.factor = device::to_device("motion::mass_factor", factor);
+  scale_masses(m, own);
   std::vector<int> touched = own, level(lists.count, 0);
   for (Index c = 0; c < lists.count; ++c) {
     for (Index i = lists.begin[c]; i < lists.begin[c + 1]; ++i)

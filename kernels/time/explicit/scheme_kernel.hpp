@@ -59,7 +59,9 @@ struct ExplicitScheme {
   Array<Real> lost;        ///< [P] J, by that since the step began
   Array<Real> ahead;       ///< [P] J, see substeps.cpp
   Array<Real> unbalanced;  ///< [P] of steps that relax: forces out of balance over those that act
-  Array<Real> step;        ///< [P] s, the longest substep of each block
+  Array<Real> step;  ///< [P] s, the longest substep that is stable with each block's own mass …
+  Array<Real> turning;                ///< … and in which it turns little enough
+  Real added_mass = 0;                ///< of all mass, by `factor`
   Array<Index> vertex_begin, vertex;  ///< [P+1] the surface vertices of each block
   HeldRows held;
   Schedule schedule;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "kernels/time/explicit/explicit_kernel.hpp"
@@ -9,10 +10,6 @@
 
 namespace rockfold::motion {
 namespace {
-
-/// Of the distance to which points are looked for, how far vertices may go before they are looked for anew: two that come towards each other
-/// then meet no unseen face.
-constexpr Real served = 0.25;
 
 /// A look costs as much as a tick of some hundred blocks.
 constexpr int periods_between_looks = 20;
@@ -55,6 +52,8 @@ struct ExplicitStep {
     }
     end();
     report.visits = visits;
+    report.shortest = shortest;
+    report.added_mass = added_mass;
     return report;
   }
 
@@ -89,18 +88,20 @@ struct ExplicitStep {
       Kokkos::deep_copy(m.contact->force, 0.0);
     }
     find_block_steps(m);
-    make_schedule(m, dt - done, relaxes());
+    make_schedule(m, dt - done, course);
+    shortest = std::min(shortest, s.schedule.interval(s.schedule.deepest));
+    added_mass = std::max(added_mass, s.added_mass);
   }
 
   /// m: how far vertices may go before points are looked for anew.
-  Real far() const { return served * m.contact->contacts.options.search_distance; }
+  Real far() const { return points_serve * m.contact->contacts.options.search_distance; }
 
   bool has_gone_far() const {
     return m.contact && contact::largest_shift(m.contact->motion.x,
                                                m.contact->contacts.current.found_at) > far();
   }
 
-  bool relaxes() const { return course.tolerance_of_balance > 0; }
+  bool relaxes() const { return course.relaxes(); }
 
   /// Of a step that relaxes: whether all blocks were in balance at the end of the last period but one, looked at now and then. Time goes to the step's
   /// end.
@@ -352,6 +353,7 @@ struct ExplicitStep {
   Real began, done = 0;
   Real pulls_since = 0,
        pulls_until = 0;  ///< s, over which reactions are the mean; until 0: the step's end
+  Real shortest = std::numeric_limits<Real>::infinity(), added_mass = 0;  ///< of all schedules
   std::int64_t visits = 0, periods = 0;
   bool acts = false;  ///< something from outside, beside constant loads
 };
@@ -375,10 +377,11 @@ SolveReport take_explicit_step(Motion::Data& m, Real dt, const StepCourse& cours
   return ExplicitStep(m, dt, course).run();
 }
 
-Real count_substep_visits(Motion::Data& m, Real dt) {
+Real count_substep_visits(Motion::Data& m, Real dt, Real mass_scaling) {
   if (!m.contact) return 0;
   prepare(m);
-  const StepCourse course;
+  StepCourse course;
+  course.mass_scaling = mass_scaling;
   ExplicitStep step(m, dt, course);
   begin_contact(m);
   step.find_points();

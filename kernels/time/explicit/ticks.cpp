@@ -4,28 +4,28 @@
 namespace rockfold::motion {
 namespace {
 
-constexpr int most_width = solve::most_block_width;
-
 /// What a tick of a block needs, in one place for the device.
 struct Scene {
   explicit Scene(const Motion::Data& m);
   Schedule schedule;
   HeldRows held;
-  Array<Real> slowed, damped, turn, lost, ahead, unbalanced;
+  Array<Real> mass, factor, slowed, damped, turn, lost, ahead, unbalanced;
   Array<Index> vertex_begin, vertex;
   finite::Deformation rock;
   Field d, v, load, force, home, x, speed, outside, target, target_before, target_speed;
   Array<std::uint8_t> gone;
   solve::DevicePoints vertices;
-  int functions;
   Index covers;
   Real mass_damping;
+  Vec3 gravity;
   bool touches, acted_on, moving;
 };
 
 Scene::Scene(const Motion::Data& m)
     : schedule(m.explicit_scheme.schedule),
       held(m.explicit_scheme.held),
+      mass(m.explicit_scheme.mass),
+      factor(m.explicit_scheme.factor),
       slowed(m.explicit_scheme.slowed),
       damped(m.explicit_scheme.damped),
       turn(m.explicit_scheme.turn),
@@ -43,9 +43,9 @@ Scene::Scene(const Motion::Data& m)
       target_before(m.explicit_scheme.target_before),
       target_speed(m.prescribed),
       gone(m.gone),
-      functions(m.explicit_scheme.functions),
       covers(m.covers),
       mass_damping(m.damping.mass),
+      gravity(m.gravity),
       touches(m.contact != nullptr),
       acted_on(m.explicit_scheme.outside.extent(0) > 0),
       moving(m.supports.tables.any()) {
@@ -58,34 +58,43 @@ Scene::Scene(const Motion::Data& m)
 }
 
 /// x[3k + d] += the impulses of the points that tick, N s.
+template <int N>
 KOKKOS_INLINE_FUNCTION void add_point_impulses(const Scene& scene, Index p, const Tick& tick,
                                                Real* x) {
   const Schedule& s = scene.schedule;
-  const int n = scene.functions;
+  Real h = 0;
+  int of_level = -1;
   for (Index e = s.begin(p); e < s.begin(p + 1); ++e) {
     const Index c = s.entry_point(e);
-    if (s.level(c) < tick.from) return;
-    const Real h = tick.share * s.interval(s.level(c));
-    for (int k = 0; k < n; ++k) {
-      const Real w = h * s.entry_weight(static_cast<std::size_t>(e) * n + k);
-      for (int i = 0; i < 3; ++i) x[3 * k + i] += w * scene.force(c, i);
-    }
+    const int level = s.level(c);
+    if (level < tick.from) return;
+    if (level != of_level) h = tick.share * s.interval(of_level = level);
+    const Real impulse[3] = {h * scene.force(c, 0), h * scene.force(c, 1), h * scene.force(c, 2)};
+    const Real* weight = &s.entry_weight(static_cast<std::size_t>(e) * N);
+    for (int k = 0; k < N; ++k)
+      for (int i = 0; i < 3; ++i) x[3 * k + i] += weight[k] * impulse[i];
   }
 }
 
 /// That of the rock's stress over h.
+template <int N>
 KOKKOS_INLINE_FUNCTION void add_stress_impulse(const Scene& scene, Index p, Real h, Real* x) {
-  Real f[most_width] = {};
+  Real f[3 * N] = {};
   finite::take_internal_force(scene.rock, scene.d, p, f,
                               &scene.turn(9 * static_cast<std::size_t>(p)));
-  for (int i = 0; i < 3 * scene.functions; ++i) x[i] += h * f[i];
+  for (int i = 0; i < 3 * N; ++i) x[i] += h * f[i];
 }
 
 /// Those of constant loads over h, and of what acts from outside.
+template <int N>
 KOKKOS_INLINE_FUNCTION void add_load_impulses(const Scene& scene, Index p, const Tick& tick, Real h,
                                               Real* x) {
-  const int width = 3 * scene.functions;
+  constexpr int width = 3 * N;
   for (int i = 0; i < width; ++i) x[i] += h * scene.load(i / 3 * scene.covers + p, i % 3);
+  if (scene.factor(p) > 1 && !tick.relaxes)  // what was added has its weight
+    for (int i = 0; i < width; ++i)
+      x[i] += h * (scene.factor(p) - 1) * scene.mass(static_cast<std::size_t>(p) * N * N + i / 3) *
+              scene.gravity[i % 3];
   if (!scene.acted_on || tick.from > 0) return;
   const Real period = tick.share * scene.schedule.period;
   for (int i = 0; i < width; ++i) x[i] += period * scene.outside(i / 3 * scene.covers + p, i % 3);
@@ -94,13 +103,14 @@ KOKKOS_INLINE_FUNCTION void add_load_impulses(const Scene& scene, Index p, const
 /// v += R (M + θh²K)⁻¹ Rᵀ x, with `share` of the damping of strain, whose impulse is −loss, and what mass damping takes in h. What is damped is the
 /// mean of the velocities before and after: it takes energy whatever the impulses are, and in the frame of the middle a block that turns has no
 /// strain in it.
+template <int N>
 KOKKOS_INLINE_FUNCTION void kick(const Scene& scene, Index p, const Real* x, Real share, Real h,
                                  Real* loss) {
-  const int n = scene.functions, width = 3 * n;
+  constexpr int n = N, width = 3 * N;
   const std::size_t own = static_cast<std::size_t>(p) * width * width;
   const Real *inverse = &scene.slowed(own), *damped = &scene.damped(own);
   const Real* r = &scene.turn(9 * static_cast<std::size_t>(p));
-  Real impulse[most_width], speed[most_width], change[most_width];
+  Real impulse[3 * N], speed[3 * N], change[3 * N];
   turn_vector(r, true, n, x, impulse);
   for (int i = 0; i < width; ++i) {
     change[i] = 0;
@@ -130,9 +140,10 @@ KOKKOS_INLINE_FUNCTION void kick(const Scene& scene, Index p, const Real* x, Rea
 constexpr Real local_damping = 0.8;
 
 /// Takes off x what points held bear of it, Cᵀ (A Cᵀ)ᵀ x: what is left moves none of them, and nothing is left of a block at rest.
+template <int N>
 KOKKOS_INLINE_FUNCTION void take_off_held(const Scene& scene, Index p, Real* x) {
   const HeldRows& held = scene.held;
-  const int width = 3 * scene.functions;
+  constexpr int width = 3 * N;
   for (Index set = held.of_block(p); set < held.of_block(p + 1); ++set)
     for (Index r = held.begin(set); r < held.begin(set + 1); ++r) {
       const std::size_t own = static_cast<std::size_t>(r) * width;
@@ -144,8 +155,9 @@ KOKKOS_INLINE_FUNCTION void take_off_held(const Scene& scene, Index p, Real* x) 
 }
 
 /// Local damping: what each impulse loses.
+template <int N>
 KOKKOS_INLINE_FUNCTION void relax(const Scene& scene, Index p, Real* x, Real* loss) {
-  for (int i = 0; i < 3 * scene.functions; ++i) {
+  for (int i = 0; i < 3 * N; ++i) {
     const Real v = scene.v(i / 3 * scene.covers + p, i % 3);
     loss[i] = local_damping * device::math::fabs(x[i]) * (v > 0 ? 1 : v < 0 ? -1 : 0);
     x[i] -= loss[i];
@@ -170,9 +182,10 @@ KOKKOS_INLINE_FUNCTION Real acting_force(const Scene& scene, Index p) {
 }
 
 /// ExplicitScheme::unbalanced, from the impulses x that nothing holds, over h.
+template <int N>
 KOKKOS_INLINE_FUNCTION void judge_balance(const Scene& scene, Index p, const Real* x, Real h) {
   Real most = 0;
-  for (int k = 0; k < scene.functions; ++k) {
+  for (int k = 0; k < N; ++k) {
     Real square = 0;
     for (int i = 0; i < 3; ++i) square += x[3 * k + i] * x[3 * k + i];
     most = device::math::fmax(most, square);
@@ -197,13 +210,14 @@ KOKKOS_INLINE_FUNCTION void find_lacks(const HeldRows& held, Index set, const Fi
 }
 
 /// Points of a block that are held go to their places, where a drift of h has brought it; `gone`: of the period.
+template <int N>
 KOKKOS_INLINE_FUNCTION void place_held(const Scene& scene, Index p, Real h, Real gone) {
   const HeldRows& held = scene.held;
   const Field target = scene.target, before = scene.target_before;
   const bool moving = scene.moving;
   for (Index set = held.of_block(p); set < held.of_block(p + 1); ++set) {
     const Index begin = held.begin(set);
-    Real lacks[most_width];
+    Real lacks[3 * N];
     find_lacks(
         held, set, scene.d, scene.covers,
         [&](Index point, int d) {
@@ -223,12 +237,13 @@ KOKKOS_INLINE_FUNCTION void place_held(const Scene& scene, Index p, Real h, Real
 }
 
 /// Takes off the velocity that points of a block held have against that of the supports.
+template <int N>
 KOKKOS_INLINE_FUNCTION void stop_held(const Scene& scene, Index p) {
   const HeldRows& held = scene.held;
   const Field speed = scene.target_speed;
   for (Index set = held.of_block(p); set < held.of_block(p + 1); ++set) {
     const Index begin = held.begin(set);
-    Real lacks[most_width];
+    Real lacks[3 * N];
     find_lacks(
         held, set, scene.v, scene.covers, [&](Index point, int d) { return speed(point, d); },
         lacks);
@@ -256,25 +271,26 @@ KOKKOS_INLINE_FUNCTION void move_vertices(const Scene& scene, Index p) {
 }
 
 /// To where each is touched next.
+template <int N>
 KOKKOS_INLINE_FUNCTION void drift(const Scene& scene, Index p, Index count) {
   const Schedule& s = scene.schedule;
   const int level = s.block_level(p);
   const Real way = s.interval(level);
-  for (int i = 0; i < 3 * scene.functions; ++i) {
+  for (int i = 0; i < 3 * N; ++i) {
     const Index u = i / 3 * scene.covers + p;
     scene.d(u, i % 3) += way * scene.v(u, i % 3);
   }
   if (!scene.held.any()) return;
   const Index ticks = Index{1} << s.deepest, next = count % ticks + (ticks >> level);
   const Real gone = static_cast<Real>(next) / static_cast<Real>(ticks);
-  place_held(scene, p, way, gone);
+  place_held<N>(scene, p, way, gone);
 }
 
-}  // namespace
-
-void tick_blocks(const Motion::Data& m, const Tick& tick) {
+/// N functions a block.
+template <int N>
+void tick_all(const Motion::Data& m, const Tick& tick) {
   const Scene scene(m);
-  const int width = 3 * scene.functions;
+  constexpr int width = 3 * N;
   const Tick now = tick;
   device::for_each(
       "rockfold::motion::tick", m.explicit_scheme.blocks[tick.from],
@@ -283,26 +299,26 @@ void tick_blocks(const Motion::Data& m, const Tick& tick) {
         const Index p = s.block(b);
         if (scene.gone(p) != 0) return;
         const Real h = now.share * s.interval(s.block_level(p));
-        Real x[most_width], v[most_width], loss[most_width], slowing[most_width];
+        Real x[3 * N], v[3 * N], loss[3 * N], slowing[3 * N];
         for (int i = 0; i < width; ++i) x[i] = loss[i] = slowing[i] = 0;
-        if (scene.touches) add_point_impulses(scene, p, now, x);
-        add_stress_impulse(scene, p, h, x);
-        Real stressed[most_width];
+        if (scene.touches) add_point_impulses<N>(scene, p, now, x);
+        add_stress_impulse<N>(scene, p, h, x);
+        Real stressed[3 * N];
         for (int i = 0; i < width; ++i) {
           stressed[i] = x[i];
           v[i] = scene.v(i / 3 * scene.covers + p, i % 3);
         }
-        add_load_impulses(scene, p, now, h, x);
-        if (scene.held.any()) take_off_held(scene, p, x);
+        add_load_impulses<N>(scene, p, now, h, x);
+        if (scene.held.any()) take_off_held<N>(scene, p, x);
         if (now.relaxes) {
-          if (now.from == 0) judge_balance(scene, p, x, h);
-          relax(scene, p, x, slowing);
+          if (now.from == 0) judge_balance<N>(scene, p, x, h);
+          relax<N>(scene, p, x, slowing);
         }
-        kick(scene, p, x, now.share, h, loss);
+        kick<N>(scene, p, x, now.share, h, loss);
         if (now.drifts)
-          drift(scene, p, now.count);
+          drift<N>(scene, p, now.count);
         else if (scene.held.any())
-          stop_held(scene, p);
+          stop_held<N>(scene, p);
         Real lost = 0, ahead = 0;
         for (int i = 0; i < width; ++i) {
           const Real after = scene.v(i / 3 * scene.covers + p, i % 3);
@@ -314,6 +330,16 @@ void tick_blocks(const Motion::Data& m, const Tick& tick) {
         if (scene.touches && now.drifts) move_vertices(scene, p);
       },
       width);
+}
+
+}  // namespace
+
+void tick_blocks(const Motion::Data& m, const Tick& tick) {
+  constexpr int linear = 4, quadratic = 10;
+  if (m.explicit_scheme.functions == linear)
+    tick_all<linear>(m, tick);
+  else
+    tick_all<quadratic>(m, tick);
 }
 
 }  // namespace rockfold::motion

@@ -86,6 +86,13 @@ void read_scheme(TableReader& in, AnalysisStage& stage) {
   const auto given = in.choose("scheme", {{"auto", "implicit", "explicit"}, {}}, Need::optional);
   constexpr Scheme schemes[] = {Scheme::automatic, Scheme::implicit, Scheme::explicit_};
   if (given) stage.scheme = schemes[*given];
+  in.read("mass_scaling", stage.mass_scaling, between(0, 1, "of the mass of all rock"),
+          Need::optional);
+  if (stage.mass_scaling > 0 &&
+      (stage.type != AnalysisType::dynamic || stage.scheme == Scheme::implicit))
+    in.wrong("mass_scaling",
+             "is for type = \"dynamic\" with scheme = \"explicit\" or \"auto\"; steps that relax "
+             "scale masses by themselves");
   if (!in.read("tolerance_of_balance", stage.tolerance_of_balance, between(1e-12, 0.1, ""),
                Need::optional))
     return;

@@ -237,6 +237,8 @@ Json substeps_json(const RunReport& report) {
                     {"steps", by.steps},
                     {"substeps", by.substeps},
                     {"visits", by.visits},
+                    {"shortest", by.shortest},
+                    {"added_mass", by.added_mass},
                     {"because", reason(by)}});
   return list;
 }

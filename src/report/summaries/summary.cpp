@@ -325,6 +325,13 @@ std::string reason_text(const BySubsteps& by) {
   return fmt::format(", as iterations had cost {:.2g} times as much", by.iterated / by.instead);
 }
 
+/// What set the pace, and what was done about it.
+std::string pace_text(const BySubsteps& by) {
+  std::string text = fmt::format("; the fastest blocks by {:.3g} s", by.shortest);
+  if (by.added_mass > 0) text += fmt::format(", with {:.2g} % of mass added", 100 * by.added_mass);
+  return text;
+}
+
 /// The preconditioner of the last solve, and the fallback by its name where one was taken.
 std::string preconditioner_text(const RunResult& run) {
   const std::int64_t count = run.iterations.fallbacks;
@@ -352,9 +359,9 @@ std::string run_summary(const RunReport& report) {
                                 grouped(run.iterations.pcg), preconditioner_text(run)));
   for (const BySubsteps& by : run.by_substeps)
     text += fact("explicit steps",
-                 fmt::format("{} to {}{}: {} substeps, {} contact points looked at",
+                 fmt::format("{} to {}{}: {} substeps, {} contact points looked at{}",
                              grouped(by.first), grouped(by.first + by.steps - 1), reason_text(by),
-                             grouped(by.substeps), grouped(by.visits)));
+                             grouped(by.substeps), grouped(by.visits), pace_text(by)));
   text += record_fact(report.model);
   const LargestDisplacement& largest = run.largest_displacement;
   const bool counts_anew = resets(report.model);
