@@ -127,17 +127,24 @@ def number(value):
     return text.replace("-", "−")
 
 
+def off(ours, reference):
+    """The difference from the reference, relative to it."""
+    if not reference:
+        return "–"
+    share = ours / reference - 1
+    return f"{abs(share):.0e}".replace("e-0", "e-") if abs(share) < 5e-5 else f"{100 * share:+.2f} %".replace("-", "−")
+
+
 def table(cases):
-    lines = ["| case | quantity | reference | ours | difference |", "|---|---|---|---|---|"]
+    lines = ["| case | quantity | reference | ours | difference | by explicit steps |", "|---|---|---|---|---|---|"]
     for name, case in cases.items():
         for row in case["rows"]:
             reference, ours, unit = row["reference"], row["ours"], row["unit"]
             unit = "" if unit in ("", "relative") else f" {unit}"
-            difference = f"{100 * (ours / reference - 1):+.2f} %".replace("-", "−") if reference else "–"
-            if reference and abs(ours / reference - 1) < 5e-5:
-                difference = f"{abs(ours / reference - 1):.0e}".replace("e-0", "e-")
+            explicit = row.get("explicit")
+            by_substeps = "" if explicit is None else f"{number(explicit)}{unit}" + (f", {off(explicit, reference)}" if reference else "")
             lines.append(f"| [{name}](#{name.replace('_', '-')}) | {row['quantity']} | {number(reference)}{unit} | {number(ours)}{unit} "
-                         f"| {difference} |")
+                         f"| {off(ours, reference)} | {by_substeps} |")
     return "\n".join(lines)
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from runner import Rockfold  # noqa: E402
-from verify import CASES, report  # noqa: E402
+from verify import BY_SUBSTEPS, CASES, find, report  # noqa: E402
 
 FULL = False
 
@@ -17,9 +17,9 @@ class Verification(unittest.TestCase):
     pass
 
 
-def test_of(case):
+def test_of(name, explicit):
     def test(self):
-        found = case(Rockfold(), FULL)
+        found = find(name, Rockfold(), FULL, explicit)
         report(found)
         self.assertTrue(found.rows, "the case compares nothing")
         self.assertEqual([], [f"{row.quantity}: {row.ours!r}, must be {row.reference!r} within {row.tolerance:g}" for row in found.bad()])
@@ -28,7 +28,9 @@ def test_of(case):
 
 for name, one in CASES.items():
     if not sys.argv[1:] or one.__module__ in sys.argv[1:]:
-        setattr(Verification, f"test_{name}", test_of(one))
+        setattr(Verification, f"test_{name}", test_of(name, explicit=False))
+        if name in BY_SUBSTEPS:
+            setattr(Verification, f"test_{name}_by_substeps", test_of(name, explicit=True))
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

@@ -4,6 +4,7 @@
     tests/verification/verify.py                         all cases, with all their lattices, orders and spacings (minutes)
     tests/verification/verify.py --fast                  a few seconds
     tests/verification/verify.py cook kirsch             these cases
+    tests/verification/verify.py --explicit              those of blocks in motion, by explicit steps
     tests/verification/verify.py --store                 writes what was found to docs/verification.json, from which
                                                          docs/draw_verification.py makes the page's table and figures
     tests/verification/verify.py --rockfold PROGRAM …    another program than build/release/rockfold
@@ -27,7 +28,7 @@ import random_blocks  # noqa: E402
 import rest  # noqa: E402
 import statics  # noqa: E402
 import supports  # noqa: E402
-from runner import ROOT, Rockfold  # noqa: E402
+from runner import ROOT, Explicit, Rockfold  # noqa: E402
 
 CASES = {case.__name__: case for case in (
     statics.patch, statics.bending_patch, statics.column, statics.cantilever, statics.cook, statics.le10, statics.kirsch,
@@ -37,7 +38,17 @@ CASES = {case.__name__: case for case in (
     contact.falling_block, contact.colliding_bars, contact.rolling_prism, contact.spinning_box, jointed.jointed_bar, jointed.block_pile,
     random_blocks.random_prisms, random_blocks.random_wedges, rest.brick_wall, rest.jointed_slope, impacts.crossing_beams, impacts.dropped_cube,
     limits.toppling_slope, limits.voussoir_arch, limits.random_arches, supports.stressed_tunnel, supports.stressed_wedge, supports.anchored_block)}
+# Of blocks in motion, which steps by explicit substeps take too.
+BY_SUBSTEPS = ("sliding_block", "cohesive_block", "sliding_wedge", "shaken_wedge", "rocking_block", "falling_block", "rolling_prism", "spinning_box",
+               "crossing_beams", "dropped_cube", "random_prisms", "random_wedges")
 STORE = ROOT / "docs" / "verification.json"
+
+
+def find(name, program, full, explicit=False):
+    """What a case comes to, by explicit steps or as its model says."""
+    if explicit:
+        return CASES[name](Explicit(program.program, program.threads), full).for_substeps()
+    return CASES[name](program, full)
 
 
 def report(found):
@@ -46,10 +57,17 @@ def report(found):
               f"{row.difference():9.2e} (may be {row.tolerance:g})")
 
 
+def add_explicit(stored, found):
+    """Beside what implicit steps came to."""
+    for row, its in zip(stored["rows"], found.rows, strict=True):
+        row["explicit"] = its.ours
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="NAME", help="cases: " + ", ".join(CASES))
     parser.add_argument("--fast", action="store_true")
+    parser.add_argument("--explicit", action="store_true", help="dynamic steps of block covers by explicit substeps")
     parser.add_argument("--store", action="store_true")
     parser.add_argument("--rockfold", type=Path)
     parser.add_argument("--threads", type=int, default=2)
@@ -57,12 +75,14 @@ def main():
     if unknown := set(options.names) - set(CASES):
         parser.error(f"no such case: {', '.join(sorted(unknown))}; there are {', '.join(CASES)}")
 
+    if options.explicit and (others := set(options.names) - set(BY_SUBSTEPS)):
+        parser.error(f"no blocks in motion: {', '.join(sorted(others))}")
     program = Rockfold(options.rockfold, options.threads)
     failed = 0
-    for name in options.names or CASES:
+    for name in options.names or (BY_SUBSTEPS if options.explicit else CASES):
         start = time.monotonic()
         try:
-            found = CASES[name](program, not options.fast)
+            found = find(name, program, not options.fast, options.explicit)
         except (RuntimeError, subprocess.TimeoutExpired) as error:
             print(f"! {error}")
             failed += 1
@@ -72,7 +92,10 @@ def main():
         failed += len(found.bad())
         if options.store:  # read anew, so that several may run side by side
             stored = json.loads(STORE.read_text(encoding="utf-8")) if STORE.exists() else {}
-            stored[name] = found.document()
+            if options.explicit:
+                add_explicit(stored[name], found)
+            else:
+                stored[name] = found.document()
             lines = (f"{json.dumps(key)}: {json.dumps(stored[key])}" for key in CASES if key in stored)  # a case a line
             STORE.write_text("{" + ",\n".join(lines) + "}\n", encoding="utf-8")
     return 1 if failed else 0
