@@ -340,7 +340,7 @@ StageKeys keys_of_cutting() {
   return {"blocks",
           {"title", "gravity", "material.name", "material.density", "joint_material.name", "solid",
            "joint_set", "joint", "joint_mesh.name", "joint_mesh.file", "joint_mesh.material",
-           "joint_mesh.within", "joint_table", "merge", "excavation", "cut"}};
+           "joint_mesh.within", "joint_table", "merge", "excavation", "cut", "contact.tolerance"}};
 }
 
 Cutting cut_blocks(const Model& model, Progress& progress, Real most_blocks) {

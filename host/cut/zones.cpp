@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "host/cut/cells/near_boxes.hpp"
 #include "host/cut/surface_flood.hpp"
 #include "host/parallel.hpp"
 
@@ -11,8 +12,7 @@ namespace rockfold {
 
 namespace {
 
-bool lies_inside(const CellView& cell, const Box& box, const Body& body, const PlaneTable& planes) {
-  if (!body.box.meets(box, planes.width_tolerance())) return false;
+bool lies_inside(const CellView& cell, const Body& body, const PlaneTable& planes) {
   for (const HalfSpaceId h : body.inside)
     for (const Vertex& v : cell.vertices)
       if (planes.side(v, plane_of(h)) == (is_above(h) ? -1 : 1)) return false;
@@ -22,14 +22,20 @@ bool lies_inside(const CellView& cell, const Box& box, const Body& body, const P
 // The bodies that hold each cell, ascending.
 std::vector<std::vector<Index>> bodies_of_cells(const Complex& complex, const CellStore& cells) {
   std::vector<std::vector<Index>> bodies = surfaces_around_cells(complex, cells);
+  std::vector<Index> convex;
+  std::vector<Box> of_body, of_cell(cells.size());
+  for (std::size_t b = 0; b < complex.bodies.size(); ++b)
+    if (!complex.bodies[b].inside.empty()) {
+      convex.push_back(static_cast<Index>(b));
+      of_body.push_back(complex.bodies[b].box);
+    }
+  for (Index c = 0; c < cells.size(); ++c)
+    for (const Vertex& v : cells[c].vertices) of_cell[c].add(v.x);
+  const auto near = near_boxes(of_cell, of_body, complex.planes.width_tolerance());
   parallel_for(cells.size(), 64, [&](std::int64_t c) {
-    const CellView cell = cells[static_cast<Index>(c)];
-    Box box;
-    for (const Vertex& v : cell.vertices) box.add(v.x);
-    for (std::size_t b = 0; b < complex.bodies.size(); ++b)
-      if (const Body& body = complex.bodies[b];
-          !body.inside.empty() && lies_inside(cell, box, body, complex.planes))
-        bodies[c].push_back(static_cast<Index>(b));
+    for (const Index i : near[c])
+      if (lies_inside(cells[static_cast<Index>(c)], complex.bodies[convex[i]], complex.planes))
+        bodies[c].push_back(convex[i]);
     std::sort(bodies[c].begin(), bodies[c].end());
   });
   return bodies;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "host/files/bodies/fit_bodies.hpp"
 #include "host/files/data_file.hpp"
 #include "host/files/faults.hpp"
 #include "host/files/foreign_format.hpp"
@@ -20,6 +21,21 @@ namespace rockfold {
 namespace {
 
 using SharedSurface = std::shared_ptr<const TriangleSurface>;
+
+/// Throws Error(model) at a file of a format that is not read.
+std::string read_file(const Place& place, FileUse use) {
+  std::string bytes = read_data_file(place);
+  if (auto foreign = foreign_format(bytes, use); !foreign.empty())
+    Faults(place).fail(std::move(foreign));
+  return bytes;
+}
+
+MeshFormat format_of(const Place& place) {
+  const auto format = mesh_format(place.file);
+  if (!format)
+    Faults(place).fail("triangles are read from files whose names end in .obj, .off, .stl or .ply");
+  return *format;
+}
 
 /// Loads one file after another and keeps what is wrong with them until the end.
 class Loader {
@@ -81,24 +97,12 @@ class Loader {
     }
   }
 
-  /// Throws Error(model) at a file of a format that is not read.
-  static std::string read_file(const Place& place, FileUse use) {
-    std::string bytes = read_data_file(place);
-    if (auto foreign = foreign_format(bytes, use); !foreign.empty())
-      Faults(place).fail(std::move(foreign));
-    return bytes;
-  }
-
   SharedSurface load_mesh(MeshUse use, const Place& place) {
     auto& surface = meshes_[{place.file, use}];
     if (surface) return surface;
     const std::string bytes = read_file(place, FileUse::mesh);
-    const auto format = mesh_format(place.file);
-    if (!format)
-      Faults(place).fail(
-          "triangles are read from files whose names end in .obj, .off, .stl or .ply");
     surface = std::make_shared<const TriangleSurface>(
-        read_mesh(bytes, *format, use, place, &model_.warnings));
+        read_mesh(bytes, format_of(place), use, place, &model_.warnings));
     return surface;
   }
 
@@ -121,12 +125,19 @@ class Loader {
 
 void load_files(Model& model) {
   Loader(model).run();
+  fit_bodies(model);
+}
+
+std::vector<FileBody> file_bodies(const Place& place) {
+  return read_bodies(read_file(place, FileUse::mesh), format_of(place), place);
 }
 
 std::vector<std::string> files_named_by(const Model& model) {
   std::vector<std::string> files;
   const auto add_shape = [&](const Shape& shape) {
-    if (const auto* mesh = std::get_if<MeshShape>(&shape)) files.push_back(mesh->file);
+    if (const auto* mesh = std::get_if<MeshShape>(&shape))
+      if (!mesh->surface || files.empty() || files.back() != mesh->file)
+        files.push_back(mesh->file);
     if (const auto* terrain = std::get_if<TerrainShape>(&shape)) files.push_back(terrain->file);
   };
   for (const auto& solid : model.solids) add_shape(solid.shape);

@@ -50,6 +50,13 @@ std::string_view Words::next() {
   return line_.substr(begin, at_ - begin);
 }
 
+std::string_view Words::rest() const {
+  std::string_view rest = line_.substr(at_);
+  while (!rest.empty() && separates(rest.front())) rest.remove_prefix(1);
+  while (!rest.empty() && separates(rest.back())) rest.remove_suffix(1);
+  return rest;
+}
+
 std::optional<Real> parse_number(std::string_view word) {
   word = without_plus(word);
   Real value = 0;

@@ -39,6 +39,8 @@ class Words {
 
   /// The next word; "" at the end of the line.
   std::string_view next();
+  /// What follows the word that was read last, without blanks and separators around it.
+  std::string_view rest() const;
   /// Of the word that was read last, from 1, in bytes.
   int column() const { return static_cast<int>(column_); }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/flatten/lost_contact.hpp"
 #include "host/keyblock/first_look.hpp"
 #include "host/keyblock/keyblock.hpp"
 #include "src/base/vector.hpp"
@@ -104,6 +105,31 @@ TEST(MeshJoints, WrittenInMillimetresCarryBlocksAsThePlaneDoes) {
   // As planes of their own only the triangles that the block slides on would resist.
   model.joint_meshes[0].flatness = 0;
   EXPECT_LT(only_block(model).factor_of_safety, 0.8 * plane.factor_of_safety);
+}
+
+// As binary STL has them: triangles differ by 1e-8 rad, and cells between their planes are slivers that both sides show differently.
+TEST(MeshJoints, InSinglePrecisionLeanOnAllOfTheirArea) {
+  const Vec3 point{5.1, 4.7, 5.3};
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    const Vec3 normal = upward(7 + seed * 37 % 60, seed * 131 % 360);
+    Model plane = cube(50e3), mesh = cube(50e3);
+    add_joint(plane, normal, point);
+    TriangleSurface surface = rough_square(normal, point, 31, 1 + static_cast<int>(seed % 5), 0);
+    for (Vec3& x : surface.vertices)
+      for (Real& c : x) c = static_cast<float>(c);
+    add_mesh(mesh, std::move(surface));
+    const BlockArrays blocks = test::cut(mesh).arrays;
+    EXPECT_TRUE(lost_contact(blocks).empty());
+    const KeyblockReport expected = find_keyblocks(test::cut(plane).arrays, plane),
+                         found = find_keyblocks(blocks, mesh);
+    ASSERT_EQ(found.stable.size(), expected.stable.size());
+    for (std::size_t i = 0; i < expected.stable.size(); ++i) {
+      expect_slides_as(found.stable[i], expected.stable[i], 1e-5);
+      EXPECT_NEAR(found.stable[i].free_area, expected.stable[i].free_area,
+                  1e-5 * expected.stable[i].free_area);
+    }
+  }
 }
 
 TEST(MeshJoints, DoNotDependOnTheOrderOfTheirTriangles) {

@@ -106,7 +106,7 @@ class SolidCheck {
       faults_.add(
           crowded.line, 0,
           fmt::format("two triangles of a solid's surface must meet at each edge: more do at "
-                      "{}, the first {}",
+                      "{}, the first {}; if these are several bodies: bodies = \"separate\"",
                       counted(crowded.count, "edge"), crowded.where));
     if (clashing.count > 0)
       faults_.add(clashing.line, 0,

@@ -1,6 +1,7 @@
 // What the readers of mesh files hand on: polygons as they stand in the file.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +17,13 @@ struct PolygonSoup {
   std::vector<Index> corner;           ///< into vertices; 3+ a polygon
   std::vector<int> line;               ///< [polygons] of the file; 0 in binary files
   bool single_precision = false;       ///< coordinates were floats, not decimals or doubles
+  /// What the file calls its parts: of polygons from `first` on.
+  struct Label {
+    Index first = 0;
+    Index object = 0;  ///< how many objects ("o") begin before it
+    std::string object_name = {}, group_name = {};
+  };
+  std::vector<Label> labels = {};  ///< by `first`
 
   Index polygon_count() const { return static_cast<Index>(line.size()); }
 };

@@ -1,11 +1,14 @@
 #include "host/files/meshes/read_mesh.hpp"
 
 #include <array>
+#include <memory>
 #include <utility>
 
 #include "host/files/hardly_meant.hpp"
+#include "host/files/meshes/last_digit.hpp"
 #include "host/files/meshes/mesh_surface.hpp"
 #include "host/files/meshes/polygon_soup.hpp"
+#include "host/files/meshes/separate_bodies.hpp"
 #include "host/files/text.hpp"
 
 namespace rockfold {
@@ -47,10 +50,26 @@ TriangleSurface read_mesh(std::string_view bytes, MeshFormat format, MeshUse use
   const PolygonSoup soup = read_soup(bytes, format, faults);
   MeshTriangles mesh = make_triangles(soup, is_solid, faults);
   if (is_solid) check_solid(mesh, faults);
+  mesh.surface.last_digit = last_digit(soup.vertices, soup.single_precision);
   if (warnings && soup.single_precision)
     if (auto found = coarse_coordinates(mesh.surface, is_solid, place))
       warnings->push_back(std::move(*found));
   return std::move(mesh.surface);
+}
+
+std::vector<FileBody> read_bodies(std::string_view bytes, MeshFormat format, const Place& place) {
+  Faults faults(place);
+  const PolygonSoup whole = read_soup(bytes, format, faults);
+  const Real digit = last_digit(whole.vertices, whole.single_precision);
+  std::vector<FileBody> bodies;
+  for (const SoupBody& body : separate_bodies(whole, format == MeshFormat::stl)) {
+    MeshTriangles mesh = make_triangles(body.soup, true, faults);
+    check_solid(mesh, faults);
+    mesh.surface.last_digit = digit;
+    bodies.push_back({body.name, std::make_shared<TriangleSurface>(std::move(mesh.surface))});
+  }
+  if (bodies.empty()) faults.fail("has no faces, so no body");
+  return bodies;
 }
 
 }  // namespace rockfold

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/model/model.hpp"
+#include "src/model/read/file_bodies.hpp"
 
 namespace rockfold {
 
@@ -24,5 +25,8 @@ std::optional<MeshFormat> mesh_format(const std::string& file);
 /// hardly meant, unless it is null.
 TriangleSurface read_mesh(std::string_view bytes, MeshFormat format, MeshUse use,
                           const Place& place, std::vector<Diagnostic>* warnings = nullptr);
+
+/// The closed bodies of a mesh, each of which must bound a solid. Throws as read_mesh.
+std::vector<FileBody> read_bodies(std::string_view bytes, MeshFormat format, const Place& place);
 
 }  // namespace rockfold

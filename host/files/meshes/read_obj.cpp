@@ -1,4 +1,4 @@
-// Wavefront OBJ: v and f; groups, materials, normals and textures are passed over.
+// Wavefront OBJ: v and f, and what objects and groups are called; materials, normals and textures are passed over.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -12,7 +12,7 @@ namespace rockfold {
 
 namespace {
 
-constexpr std::array passed_over = {"vt", "vn", "vp", "o", "g", "s", "usemtl", "mtllib", "l", "p"};
+constexpr std::array passed_over = {"vt", "vn", "vp", "s", "usemtl", "mtllib", "l", "p"};
 
 struct Reference {
   std::int64_t vertex = 0;  ///< from 1; made absolute
@@ -43,6 +43,18 @@ void read_face(Words& words, int line, PolygonSoup& soup, std::vector<Reference>
   end_polygon(soup, line, faults);
 }
 
+/// What follows "o" or "g", up to the line's end.
+void read_label(bool object, std::string_view name, PolygonSoup& soup) {
+  auto label = soup.labels.empty() ? PolygonSoup::Label{} : soup.labels.back();
+  label.first = soup.polygon_count();
+  (object ? label.object_name : label.group_name) = name;
+  if (object) {
+    ++label.object;
+    label.group_name.clear();
+  }
+  soup.labels.push_back(std::move(label));
+}
+
 void read_vertex(Words& words, int line, PolygonSoup& soup, Faults& faults) {
   soup.vertices.push_back(parse_point(words, line, faults));
   for (auto word = words.next(); !word.empty(); word = words.next())  // a weight or a colour
@@ -62,6 +74,8 @@ PolygonSoup read_obj(std::string_view text, Faults& faults) {
       read_vertex(words, lines.number(), soup, faults);
     else if (keyword == "f")
       read_face(words, lines.number(), soup, last_used, faults);
+    else if (keyword == "o" || keyword == "g")
+      read_label(keyword == "o", words.rest(), soup);
     else if (!keyword.empty() && keyword.front() != '#' &&
              std::find(passed_over.begin(), passed_over.end(), keyword) == passed_over.end())
       faults.add(lines.number(), words.column(),

@@ -23,12 +23,14 @@ Place Diagnostics::place(const Spot& spot, const std::string& key) const {
 
 void Diagnostics::add(const Spot& spot, const std::string& key, const std::string& message) {
   explain(key);
-  if (found_.size() == most_told) {
+  add(spot, {place(spot, key), label_.empty() ? message : message + " (in \"" + label_ + "\")"});
+}
+
+void Diagnostics::add(const Spot& spot, Diagnostic of_file) {
+  if (found_.size() == most_told)
     ++left_out_;
-    return;
-  }
-  found_.push_back(
-      {spot, {place(spot, key), label_.empty() ? message : message + " (in \"" + label_ + "\")"}});
+  else
+    found_.push_back({spot, std::move(of_file)});
 }
 
 void Diagnostics::add_unreadable(const Spot& spot, const std::string& key,

@@ -22,6 +22,9 @@ class Diagnostics {
   /// Likewise for a file that is not there: if nothing else is wrong, the model itself is not.
   void add_unreadable(const Spot& spot, const std::string& key, const std::string& message);
 
+  /// What was found wrong in a file that the entry at `spot` names.
+  void add(const Spot& spot, Diagnostic of_file);
+
   /// Says that a message already explains why this key is missing or wrong: another one would be
   /// noise.
   void explain(const std::string& key) { explained_.insert(key); }

@@ -151,6 +151,25 @@ std::string TableReader::read_name(Names& names, const std::string& fallback) {
   return name;
 }
 
+std::string TableReader::read_prefix(const std::string& fallback) {
+  std::string name;
+  if (!read("name", name, Need::optional)) return fallback;
+  if (name.empty() || !printable(name)) {
+    wrong("name", "found " + described({name, {}}) + ", must be one line of text, not empty");
+    return fallback;
+  }
+  out_.set_label(name);
+  return name;
+}
+
+std::string TableReader::add_name(Names& names, const std::string& wanted) {
+  std::string name = wanted;
+  for (int number = 2; names.find(name) != none; ++number)
+    name = wanted + "_" + std::to_string(number);
+  names.add(name, spot_, path_);
+  return name;
+}
+
 bool TableReader::read_reference(const std::string& key, const Names& names, Index& target) {
   target = names.empty() ? none : 0;
   std::string name;

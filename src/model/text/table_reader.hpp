@@ -34,6 +34,8 @@ class TableReader {
   TableReader& operator=(const TableReader&) = delete;
 
   bool has(std::string_view key);
+  /// Likewise; the key is not one of those that belong here by that.
+  bool gives(std::string_view key) { return entry(key) != nullptr; }
   /// Null if absent; noted as missing if `expected` says what should stand there.
   const Value* find(const std::string& key, const std::string& expected = "");
 
@@ -53,6 +55,10 @@ class TableReader {
   /// The entry's "name", or `fallback`; from here on messages carry it. Reports a name that is
   /// taken.
   std::string read_name(Names& names, const std::string& fallback);
+  /// The entry's "name", or `fallback`, where the entry itself has none: it only begins those of what it stands for.
+  std::string read_prefix(const std::string& fallback);
+  /// Adds a name of what the entry stands for, which differs from all before it: if need be by a number behind it.
+  std::string add_name(Names& names, const std::string& wanted);
   /// Stores the id that the name under `key` refers to; default: the first, or none if there is
   /// none.
   bool read_reference(const std::string& key, const Names& names, Index& target);
@@ -68,6 +74,8 @@ class TableReader {
   void missing(std::vector<std::string> keys, const std::string& message);
   /// The value under `key` (or the table, if the key is absent) is wrong.
   void wrong(const std::string& key, const std::string& message);
+  /// What is wrong in the file that the table names.
+  void wrong_in_file(Diagnostic found) { out_.add(spot_, std::move(found)); }
   /// Likewise: the file that it names is not there.
   void unreadable(const std::string& key, const std::string& message);
   /// What else belongs to this table is not known: its other keys are unknown only if a missing one
