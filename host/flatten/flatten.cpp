@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "host/cut/cells/complex.hpp"
+#include "host/flatten/balance_contacts.hpp"
 #include "host/flatten/block_order.hpp"
 #include "host/flatten/block_surface.hpp"
 #include "host/flatten/bulk.hpp"
@@ -58,6 +59,7 @@ class SurfaceWriter {
     for_each_chunk([&](Index k, Index begin, Index end) { write_chunk(k, begin, end); });
     if (!complex_.beams.empty()) index_shown_faces();
     write_interfaces();
+    if (!complex_.beams.empty()) balance_contacts(out_);
   }
 
  private:

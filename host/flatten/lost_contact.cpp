@@ -1,5 +1,8 @@
 #include "host/flatten/lost_contact.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -8,6 +11,7 @@ namespace {
 
 /// Share of a joint's area.
 constexpr Real explained = 1e-6;
+constexpr Real rounding = 1e-9;  // of a face's area
 
 bool is_joint(const BlockArrays& blocks, Index face) {
   const Index origin = blocks.face_origin[face];
@@ -24,8 +28,13 @@ bool is_contact(const BlockArrays& blocks, const BlockArrays::Interface& shared)
          dot(blocks.face_normal[shared.face[0]], blocks.face_normal[shared.face[1]]) < 0;
 }
 
-Vec3 corner_of(const BlockArrays& blocks, Index face) {
-  return blocks.vertex[blocks.corner_vertex[blocks.corner_begin[blocks.loop_begin[face]]]];
+/// m: the mean of its outer corners.
+Vec3 middle_of(const BlockArrays& blocks, Index face) {
+  const Index loop = blocks.loop_begin[face], begin = blocks.corner_begin[loop],
+              end = blocks.corner_begin[loop + 1];
+  Vec3 sum{};
+  for (Index c = begin; c < end; ++c) sum += blocks.vertex[blocks.corner_vertex[c]];
+  return (1.0 / static_cast<Real>(end - begin)) * sum;
 }
 
 }  // namespace
@@ -41,7 +50,6 @@ std::vector<LostContact> lost_contact(const BlockArrays& blocks) {
   std::vector<LostContact> list;
   std::vector<std::size_t> entry(blocks.origins.size(), 0);  // [origins] of the block, from 1
   for (Index b = 0; b < blocks.block_count(); ++b) {
-    // What one face has too much makes up for its neighbour on the same joint.
     std::vector<LostContact> of_block;
     std::vector<Real> most;
     for (Index f = blocks.face_begin[b]; f < blocks.face_begin[b + 1]; ++f) {
@@ -54,15 +62,19 @@ std::vector<LostContact> lost_contact(const BlockArrays& blocks) {
       }
       LostContact& sum = of_block[at - 1];
       sum.area += blocks.face_area[f];
-      sum.lost += missing[f];
-      if (missing[f] > most[at - 1]) {
-        most[at - 1] = missing[f];
-        sum.place = corner_of(blocks, f);
+      if (std::abs(missing[f]) <= rounding * blocks.face_area[f]) continue;
+      if (missing[f] > 0)
+        sum.lost += missing[f];
+      else
+        sum.surplus -= missing[f];
+      if (std::abs(missing[f]) > most[at - 1]) {
+        most[at - 1] = std::abs(missing[f]);
+        sum.place = middle_of(blocks, f);
       }
     }
     for (const LostContact& sum : of_block) {
       entry[sum.origin] = 0;
-      if (sum.lost > explained * whole[sum.origin]) list.push_back(sum);
+      if (std::max(sum.lost, sum.surplus) > explained * whole[sum.origin]) list.push_back(sum);
     }
   }
   return list;

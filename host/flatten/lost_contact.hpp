@@ -7,18 +7,19 @@
 
 namespace rockfold {
 
-/// Area of a joint on a block that no other block is in contact with.
+/// Faces of a joint on a block whose contact does not add up to their areas.
 struct LostContact {
   Index block = none;
   Index origin = none;  ///< of the joint
   Real area = 0;        ///< m², of the joint's faces on the block
   Real lost = 0;        ///< m², of it without contact
-  Vec3 place{};         ///< m, a corner of the face that lacks most
+  Real surplus = 0;     ///< m², of contact beyond the areas of other faces
+  Vec3 place{};         ///< m, in the middle of the face that is off most
 };
 
-/// Joints have rock on both sides, so that their faces' areas equal those of their interfaces with faces that look at them and
-/// are not free. Lists where more than 1e-6 of a joint's area is missing; what is less, slivers of 1e-9 of the model's size
-/// explain. O(faces + interfaces).
+/// Joints have rock on both sides, so that each face's area equals that of its interfaces with faces that look at it and are not free: what
+/// a face lacks block theory takes for free, and what it has too much for contact twice. Lists where more than 1e-6 of a joint's area is
+/// off; what is less, slivers of 1e-9 of the model's size explain. O(faces + interfaces).
 std::vector<LostContact> lost_contact(const BlockArrays& blocks);
 
 }  // namespace rockfold
