@@ -30,6 +30,14 @@ KOKKOS_INLINE_FUNCTION bool stays_open(ContactPoint& p, const LocalMotion& l, co
   return true;
 }
 
+/// Of its force, what an impact explains.
+KOKKOS_INLINE_FUNCTION Real impact_share(const ContactPoint& p, const LocalMotion& l,
+                                         const ImpactRule& rule) {
+  const ContactMemory& memory = p.memory;
+  if (memory.state == Contact::open || !memory.met) return 0;
+  return rigid_share(rule.period, memory.approach, l.motion.gap - memory.dilation);
+}
+
 /// m: how far the first side has gone from the second in the substep.
 KOKKOS_INLINE_FUNCTION Vector way_of(const LocalMotion& l) {
   return (l.motion.gap - l.motion.gap_before) * l.n + l.motion.shear[0] * l.a +
@@ -39,12 +47,14 @@ KOKKOS_INLINE_FUNCTION Vector way_of(const LocalMotion& l) {
 }  // namespace
 
 void advance(DeviceContacts& c, const Motion& m, const PointClocks& clocks, const Field& force,
-             const Array<Real>& account) {
+             const Array<Real>& impact, const Array<Real>& account) {
   device::grow(c.partial, "contact::partial",
                2 * static_cast<std::size_t>(device::chunk_count(clocks.count)));
   const auto point = c.current.point;
   const auto laws = c.laws;
+  const auto met = c.met;
   const Real restitution = clocks.restitution;
+  const bool shares = impact.extent(0) > 0;
   device::sum_then<2>(
       "rockfold::contact::advance", clocks.count, c.partial,
       KOKKOS_LAMBDA(const Index k, device::Sums<2>& sum) {
@@ -55,7 +65,11 @@ void advance(DeviceContacts& c, const Motion& m, const PointClocks& clocks, cons
         const Real dt = clocks.period / (Index{1} << clocks.level(i));
         PointTraction t;
         const ImpactRule rule = explicit_rule(restitution, p.period, dt);
-        if (!stays_open(p, l, law, rule)) t = advance_memory(p, l, law, rule);
+        if (!stays_open(p, l, law, rule)) {
+          t = advance_memory(p, l, law, rule);
+          note_surfaces(p, met);
+        }
+        if (shares) impact(i) = impact_share(p, l, rule);
         const Vector f = force_of(t, l, p.area), before = at(force, i);
         for (int d = 0; d < 3; ++d) force(i, d) = component(f, d);
         p.gap_before = l.motion.gap;

@@ -13,6 +13,12 @@ DeviceContacts make_contacts(const SurfaceArrays& surfaces, const ContactOptions
   c.surfaces = upload(surfaces);
   c.options = options;
   c.laws = device::to_device("contact::laws", options.laws);
+  const std::size_t laws = options.laws.size() + 1;
+  c.law_of_pair =
+      device::to_device("contact::law_of_pair", options.law_of_pair.empty()
+                                                    ? std::vector<std::int16_t>(laws * laws, 0)
+                                                    : options.law_of_pair);
+  c.met = Array<std::uint8_t>("contact::met", c.law_of_pair.extent(0));
   c.before = make_pose(c.surfaces);
   c.now = make_pose(c.surfaces);
   c.speed_before = device::make_field("contact::speed_before", c.surfaces.vertices);
@@ -64,6 +70,10 @@ std::vector<ContactPoint> points(const DeviceContacts& c) {
   if (set.count > 0) all = device::to_host(set.point);
   all.resize(set.count);
   return all;
+}
+
+std::vector<std::uint8_t> surfaces_that_met(const DeviceContacts& c) {
+  return device::to_host(c.met);
 }
 
 }  // namespace contact

@@ -3,8 +3,10 @@
 //   surfaces.cpp              blocks as convex parts with real faces, in a pose
 //   broad_phase.cpp, sort     which parts are near: boxes in grids
 //   separating_plane_kernel   on which plane two parts touch; it persists from step to step
+//   cone_kernel               the middle of all such planes, where edges lie on edges and corners on corners
 //   pair_points_kernel        the points of a pair: corners and insides of the overlaps of its faces on that plane
 //   overlap_kernel            overlaps of two polygons, and their quadrature
+//   turning_kernel            which faces turn in their plane while they slide, and need more points
 //   handover_kernel           memories from the points before to those now; shear forces keep their sum
 //   detect.cpp                all of these
 //   joint_stress.cpp          joints under the initial stress at step 0
@@ -41,10 +43,11 @@ namespace rockfold {
 
 struct ContactOptions {
   std::vector<JointLaw> laws;  ///< by Model::joint_materials
-  Index material = 0;          ///< of faces that no joint joined
-  Real restitution = 0;        ///< 0 … 1
-  Real search_distance = 0;    ///< m: points with a larger gap are not looked at
-  Real skin = 0;               ///< m: boxes are sorted again once a vertex has moved by half of it
+  /// [surfaces + 1][surfaces + 1] of faces that met, by SurfaceArrays::face_material + 1; empty: the first law.
+  std::vector<std::int16_t> law_of_pair;
+  Real restitution = 0;      ///< 0 … 1
+  Real search_distance = 0;  ///< m: points with a larger gap are not looked at
+  Real skin = 0;             ///< m: boxes are sorted again once a vertex has moved by half of it
   Real still =
       -1;  ///< m: points serve on while no vertex has moved by more; < 0: they are always found anew
   InitialStress initial_stress{};  ///< in joints at step 0

@@ -7,7 +7,7 @@
 
 #include "kernels/contact/contact.hpp"
 #include "kernels/contact/detection/broad_phase_kernel.hpp"
-#include "kernels/contact/detection/pair_points_kernel.hpp"
+#include "kernels/contact/detection/point_set_kernel.hpp"
 #include "kernels/operator/point_terms_kernel.hpp"
 
 namespace rockfold::contact {
@@ -28,6 +28,8 @@ struct DeviceContacts {
   Surfaces surfaces;
   ContactOptions options;
   Array<JointLaw> laws;
+  Array<std::int16_t> law_of_pair;  ///< ContactOptions::law_of_pair
+  Array<std::uint8_t> met;  ///< likewise: 1: such faces, which no joint joined, have touched
 
   Pose before;         ///< of the last accepted step
   Field speed_before;  ///< [V] m/s then
@@ -60,6 +62,10 @@ DetectReport detect(DeviceContacts& contacts, const Field& x);
 /// rad, the largest turn of a face from the last accepted step to the pose that detection looked at last.
 Real largest_turn(const DeviceContacts& contacts);
 
+/// Of pairs that have come beyond the plane that parted them at the last accepted step, to the pose that detection looked at last, and that no other
+/// parted all the way: the largest depth over half the width of the thinner part. Beyond 1 a pair may come out on the other side.
+Real largest_crossing(const DeviceContacts& contacts);
+
 /// Gives the points of joints, as accepted at step 0, the tractions of the initial stress with all vertices at x: as shear stretch, and as
 /// a dilation that closes.
 void stress_joints(const DeviceContacts& contacts, const Field& x);
@@ -80,6 +86,9 @@ Index break_bonds(DeviceContacts& contacts, const Motion& motion);
 /// the rock's work has given it.
 EnergyGain find_largest_gain(DeviceContacts& contacts, const Motion& motion);
 
+/// N s: what points that have met or parted in the step have given the first side, all sizes added.
+Real impulse_of_impacts(DeviceContacts& contacts, const Motion& motion);
+
 /// Makes the end of a step the start of the next: memories, planes, places and speeds. Returns the elastic energy of its points, J.
 Real accept(DeviceContacts& contacts, const Motion& motion);
 
@@ -92,9 +101,9 @@ struct PointClocks {
   Real restitution = 0;  ///< that of impacts; 1 where nothing hits anything
 };
 /// Explicit substeps: takes points of `current` to the motion m (its speeds count), in place. `force` [points], N, has those that each ended with
-/// before, and gets those of now. account[0] += what friction took, account[1] += what the contact's forces did on the rock, J.
+/// before, and gets those of now; `impact` [points], unless it is empty, the shares of these that impacts explain. account[0] += what friction took, account[1] += what the contact's forces did on the rock, J.
 void advance(DeviceContacts& contacts, const Motion& motion, const PointClocks& clocks,
-             const Field& force, const Array<Real>& account);
+             const Field& force, const Array<Real>& impact, const Array<Real>& account);
 /// The points as they are now become those of the last accepted step, with vertices at x moving by v. Returns their elastic energy, J.
 Real settle_in_place(DeviceContacts& contacts, const Field& x, const Field& v);
 /// [points] factor · the stiffness of each point of `current` while it is closed and sticks, N/m.
@@ -130,5 +139,7 @@ void restore(DeviceContacts& contacts, std::span<const std::byte> bytes);
 /// Those detected last, or, if none have been since, those accepted.
 std::vector<ContactPoint> points(const DeviceContacts& contacts);
 ContactCount count_states(const DeviceContacts& contacts);
+/// DeviceContacts::met.
+std::vector<std::uint8_t> surfaces_that_met(const DeviceContacts& contacts);
 
 }  // namespace rockfold::contact

@@ -148,10 +148,31 @@ EnergyGain find_largest_gain(DeviceContacts& c, const Motion& m) {
   return found;
 }
 
+Real impulse_of_impacts(DeviceContacts& c, const Motion& m) {
+  make_room_for_sums(c, c.current.count);
+  const auto point = c.current.point;
+  const auto laws = c.laws;
+  const auto into = c.total;
+  const Real restitution = c.options.restitution;
+  device::sum_then<1>(
+      "rockfold::contact::impulse_of_impacts", c.current.count, c.partial,
+      KOKKOS_LAMBDA(const Index i, device::Sums<1>& sum) {
+        const ContactPoint& p = point(i);
+        const LocalMotion l = local_motion(p, m);
+        const Real open = p.memory.dilation;
+        if (!p.memory.met || (l.motion.gap_before < open) == (l.motion.gap < open)) return;
+        const PointTraction t = traction_at(p, l, laws, restitution, m.dt);
+        sum.value[0] += m.dt * length(force_of(t, l, p.area));
+      },
+      KOKKOS_LAMBDA(const device::Sums<1>& sum) { into(0) = sum.value[0]; });
+  return device::to_host(c.total)[0];
+}
+
 Real accept(DeviceContacts& c, const Motion& m) {
   make_room_for_sums(c, c.current.count);
   const auto point = c.current.point;
   const auto laws = c.laws;
+  const auto met = c.met;
   const auto into = c.total;
   const Real restitution = c.options.restitution;
   device::sum_then<1>(
@@ -159,6 +180,7 @@ Real accept(DeviceContacts& c, const Motion& m) {
       KOKKOS_LAMBDA(const Index i, device::Sums<1>& sum) {
         ContactPoint& p = point(i);
         p.memory = traction_at(p, local_motion(p, m), laws, restitution, m.dt).memory;
+        note_surfaces(p, met);
         sum.value[0] += p.area * elastic_energy(p, laws(p.law));
       },
       KOKKOS_LAMBDA(const device::Sums<1>& sum) { into(0) = sum.value[0]; });

@@ -36,10 +36,12 @@
 // motion apart, and Newton's iteration seeks them one by one.)
 // Along the face nothing is given back either: the shear of such a point is k_s (s + (1 − e) T_s Δ/Δt), no more than its strength, with
 // T_s = 10/ω: of a stretch a tenth of its speed comes back. The stretch s slips as above.
+// Restitution is that of blocks as wholes: what would set a block swinging is taken from it while an impact lasts (kernels/time/rebounds_kernel.hpp, and
+// `stiffen` of kernels/time/explicit/ticks.cpp), or it would leave with less than e w_in and with more when it next hits.
 // Explicit steps look at a point many times while it is pressed, and take what acts now (momentary_impact): the spring's pressure, but no more than
-// brings the sides to the speed of their rebound in this substep. There a point that shakes under its load closes and parts many times within one
-// impact, so that the speed w_in is the largest since it was open, once it has rebounded nothing but closing is resisted, and w_in fades while it
-// presses less than its spring would; in implicit steps it is that of the last closing. Of the closure w_in P is the impact's; what is deeper is borne as a load. (At the deepest point of a fall onto a spring
+// brings the sides to e w_in in this substep, and holds them there until they are apart. As in implicit steps w_in is that of the last closing. Where e = 0 a
+// point that shakes under its load closes and parts many times within one impact: there w_in is the largest since it was open, and fades while it
+// presses less than its spring would. Of the closure w_in P is the impact's; what is deeper is borne as a load. (At the deepest point of a fall onto a spring
 // that is its balance: √((w₀P)² + x_s²) of the x_s + √((w₀P)² + x_s²).) The impact's share of the shear stretch returns e² of its energy, so that an
 // edge that hits comes to rest along the face too. What is closed for good is damped, as implicit steps of some length do by themselves: blocks on
 // elastic joints with friction have motions that grow on their own (a cube 0.25 % below its limit of sliding, on joints stiffer than its rock).
@@ -68,9 +70,8 @@ inline constexpr Real explicit_damping = 0.7, least_damping = 0.1;
 /// critical_step.cpp.
 inline constexpr Real most_drag = 1.5;
 
-/// Periods 1/ω in which, in explicit steps, an impact is forgotten while it presses less than its spring would: its closure w_in P then presses as a load
-/// does, and comes out at w_in/12, 0.7 % of the height of a fall. Rebounds are the smaller the shorter it is, and the larger the softer the rock, which
-/// pushes itself off: e = 0.5 returns 0.22 (rigid rock) to 0.28 of the height (rock ten times as stiff as the joint) rather than 0.25.
+/// Periods 1/ω in which, in explicit steps with e = 0, an impact is forgotten while it presses less than its spring would: its closure w_in P then presses as a
+/// load does, and comes out at w_in/12, 0.7 % of the height of a fall.
 inline constexpr Real impact_memory = 12;
 
 /// `period`: 1/ω = √(m/K), s, with m = m₁ m₂/(m₁ + m₂) of two blocks and K (N/m) all that is between them.

@@ -71,26 +71,26 @@ KOKKOS_INLINE_FUNCTION Pressure end_pressure(Real k, Real g1) {
   return p;
 }
 
-/// In an explicit step: of what is open the speed of now, of what is pressed the largest. `parting` tells that this impact has rebounded.
+/// In an explicit step: of what is open the speed of now; of what is pressed the largest since it began to close, or, where nothing is given back and it
+/// fades, since it was open. `parting` tells that it has turned.
 KOKKOS_INLINE_FUNCTION void watch_approach(const ImpactRule& rule, const PointMotionInStep& motion,
                                            bool open, ContactMemory& memory) {
   const Real closing = -motion.speed_before;
-  if (open || closing > memory.approach) {
-    memory.approach = larger(0.0, closing);
-    memory.parting = 0;
-  } else if (motion.speed >= rule.restitution * memory.approach) {
-    memory.parting = 1;
-  }
-}
-
-/// m/s, of parting, to which an impact may still bring the sides.
-KOKKOS_INLINE_FUNCTION Real rebound_of(const ImpactRule& rule, const ContactMemory& memory) {
-  return memory.parting ? 0 : rule.restitution * memory.approach;
+  const bool again = memory.parting && closing > 0 && rule.restitution > 0;
+  if (open || again || closing > memory.approach) memory.approach = larger(0.0, closing);
+  memory.parting = !open && !(closing > 0);
 }
 
 /// Of what presses in an explicit step, the share that an impact explains.
 KOKKOS_INLINE_FUNCTION Real share_of_impact(const ImpactRule& rule, Real approach, Real g1) {
   return g1 < 0 ? smaller(1.0, -approach * rule.period / g1) : 0;
+}
+
+/// Of what presses at a point, the share by which blocks are rigid: whole up to twice the depth that its impact explains, since a load presses with it.
+KOKKOS_INLINE_FUNCTION Real rigid_share(Real period, Real approach, Real g1) {
+  ImpactRule rule;
+  rule.period = period;
+  return share_of_impact(rule, 2 * approach, g1);
 }
 
 /// In an explicit step: what an impact has stretched along a face returns e² of its energy, by a stiffness as much greater (Walton & Braun, J. Rheol. 30,
@@ -128,7 +128,7 @@ KOKKOS_INLINE_FUNCTION Pressure momentary_impact(Real k, const ImpactRule& rule,
   if (!(g1 < 0)) return p;
   p = end_pressure(k, g1);
   if (rule.restitution >= 1 || !(rule.reach > 0)) return p;
-  const Real beyond = motion.speed - rebound_of(rule, memory);
+  const Real beyond = motion.speed - rule.restitution * memory.approach;
   const Real depth = -g1 - memory.approach * rule.period - 2 * rule.period * larger(0.0, beyond);
   const Real loaded = k * larger(0.0, depth), most = k * rule.reach * larger(0.0, -beyond);
   p.value = smaller(p.value, loaded + most);
@@ -333,7 +333,7 @@ KOKKOS_INLINE_FUNCTION PointTraction traction(const JointLaw& law, const ImpactR
       p.stiffness += law.normal_stiffness;
     }
   }
-  if (momentary && p.value < -law.normal_stiffness * g1)
+  if (momentary && !(rule.restitution > 0) && p.value < -law.normal_stiffness * g1)
     memory.approach *= 1 - rule.period / (impact_memory * rule.reach);
   if (rule.momentary && !impact && (p.value > 0 || bonded)) {
     const Real damped = p.value - law.normal_stiffness * rule.joint_drag * motion.speed;

@@ -67,4 +67,10 @@ KOKKOS_INLINE_FUNCTION Real elastic_energy(const ContactPoint& p, const JointLaw
          0.5 * law.shear_stiffness * (m.shear[0] * m.shear[0] + m.shear[1] * m.shear[1]);
 }
 
+/// Notes the surfaces of a point that touches.
+KOKKOS_INLINE_FUNCTION void note_surfaces(const ContactPoint& p, const Array<std::uint8_t>& met) {
+  if (p.joint == none && p.memory.state != Contact::open && met(p.surfaces) == 0)
+    met(p.surfaces) = 1;
+}
+
 }  // namespace rockfold::contact

@@ -132,6 +132,7 @@ std::vector<std::byte> bytes(const DeviceContacts& c) {
   Writer out;
   out.value(c.surfaces.vertices);
   out.value(static_cast<Index>(c.started));
+  out.array(c.met, static_cast<Index>(c.met.extent(0)));
   if (!c.started) return out.take();
   out.field(c.before.x);
   out.field(c.speed_before);
@@ -147,6 +148,8 @@ void restore(DeviceContacts& c, std::span<const std::byte> from) {
   if (in.value<Index>() != c.surfaces.vertices)
     throw std::invalid_argument("the bytes are those of other contacts");
   c.started = in.value<Index>() != 0;
+  Index met = 0;
+  c.met = in.array<std::uint8_t>("contact::met", met);
   c.detected = false;
   if (c.started) {
     in.field(c.before.x);

@@ -79,12 +79,13 @@ KOKKOS_INLINE_FUNCTION void state_at(const Deformation& body, const ForceRule& r
   for (int k = 0; k < 6; ++k) s[k] = body.initial.extent(0) == 0 ? 0 : body.initial(6 * at + k);
   Real strain[6], old[6] = {};
   green_strain(after, strain);
-  if (rule.middle || rule.viscosity > 0) green_strain(before, old);
+  const Real viscosity = rule.viscosity_of(e);
+  if (rule.middle || viscosity > 0) green_strain(before, old);
   add_elastic_stress(material, rule.middle ? 0.5 : 1, strain, s);
   if (rule.middle) add_elastic_stress(material, 0.5, old, s);
-  if (rule.viscosity > 0) {
+  if (viscosity > 0) {
     for (int k = 0; k < 6; ++k) strain[k] -= old[k];
-    add_elastic_stress(material, rule.viscosity, strain, s);
+    add_elastic_stress(material, viscosity, strain, s);
     if (rule.carries) add_elastic_stress(material, 1, &body.carried(6 * at), s);
   }
   for (int i = 0; i < 9; ++i) h[i] = rule.middle ? 0.5 * (before[i] + after[i]) : after[i];
@@ -156,8 +157,11 @@ void carry_rate(Deformation& body, const Field& velocity, Real of_velocity,
       });
 }
 
-Real viscous_work(const Deformation& body, Real viscosity, const Array<Real>& partial,
-                  const Array<Real>& sums) {
+Real viscous_work(const Deformation& body, Real viscosity, const Array<Real>& more,
+                  const Array<Real>& partial, const Array<Real>& sums) {
+  ForceRule rule;
+  rule.viscosity = viscosity;
+  rule.stiffening = more;
   device::sum_then<1>(
       "rockfold::finite::viscous_work", body.elements, partial,
       KOKKOS_LAMBDA(const Index e, device::Sums<1>& sum) {
@@ -167,7 +171,7 @@ Real viscous_work(const Deformation& body, Real viscosity, const Array<Real>& pa
           green_strain(&body.now(9 * at), strain);
           green_strain(&body.start(9 * at), old);
           for (int k = 0; k < 6; ++k) strain[k] -= old[k];
-          add_elastic_stress(body.elastic(body.material(e)), viscosity, strain, s);
+          add_elastic_stress(body.elastic(body.material(e)), rule.viscosity_of(e), strain, s);
           for (int k = 0; k < 6; ++k)
             sum.value[0] += body.weight(at) * (k < 3 ? 1 : 2) * s[k] * strain[k];
         }
@@ -349,7 +353,7 @@ KOKKOS_INLINE_FUNCTION PointStiffness stiffness_at(const Deformation& body, cons
     at.stress[k] *= rule.geometric ? weight : 0;
   }
   const solve::Elastic& material = body.elastic(body.material(e));
-  const Real stiffer = weight * (1 + (rule.middle ? 2 : 1) * rule.viscosity);
+  const Real stiffer = weight * (1 + (rule.middle ? 2 : 1) * rule.viscosity_of(e));
   at.lambda = stiffer * material.lambda;
   at.mu = stiffer * material.mu;
   return at;

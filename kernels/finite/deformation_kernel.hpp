@@ -22,8 +22,13 @@ struct ForceRule {
   /// Rayleigh damping: S += viscosity · C : (E end − E start), and C : Deformation::carried where `carries`. By rule `middle` it is β
   /// over the step's length; at the end βγ_N/(β_N Δt), as Newmark's formulas find the strain rate there.
   Real viscosity = 0;
+  Array<Real> stiffening = {};  ///< [elements] what each has beyond that; empty: none
+  Real of_stiffening = 1;
   bool carries = false;
   bool geometric = true;  ///< the part of the tangent that the stress makes
+  KOKKOS_INLINE_FUNCTION Real viscosity_of(Index e) const {
+    return stiffening.extent(0) == 0 ? viscosity : viscosity + of_stiffening * stiffening(e);
+  }
 };
 
 struct Deformation {
@@ -63,9 +68,9 @@ void keep(const Deformation& body);
 void carry_rate(Deformation& body, const Field& velocity, Real of_velocity,
                 const Field& acceleration, Real of_acceleration);
 
-/// J: ∫ (E end − E start) : viscosity · C : (E end − E start) dV.
-Real viscous_work(const Deformation& body, Real viscosity, const Array<Real>& partial,
-                  const Array<Real>& sums);
+/// J: ∫ (E end − E start) : η · C : (E end − E start) dV, η = `viscosity` + `more` [elements] (empty: nothing).
+Real viscous_work(const Deformation& body, Real viscosity, const Array<Real>& more,
+                  const Array<Real>& partial, const Array<Real>& sums);
 
 /// f = ∫ F S ∇φ over all unknowns, N.
 void internal_forces(const Deformation& body, const ForceRule& rule, const Field& f);

@@ -44,7 +44,7 @@ void count_work(Motion::Data& m, Real dt) {
   Work& work = m.now.work;
   if (m.varying_loads.any()) work.loads += mean_work(m, m.varying_before, m.varying);
   Rayleigh by = m.damping;
-  if (!m.rock->linear() && by.stiffness > 0) {
+  if (!m.rock->linear() && (by.stiffness > 0 || m.rebounds.any())) {
     work.damping += m.rock->viscous_work(m.now.displacement, by.stiffness / dt);
     by.stiffness = 0;
   }

@@ -52,6 +52,8 @@ void make_system(Motion::Data& m, const MotionSetup& setup) {
     m.system.contacts = contact::make_contact_rows(m.unknowns);
     m.system.bicgstab = solve::make_bicgstab_work(m.unknowns);
     m.most_iterations = setup.contact_iterations;
+    if (setup.large && setup.contact.restitution > 0)
+      m.rebounds = make_rebounds(setup, m.of_blocks);
   }
   m.rock = setup.large ? make_finite_strain(setup, m.system) : make_small_strain(setup, m.system);
   m.supports = make_moving_supports(setup.fixed, m.system);
@@ -192,6 +194,9 @@ Real Motion::largest_increment() const {
 Real Motion::energy_made() const {
   return data_->energy_made;
 }
+Real Motion::crossing() const {
+  return data_->crossing;
+}
 const EnergyGain& Motion::largest_gain() const {
   return data_->gain;
 }
@@ -217,6 +222,11 @@ std::vector<ContactPoint> Motion::contact_points() const {
 
 ContactCount Motion::contact_count() const {
   return data_->contact ? contact::count_states(data_->contact->contacts) : ContactCount{};
+}
+
+std::vector<std::uint8_t> Motion::surfaces_that_met() const {
+  return data_->contact ? contact::surfaces_that_met(data_->contact->contacts)
+                        : std::vector<std::uint8_t>{};
 }
 
 double Motion::contact_seconds() const {

@@ -119,8 +119,10 @@ class Motion {
   /// m: how far the last step has moved one of the points watched.
   Real largest_increment() const;
   /// Of kinetic energy and that stored in joints: what the last step has made out of nothing, by the rule that blocks which overlap far
-  /// and turn change the planes and areas on which they touch. In proportion to its length.
+  /// and turn change the planes and areas on which they touch, or rebounds by when they were. In proportion to its length.
   Real energy_made() const;
+  /// How deep the last step has taken two blocks into each other, over half the width of the thinner: beyond 1 they may pass each other.
+  Real crossing() const;
   /// Where in the last step contact has made most of what it made out of nothing; energy 0: it lost on the whole.
   const EnergyGain& largest_gain() const;
 
@@ -155,6 +157,8 @@ class Motion {
   /// As they are after the last step; none where blocks do not touch each other.
   std::vector<ContactPoint> contact_points() const;
   ContactCount contact_count() const;
+  /// As ContactOptions::law_of_pair: 1: such faces, which no joint joined, have touched so far.
+  std::vector<std::uint8_t> surfaces_that_met() const;
   /// s, spent in finding contact points so far.
   double contact_seconds() const;
   /// Where the forces of the last iteration are least in balance.

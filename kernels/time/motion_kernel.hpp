@@ -13,6 +13,7 @@
 #include "kernels/time/forces/following_kernel.hpp"
 #include "kernels/time/forces/loads_kernel.hpp"
 #include "kernels/time/motion.hpp"
+#include "kernels/time/rebounds_kernel.hpp"
 
 namespace rockfold {
 namespace motion {
@@ -64,6 +65,7 @@ struct Motion::Data {
   motion::MovingState now, saved;
   std::unique_ptr<contact::ContactTerm> contact;  ///< null: blocks do not touch each other
   motion::BlockForces of_blocks;                  ///< then
+  motion::Rebounds rebounds;                      ///< then, where impacts give something back
   contact::Accepted saved_contacts;
   int most_iterations = 60;  ///< of Newton's method
   motion::ExplicitScheme explicit_scheme;
@@ -95,6 +97,7 @@ struct Motion::Data {
   Real step_length = 0;     ///< that the system is prepared for; 0 = for none
   Real largest_increment = 0;
   Real energy_made = 0;    ///< see Motion::energy_made
+  Real crossing = 0;       ///< see Motion::crossing
   EnergyGain gain;         ///< see Motion::largest_gain
   Real mean_over = 0;      ///< see Motion::mean_over
   Real initial_force = 0;  ///< N, norm of the forces of the initial stress in place

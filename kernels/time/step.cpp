@@ -286,6 +286,16 @@ void take_mean_acceleration(const Motion::Data& m, const Step& step) {
       });
 }
 
+/// Elements of blocks that something hits, for this step.
+void stiffen_rebounding(Motion::Data& m, const Step& step) {
+  if (step.speed_by_gap == 0) {
+    Kokkos::deep_copy(m.rebounds.viscosity, 0.0);
+    return;
+  }
+  find_viscosity(m.rebounds, m.of_blocks, *m.contact, m.system.contacts, step.dt);
+  m.rock->stiffen(m.rebounds.viscosity, step.middle ? 1 : m.gamma / m.beta);
+}
+
 }  // namespace
 
 SolveReport take_step(Motion::Data& m, Real dt, const StepCourse& course) {
@@ -294,6 +304,7 @@ SolveReport take_step(Motion::Data& m, Real dt, const StepCourse& course) {
   begin(m, step, course.time_stands);
   predict(m, dt);
   if (m.contact) find_contacts(m, step);
+  if (m.rebounds.any()) stiffen_rebounding(m, step);
   SolveReport report = m.contact ? balance_with_contact(m, step) : balance_forces(m, step);
   count_supports(m, step.middle);
   count_following_work(m);

@@ -29,7 +29,7 @@ ContactOptions options(Real reach = 0.05) {
   JointLaw other = law;
   other.cohesion = other.residual_cohesion = other.tensile_strength = 0;
   o.laws = {law, other};
-  o.material = 1;
+  o.law_of_pair.assign(9, 1);
   o.search_distance = reach;
   o.skin = 0.1;
   return o;

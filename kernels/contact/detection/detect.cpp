@@ -1,7 +1,11 @@
+#include <cmath>
 #include <utility>
 
 #include "kernels/contact/contact_kernel.hpp"
+#include "kernels/contact/detection/cone_kernel.hpp"
 #include "kernels/contact/detection/handover_kernel.hpp"
+#include "kernels/contact/detection/pair_points_kernel.hpp"
+#include "kernels/contact/detection/turning_kernel.hpp"
 #include "kernels/device/sums_kernel.hpp"
 
 namespace rockfold::contact {
@@ -22,11 +26,24 @@ struct Scene {
   bool started;
 };
 
+/// Parts that were on the middle of a cone stay there until one has slid onto a face of the other.
+KOKKOS_INLINE_FUNCTION bool follow_middle(const Scene& e, Index a, Index b, Plane& plane) {
+  const Real gap = gap_along(e.s, e.now, a, b, plane, direction(e.s, e.now, plane));
+  if (gap > 0) return gap < e.points.search_distance;
+  const bool met = gap_along(e.s, e.before, a, b, plane, direction(e.s, e.before, plane)) > 0;
+  const Query q{a, b, met ? Search::swept : Search::widest, {}, e.points.search_distance};
+  const Choice best = PlaneSearch(e.s, e.before, e.now, q).run();
+  if (!leaves_middle(e.s, e.before, e.now, q, plane, best)) return true;
+  plane = best.plane;
+  return best.gap < e.points.search_distance && !is_far(e.s, a, b, plane);
+}
+
 /// The plane of a pair in the new pose, and whether it is near enough to have points.
 KOKKOS_INLINE_FUNCTION bool find_plane(const Scene& e, Index pair, Plane& plane) {
   const Index a = e.pairs.a(pair), b = e.pairs.b(pair);
   const Index old = e.started ? find_pair(e.accepted.pairs, a, b) : none;
   plane = old == none ? Plane{} : e.accepted.plane(old);
+  if (plane.kind == Plane::middle) return follow_middle(e, a, b, plane);
   Query q{a, b, e.started ? Search::swept : Search::widest, {}, e.points.search_distance};
   if (plane.kind != Plane::unknown) {
     const Vector n = direction(e.s, e.now, plane), m = direction(e.s, e.before, plane);
@@ -47,7 +64,9 @@ KOKKOS_INLINE_FUNCTION bool find_plane(const Scene& e, Index pair, Plane& plane)
     best = PlaneSearch(e.s, e.before, e.now, q).run();
   }
   plane = best.plane;
-  return best.gap < e.points.search_distance && !is_far(e.s, a, b, plane);
+  if (!(best.gap < e.points.search_distance) || is_far(e.s, a, b, plane)) return false;
+  if (q.how != Search::local) plane = ConeSearch(e.s, e.before, e.now, q, best).run();
+  return true;
 }
 
 /// √(m/K) of the two blocks and all points between them that carry load or may.
@@ -83,10 +102,18 @@ struct Staged {
 
 KOKKOS_INLINE_FUNCTION Staged place_points(const Scene& e, Index pair, const Plane& plane,
                                            const Room& room) {
-  PairPoints points(e.s, e.now, e.pairs.a(pair), e.pairs.b(pair), direction(e.s, e.now, plane),
-                    e.points, room);
+  PairPoints points(e.s, e.now, e.pairs.a(pair), e.pairs.b(pair), plane, e.points, room);
   const Index count = points.run();
   return {count, points.deeper_than_wide()};
+}
+
+/// The points that a pair had at the last accepted step.
+KOKKOS_INLINE_FUNCTION Span accepted_points(const Scene& e, Index a, Index b) {
+  const Index pair = e.started ? find_pair(e.accepted.pairs, a, b) : none;
+  if (pair == none) return {e.accepted.point, 0, 0};
+  const Index begin = e.accepted.point_begin(pair);
+  return {e.accepted.point, static_cast<std::size_t>(begin),
+          e.accepted.point_begin(pair + 1) - begin};
 }
 
 /// What the points of a pair inherit.
@@ -97,10 +124,7 @@ KOKKOS_INLINE_FUNCTION void inherit(const Scene& e, Index pair, const Plane& pla
   const Span now{room.point, room.begin, count < room.capacity ? count : room.capacity};
   Vector n_before = direction(e.s, e.before, plane);
   if (dot(n_before, n_before) == 0) n_before = n;
-  const Index old_pair = e.started ? find_pair(e.accepted.pairs, a, b) : none;
-  const Index old_begin = old_pair == none ? 0 : e.accepted.point_begin(old_pair);
-  const Span old{e.accepted.point, static_cast<std::size_t>(old_begin),
-                 old_pair == none ? 0 : e.accepted.point_begin(old_pair + 1) - old_begin};
+  const Span old = accepted_points(e, a, b);
   if (old.count > 0) keep_memories(old, now, e.laws);
   set_frames(e, n, n_before, now);
   if (old.count > 0)
@@ -141,6 +165,33 @@ Index find_planes(DeviceContacts& c, const Scene& e, const Array<Plane>& plane) 
   return count;
 }
 
+/// Plane::turning of a pair from here on.
+KOKKOS_INLINE_FUNCTION std::int32_t turns(const Scene& e, Index a, Index b) {
+  const Span points = accepted_points(e, a, b);
+  if (points.count == 0) return 0;
+  const bool did = e.accepted.plane(find_pair(e.accepted.pairs, a, b)).turning != 0;
+  return turns_in_plane(points, e.before.x, e.speed_before, did) ? 1 : 0;
+}
+
+/// m, of the thinner part.
+KOKKOS_INLINE_FUNCTION Real half_width(const Scene& e, Index a, Index b) {
+  return 0.5 * math::fmin(e.s.part_width(a), e.s.part_width(b));
+}
+
+/// Whether an impact has taken the pair deeper than half the width of the thinner one: it is on its way back, and the nearest way out may be through.
+KOKKOS_INLINE_FUNCTION bool is_hit(const Scene& e, Index a, Index b) {
+  const Real half = half_width(e, a, b);
+  const Span points = accepted_points(e, a, b);
+  for (Index i = 0; i < points.count; ++i) {
+    const ContactPoint& p = points[i];
+    const Real gap = dot(to_vector(p.normal), between(p, e.before.x)) + p.offset,
+               depth = p.memory.dilation - gap;
+    if (p.memory.state != Contact::open && depth > half && 2 * p.memory.approach * p.period > depth)
+      return true;
+  }
+  return false;
+}
+
 /// Points of a pair on its plane. Where it touches nowhere in that plane, or has touched for longer in strips alone that are narrower than
 /// deep, it is looked at again from all sides: the plane along which the overlap is least deep then has the least energy, since the volume is
 /// the same. (Rock that touches at an edge alone, where joints cross, is as near to one joint as to the other until it moves.) What
@@ -151,12 +202,15 @@ KOKKOS_INLINE_FUNCTION Index stage_pair(const Scene& e, Index pair, Plane& plane
   const auto gap_in = [&](const Pose& pose) {
     return gap_along(e.s, pose, a, b, plane, direction(e.s, pose, plane));
   };
+  plane.turning = turns(e, a, b);
   Staged staged = place_points(e, pair, plane, room);
-  if (staged.count == 0 || (staged.strips && !(gap_in(e.before) > e.s.tolerance))) {
+  if (staged.count == 0 || (staged.strips && plane.kind != Plane::middle &&
+                            !(gap_in(e.before) > e.s.tolerance) && !is_hit(e, a, b))) {
     const Query q{a, b, Search::widest, {}, e.points.search_distance};
     const Choice best = PlaneSearch(e.s, e.before, e.now, q).run();
     if (best.plane.kind != Plane::unknown && (staged.count == 0 || best.gap > gap_in(e.now))) {
       plane = best.plane;
+      plane.turning = 0;
       const bool near = best.gap < e.points.search_distance && !is_far(e.s, a, b, plane);
       staged = near ? place_points(e, pair, plane, room) : Staged{};
     }
@@ -301,6 +355,29 @@ Real largest_turn(const DeviceContacts& c) {
       });
 }
 
+Real largest_crossing(const DeviceContacts& c) {
+  const Scene e{c.surfaces, c.before, c.now,  c.speed_before, c.candidates,
+                c.accepted, {},       c.laws, c.started};
+  if (!c.started || 4 * largest_shift(c.before.x, c.now.x) < c.surfaces.thinnest) return 0;
+  return device::largest(
+      "rockfold::contact::crossing", e.pairs.count, KOKKOS_LAMBDA(const Index i) {
+        const Index a = e.pairs.a(i), b = e.pairs.b(i);
+        const Index old = find_pair(e.accepted.pairs, a, b);
+        Plane plane = old == none ? Plane{} : e.accepted.plane(old);
+        if (plane.kind == Plane::unknown)
+          plane = PlaneSearch(e.s, e.before, e.before, {a, b, Search::widest, {}, 0}).run().plane;
+        if (plane.kind == Plane::unknown || is_far(e.s, a, b, plane)) return 0.0;
+        const Vector n = direction(e.s, e.before, plane);
+        const Real start = gap_along(e.s, e.before, a, b, n),
+                   depth = math::fmin(0.0, start) - gap_along(e.s, e.now, a, b, n);
+        const Real half = half_width(e, a, b);
+        if (!(depth > half)) return 0.0;
+        // A plane that parts them at both ends has done so all the way.
+        const Choice other = PlaneSearch(e.s, e.before, e.now, {a, b, Search::swept, {}, 0}).run();
+        return other.plane.kind != Plane::unknown && other.gap > 0 ? 0.0 : depth / half;
+      });
+}
+
 namespace {
 
 /// m: faces that dilation holds apart are no farther from each other than others that touch.
@@ -337,7 +414,9 @@ DetectReport detect(DeviceContacts& c, const Field& x) {
     c.candidates = find_pairs(c.surfaces, c.before.x, c.now.x, margin, c.broad);
     Kokkos::deep_copy(c.sorted_at, x);
   }
-  const PointOptions points{distance, static_cast<std::int16_t>(c.options.material), starting};
+  const PointOptions points{distance, c.law_of_pair,
+                            static_cast<Index>(std::lround(std::sqrt(c.law_of_pair.extent(0)))),
+                            starting};
   const Scene scene{c.surfaces, c.before, c.now,  c.speed_before, c.candidates,
                     c.accepted, points,   c.laws, c.started};
   grow(c.spare_plane, "contact::plane", c.candidates.count);

@@ -12,6 +12,14 @@
 // c ± d of weight (1 − 2κ) A/2 make it up: exact to degree 2. For triangles κ = 1/8 and for parallelograms 1/6, d = 0, and both
 // points are one: 1/12 at each corner, the rest at the centroid. 1/12 ≤ κ ≤ 1/4: S − C/12 = Σ a/12 (p + q)(p + q)ᵀ and
 // C/4 − S = Σ a/12 (p − q)(p − q)ᵀ are positive.
+//
+// Where faces turn (turning_kernel.hpp) points half-way from the centre to each corner get ρ a from each of its segments, taken from the corners
+// (ρ/4: then S is the same) and from the inside. With D = Σ a (|p| + |q|) the torque of a uniform pressure is right if
+//
+//   (κ + ρ/4) D + w |d| = T = ∫ |r| dA,   T = Σ h/6 (t_q |q| − t_p |p| + h² ln((t_q + |q|)/(t_p + |p|)))
+//
+// for segments at distance h from c, t along each from the foot of the normal on it; w is the share of what is inside, times A. Regular
+// polygons and parallelograms: ρ = 0.33 (a disc, a long strip) to 0.42 (a triangle).
 #pragma once
 
 #include "kernels/contact/detection/surfaces_kernel.hpp"
@@ -174,11 +182,16 @@ KOKKOS_INLINE_FUNCTION void for_each_segment(const Outline& first, const Outline
 
 /// The quadrature of an overlap; no overlap: area 0.
 struct OverlapRule {
-  Real area = 0;    ///< m²
-  Real width = 0;   ///< m, of a strip; of others half of it or so
-  Flat centre;      ///< c
-  Real corner = 0;  ///< κ
-  Flat apart;       ///< d; zero: one point at c
+  Real area = 0;      ///< m²
+  Real width = 0;     ///< m, of a strip; of others half of it or so
+  Real gyration = 0;  ///< m, its radius
+  Flat centre;        ///< c
+  Real corner = 0;    ///< κ
+  Real between = 0;   ///< ρ
+  Flat apart;         ///< d; zero: one point at c
+
+  /// Share of the area inside, at c or c ± d.
+  KOKKOS_INLINE_FUNCTION Real inside() const { return 1 - 2 * (corner + between); }
 };
 
 /// Of its area, what rounding may leave open round an overlap.
@@ -226,6 +239,7 @@ KOKKOS_INLINE_FUNCTION OverlapRule overlap_rule(const Outline& first, const Outl
     r.area = 0;
     return r;
   }
+  r.gyration = math::sqrt((s[0] + s[2]) / r.area);
   const Real det_s = s[0] * s[2] - s[1] * s[1], det_c = c[0] * c[2] - c[1] * c[1];
   const Real half = 0.5 * (s[0] * c[2] + s[2] * c[0] - 2 * s[1] * c[1]);
   const Real root = math::sqrt(math::fmax(0.0, half * half - det_s * det_c));
@@ -238,6 +252,41 @@ KOKKOS_INLINE_FUNCTION OverlapRule overlap_rule(const Outline& first, const Outl
     r.apart = uu >= vv ? Flat{d, uv / (inside * d)} : Flat{uv / (inside * d), d};
   }
   return r;
+}
+
+/// ∫ |r| dA over the triangle of the origin, p and q.
+KOKKOS_INLINE_FUNCTION Real arm_of(const Flat& p, const Flat& q) {
+  const Flat way = q - p;
+  const Real side = length(way), h = cross(p, q) / side;
+  const Real tp = (p.u * way.u + p.v * way.v) / side, tq = tp + side;
+  const Real rp = length(p), rq = length(q);
+  // The logarithm is that of both ends' slopes; h² times it vanishes with h.
+  const Real bend = h == 0 ? 0 : h * h * (math::asinh(tq / h) - math::asinh(tp / h));
+  return h / 6 * (tq * rq - tp * rp + bend);
+}
+
+/// Adds the points half-way to the corners.
+KOKKOS_INLINE_FUNCTION void add_between(const Outline& first, const Outline& second, Real tolerance,
+                                        OverlapRule& r) {
+  Real arm = 0, corners = 0;
+  for_each_segment(first, second, tolerance,
+                   [&](const Flat& from, const Flat& to, const Clipped&, Index, bool) {
+                     const Flat p = from - r.centre, q = to - r.centre;
+                     arm += arm_of(p, q);
+                     corners += 0.5 * cross(p, q) * (length(p) + length(q));
+                   });
+  // What is inside keeps its second moment: the less it is the farther apart, though within the radius of gyration.
+  const Real before = r.inside(), apart = length(r.apart), share = apart / r.gyration;
+  const Real most = math::fmin(4 * r.corner, before * math::fmax(0.0, 1 - share * share) / 1.5);
+  const auto ratio = [&](Real inside_arm) {
+    const Real missing = arm - r.corner * corners - inside_arm;
+    return math::fmin(most, math::fmax(0.0, 4 * missing / corners));
+  };
+  const auto inside_after = [&](Real between) { return before - 1.5 * between; };
+  const Real guess = ratio(before * r.area * apart);
+  r.between = ratio(math::sqrt(before * inside_after(guess)) * r.area * apart);
+  r.corner -= r.between / 4;
+  if (apart > 0) r.apart = math::sqrt(before / r.inside()) * r.apart;
 }
 
 /// Which of an outline's vertices carry a point of it, and their shares.

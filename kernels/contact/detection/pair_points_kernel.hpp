@@ -1,17 +1,17 @@
 // The contact points of one pair of parts, given its separating plane: all overlaps of a face of a that looks down upon it with a face of
 // b that looks up, seen along its normal. So a face on a face, a vertex on a face and two crossing edges are one case: as a block
 // tilts, areas change steadily, and corners keep their names.
+//
+// Faces steeper than `most_strain` (cosine to the normal) are left out, and so are overlaps beside a joint that are narrower than this share
+// of its size: there are many, and the pivot of a block moves by no more.
+//
+// Of faces that turn in their plane while they slide (Plane::turning) all overlaps carry as a joint's do, and half-way to their corners too.
 #pragma once
 
 #include "kernels/contact/detection/overlap_kernel.hpp"
 #include "kernels/contact/detection/point_set_kernel.hpp"
 
 namespace rockfold::contact {
-
-/// Rock under load strains by less than this, so that faces turn and their sides shift by as little. Faces steeper than that (cosine to the
-/// normal) are left out, and so are overlaps beside a joint that are narrower than this share of its size: there are many, and the pivot of
-/// a block moves by no more.
-inline constexpr Real most_strain = 1e-4;
 
 /// The share κ by which corners alone carry an overlap (exact to degree 1). A joint has a stiffness against turning, which points inside
 /// get right. Faces that met are rigid: they take up an impact at their corners, and a block that rocks loses what it must (Housner 1963).
@@ -21,9 +21,10 @@ inline constexpr Real all_in_corners = 0.5;
 inline constexpr Real nearly_parallel = 0.984807753012208;
 
 struct PointOptions {
-  Real search_distance = 0;   ///< m: points with a larger gap are none
-  std::int16_t material = 0;  ///< where no joint joined the faces
-  bool starting = false;      ///< step 0: joints of the cut are whole, their gaps zero
+  Real search_distance = 0;              ///< m: points with a larger gap are none
+  Array<std::int16_t> law_of_pair = {};  ///< [materials][materials] where no joint joined the faces
+  Index materials = 1;                   ///< of faces, with none
+  bool starting = false;                 ///< step 0: joints of the cut are whole, their gaps zero
 };
 
 /// Where the points of a pair are put.
@@ -36,8 +37,16 @@ struct Room {
 class PairPoints {
  public:
   KOKKOS_INLINE_FUNCTION PairPoints(const Surfaces& surfaces, const Pose& pose, Index a, Index b,
-                                    const Vector& n, const PointOptions& options, const Room& room)
-      : s_(surfaces), pose_(pose), a_(a), b_(b), n_(n), options_(options), room_(room) {}
+                                    const Plane& plane, const PointOptions& options,
+                                    const Room& room)
+      : s_(surfaces),
+        pose_(pose),
+        a_(a),
+        b_(b),
+        n_(direction(surfaces, pose, plane)),
+        turning_(plane.turning != 0),
+        options_(options),
+        room_(room) {}
 
   /// Returns how many points there are: of more than the capacity, the first.
   KOKKOS_INLINE_FUNCTION Index run() {
@@ -62,7 +71,7 @@ class PairPoints {
         // While the sides of a joint lie on each other, faces at an angle to each other only touch at its rim.
         if (on_joint_ && !joined && !parallel) continue;
         const Index before = count_;
-        add_overlap(fa, fb, joined);
+        add_overlap(fa, fb, joined, parallel);
         on_joint_ = on_joint_ || (joined && parallel && count_ > before);
       }
     }
@@ -78,31 +87,36 @@ class PairPoints {
     return rule.width * rule.width < most_strain * most_strain * joint_area_;
   }
 
-  KOKKOS_INLINE_FUNCTION void add_overlap(Index fa, Index fb, bool joined) {
+  KOKKOS_INLINE_FUNCTION void add_overlap(Index fa, Index fb, bool joined, bool parallel) {
     const Chart chart = make_chart(at(pose_.x, s_.corner_vertex(s_.corner_begin(fb))), n_);
     const Outline one(s_, pose_.x, chart, fa, true), two(s_, pose_.x, chart, fb, false);
     if (are_apart(one, two)) return;
     OverlapRule rule = overlap_rule(one, two, s_.tolerance);
     width_ = math::fmax(width_, rule.width);
     if (!(rule.area > 0) || (!joined && is_left_out(rule))) return;
-    if (joined)
-      joint_area_ += rule.area;
-    else
+    const bool turning = turning_ && parallel;
+    if (joined) joint_area_ += rule.area;
+    if (turning)
+      add_between(one, two, s_.tolerance, rule);
+    else if (!joined)
       rule.corner = all_in_corners;
-    for_each_segment(
-        one, two, s_.tolerance,
-        [&](const Flat& p, const Flat& q, const Clipped& c, Index side, bool swapped) {
-          const Real area =
-              rule.corner * 0.5 * math::fmax(0.0, cross(p - rule.centre, q - rule.centre));
-          const Outline& own = swapped ? two : one;
-          const Outline& other = swapped ? one : two;
-          add_corner(one, two,
-                     corner_at(own, side, other, c, c.from, c.cut_from, swapped, s_.tolerance),
-                     area);
-          add_corner(one, two,
-                     corner_at(own, side, other, c, c.to, c.cut_to, swapped, s_.tolerance), area);
-        });
-    if (joined) add_inside(one, two, rule);
+    for_each_segment(one, two, s_.tolerance,
+                     [&](const Flat& p, const Flat& q, const Clipped& c, Index side, bool swapped) {
+                       const Real area =
+                           0.5 * math::fmax(0.0, cross(p - rule.centre, q - rule.centre));
+                       const Outline& own = swapped ? two : one;
+                       const Outline& other = swapped ? one : two;
+                       for (const bool end : {false, true}) {
+                         const OverlapCorner corner =
+                             corner_at(own, side, other, c, end ? c.to : c.from,
+                                       end ? c.cut_to : c.cut_from, swapped, s_.tolerance);
+                         add_corner(one, two, corner, rule.corner * area);
+                         if (rule.between > 0)
+                           add_between_corner(one, two, corner, 0.5 * (rule.centre + (end ? q : p)),
+                                              rule.between * area);
+                       }
+                     });
+    if (joined || turning) add_inside(one, two, rule);
   }
 
   /// Whether a side of either has all of the other beyond it; quick, and most pairs of faces are.
@@ -139,6 +153,21 @@ class PairPoints {
     }
   }
 
+  /// Half-way from the centre to a corner.
+  KOKKOS_INLINE_FUNCTION void add_between_corner(const Outline& one, const Outline& two,
+                                                 const OverlapCorner& c, const Flat& place,
+                                                 Real area) {
+    std::int64_t key = 0;
+    if (c.kind == OverlapCorner::of_first)
+      key = make_key(PointKind::vertex_face, between_flag | one.corner(c.first), two.face);
+    else if (c.kind == OverlapCorner::of_second)
+      key = make_key(PointKind::face_vertex, between_flag | one.face, two.corner(c.second));
+    else
+      key =
+          make_key(PointKind::side_side, between_flag | one.corner(c.first), two.corner(c.second));
+    add(key, carriers_of(one, place), carriers_of(two, place), area, one.face, two.face);
+  }
+
   KOKKOS_INLINE_FUNCTION static Carriers on_side(const Outline& o, Index i, Real t) {
     const Index p = o.vertex(i), q = o.vertex(i + 1);
     return {{p, q, p}, {1 - t, t, 0}};
@@ -147,7 +176,8 @@ class PairPoints {
   KOKKOS_INLINE_FUNCTION void add_inside(const Outline& one, const Outline& two,
                                          const OverlapRule& rule) {
     const bool single = rule.apart.u == 0 && rule.apart.v == 0;
-    const Real area = (1 - 2 * rule.corner) * rule.area / (single ? 1 : 2);
+    if (!(rule.inside() > 0)) return;
+    const Real area = rule.inside() * rule.area / (single ? 1 : 2);
     for (int k = 0; k < (single ? 1 : 2); ++k) {
       const Flat place = rule.centre + (k == 0 ? 1.0 : -1.0) * rule.apart;
       add(make_key(PointKind::inside, 2 * one.face + k, two.face), carriers_of(one, place),
@@ -189,8 +219,10 @@ class PairPoints {
       p.weight[3 + k] = -second.share[k];
     }
     const Index joint = joint_of(fa, fb);
-    const Index material = joint == none ? none : s_.face_material(fa);
-    p.law = material == none ? options_.material : static_cast<std::int16_t>(material);
+    const Index ma = s_.face_material(fa), mb = s_.face_material(fb);
+    p.surfaces = static_cast<std::int16_t>((ma + 1) * options_.materials + mb + 1);
+    p.law = joint != none && ma != none ? static_cast<std::int16_t>(ma)
+                                        : options_.law_of_pair(p.surfaces);
     p.joint = joint;
     begin_memory(p, joint != none, fa, fb);
   }
@@ -214,6 +246,7 @@ class PairPoints {
   const Pose& pose_;
   const Index a_, b_;
   const Vector n_;
+  const bool turning_;
   const PointOptions& options_;
   const Room& room_;
   Index count_ = 0;

@@ -37,8 +37,12 @@ KOKKOS_INLINE_FUNCTION Index find_pair(const Pairs& pairs, Index a, Index b) {
   return low < pairs.count && pairs.a(low) == a && pairs.b(low) == b ? low : none;
 }
 
-/// What a point is made of. Two points inside the overlap of two faces are told apart by the last bit of `first`.
+/// What a point is made of. Two points inside the overlap of two faces are told apart by the last bit of `first`. A point between the centre
+/// of an overlap and one of its corners is named as the corner is, by corners of both faces for vertices and sides: overlaps have a centre each.
 enum class PointKind : std::int32_t { vertex_face, face_vertex, side_side, inside };
+
+/// Of `first`: a point between centre and corner. Features are fewer than 2^30.
+inline constexpr Index between_flag = 1 << 30;
 
 /// 2 bits of kind, 31 of each feature: vertices, faces, names of sides.
 KOKKOS_INLINE_FUNCTION std::int64_t make_key(PointKind kind, Index first, Index second) {
@@ -50,7 +54,7 @@ KOKKOS_INLINE_FUNCTION PointKind kind_of(std::int64_t key) {
   return static_cast<PointKind>(static_cast<std::uint64_t>(key) >> 62);
 }
 KOKKOS_INLINE_FUNCTION Index first_of(std::int64_t key) {
-  return static_cast<Index>((static_cast<std::uint64_t>(key) >> 31) & 0x7fffffffu);
+  return static_cast<Index>((static_cast<std::uint64_t>(key) >> 31) & 0x3fffffffu);
 }
 KOKKOS_INLINE_FUNCTION Index second_of(std::int64_t key) {
   return static_cast<Index>(static_cast<std::uint64_t>(key) & 0x7fffffffu);

@@ -5,18 +5,21 @@
 // A plane persists. While a pair touches, only planes whose normals are within ten degrees of the one before are looked at,
 // so that a small overlap sideways never wins over the plane that carries the load, and an overrun reads as deep penetration. A pair that was
 // apart at the start of a step touches on the plane, turned by no more than that, which it crossed last (the moving separating axis test: Ericson, Real-Time
-// Collision Detection, 2005, 5.5.8).
+// Collision Detection, 2005, 5.5.8). Edges that are parallel, and corners, may touch on a whole cone of planes: see cone_kernel.hpp.
 #pragma once
 
 #include "kernels/contact/detection/surfaces_kernel.hpp"
 
 namespace rockfold::contact {
 
-/// A candidate for the separating plane, by what it lies on.
+/// A separating plane, by what it lies on.
 struct Plane {
-  enum Kind : std::int32_t { unknown, face_of_a, face_of_b, edges };
+  enum Kind : std::int32_t { unknown, face_of_a, face_of_b, edges, middle };
   std::int32_t kind = unknown;
-  Index first = none, second = none;  ///< a face, or an edge of a and one of b
+  /// A face; an edge of a and one of b; of the middle of a cone the faces of a and b that it turns with.
+  Index first = none, second = none;
+  std::int32_t turning = 0;  ///< 1: faces turn in it while they slide (turning_kernel.hpp)
+  Vector in_a{}, in_b{};     ///< the normal of a middle in the frames of both faces
 };
 
 /// A normal that turns by more than this in a step halves it: planes of one contact from step to step lie closer. cos 10°.
@@ -24,14 +27,39 @@ inline constexpr Real near_direction = 0.984807753012208;
 /// sin 10°.
 inline constexpr Real near_plane = 0.17364817766693;
 
+/// Rock under load strains by less than this, so that faces turn and their sides shift by as little.
+inline constexpr Real most_strain = 1e-4;
+
 KOKKOS_INLINE_FUNCTION Vector edge_direction(const Surfaces& s, const Pose& pose, Index e) {
   return at(pose.x, s.edge_vertex(2 * e + 1)) - at(pose.x, s.edge_vertex(2 * e));
 }
 
-/// n of a plane in a pose; zero where two edges are parallel.
+/// Axes that turn with a face: along its first side, across it, out of it.
+struct FaceFrame {
+  Vector u, v, n;
+
+  KOKKOS_INLINE_FUNCTION Vector into(const Vector& d) const {
+    return {dot(d, u), dot(d, v), dot(d, n)};
+  }
+  KOKKOS_INLINE_FUNCTION Vector out_of(const Vector& d) const {
+    return d.x * u + d.y * v + d.z * n;
+  }
+};
+KOKKOS_INLINE_FUNCTION FaceFrame face_frame(const Surfaces& s, const Pose& pose, Index face) {
+  const Index c = s.corner_begin(face);
+  const Vector n = at(pose.normal, face);
+  const Vector side = at(pose.x, s.corner_vertex(c + 1)) - at(pose.x, s.corner_vertex(c));
+  const Vector u = unit(side - dot(side, n) * n);
+  return {u, cross(n, u), n};
+}
+
+/// n of a plane in a pose; zero where two edges are parallel. The middle of a cone turns by the mean of both parts' turns.
 KOKKOS_INLINE_FUNCTION Vector direction(const Surfaces& s, const Pose& pose, const Plane& p) {
   if (p.kind == Plane::face_of_a) return -at(pose.normal, p.first);
   if (p.kind == Plane::face_of_b) return at(pose.normal, p.first);
+  if (p.kind == Plane::middle)
+    return unit(face_frame(s, pose, p.first).out_of(p.in_a) +
+                face_frame(s, pose, p.second).out_of(p.in_b));
   const Vector ea = edge_direction(s, pose, p.first), eb = edge_direction(s, pose, p.second);
   const Vector n = cross(ea, eb);
   // Parallel to rounding: their faces' normals serve.

@@ -1,6 +1,59 @@
+#include <algorithm>
+#include <limits>
+
 #include "kernels/contact/detection/surfaces_kernel.hpp"
+#include "src/base/vector.hpp"
 
 namespace rockfold::contact {
+namespace {
+
+Vec3 area_vector(const SurfaceArrays& h, Index face) {
+  using rockfold::operator-, rockfold::operator+=;
+  const auto corner = [&](Index c) { return h.vertex[h.corner_vertex[c]]; };
+  const Index begin = h.corner_begin[face];
+  Vec3 sum{};
+  for (Index c = begin + 1; c + 1 < h.corner_begin[face + 1]; ++c)
+    sum += rockfold::cross(corner(c) - corner(begin), corner(c + 1) - corner(begin));
+  return sum;
+}
+
+/// The vertices that bound a part; of a patch of a convex body's surface, with those of the faces that look another way.
+std::vector<Index> vertices_about(const SurfaceArrays& h, Index part) {
+  std::vector<Index> vertices(h.part_vertex.begin() + h.part_vertex_begin[part],
+                              h.part_vertex.begin() + h.part_vertex_begin[part + 1]);
+  if (h.part_far_begin.empty()) return vertices;
+  for (Index i = h.part_far_begin[part]; i < h.part_far_begin[part + 1]; ++i) {
+    const Index face = h.part_far_face[i];
+    vertices.insert(vertices.end(), h.corner_vertex.begin() + h.corner_begin[face],
+                    h.corner_vertex.begin() + h.corner_begin[face + 1]);
+  }
+  return vertices;
+}
+
+/// Surfaces::part_width.
+std::vector<Real> widths(const SurfaceArrays& h) {
+  std::vector<Real> width;
+  for (Index p = 0; p < h.part_count(); ++p) {
+    const std::vector<Index> vertices = vertices_about(h, p);
+    Real least = std::numeric_limits<Real>::max();
+    for (Index f = h.part_face_begin[p]; f < h.part_face_begin[p + 1]; ++f) {
+      const Vec3 normal = area_vector(h, f);
+      const Real area = rockfold::norm(normal);
+      if (!(area > 0)) continue;
+      Real low = std::numeric_limits<Real>::max(), high = -low;
+      for (const Index v : vertices) {
+        const Real along = rockfold::dot(normal, h.vertex[v]) / area;
+        low = std::min(low, along);
+        high = std::max(high, along);
+      }
+      least = std::min(least, high - low);
+    }
+    width.push_back(least);
+  }
+  return width;
+}
+
+}  // namespace
 
 Surfaces upload(const SurfaceArrays& h) {
   using device::to_device;
@@ -10,6 +63,9 @@ Surfaces upload(const SurfaceArrays& h) {
   s.faces = h.face_count();
   s.shown_faces = h.part_face_begin.back();
   s.tolerance = h.tolerance;
+  const std::vector<Real> width = widths(h);
+  s.thinnest = width.empty() ? 0 : *std::min_element(width.begin(), width.end());
+  s.part_width = to_device("contact::part_width", width);
   s.block_mass = to_device("contact::block_mass", h.block_mass);
   s.part_block = to_device("contact::part_block", h.part_block);
   s.part_vertex_begin = to_device("contact::part_vertex_begin", h.part_vertex_begin);
@@ -63,6 +119,12 @@ void set_pose(const Surfaces& s, const Field& x, const Pose& pose) {
         pose.normal(f, 2) = sum.z;
       },
       8);
+}
+
+Real largest_length(const Field& field) {
+  return device::largest(
+      "rockfold::contact::largest_length", static_cast<Index>(field.extent(0)),
+      KOKKOS_LAMBDA(const Index v) { return length(at(field, v)); });
 }
 
 Real largest_shift(const Field& one, const Field& two) {

@@ -11,6 +11,8 @@ struct Surfaces {
   Index parts = 0, vertices = 0, faces = 0;
   Index shown_faces = 0;  ///< those that are no hull faces come first
   Real tolerance = 0;
+  Real thinnest = 0;       ///< m, the least of part_width
+  Array<Real> part_width;  ///< [parts] m, in place: the least extent along a normal of a face
   Array<Real> block_mass;
   Array<Index> part_block, part_vertex_begin, part_vertex, part_face_begin, part_edge_begin;
   Array<Index> part_far_begin, part_far_face;
@@ -38,5 +40,8 @@ KOKKOS_INLINE_FUNCTION Index next_corner(const Surfaces& s, Index face, Index c)
 
 /// The largest distance of a vertex between two sets of places, m.
 Real largest_shift(const Field& one, const Field& two);
+
+/// The largest length of a vector of the field.
+Real largest_length(const Field& field);
 
 }  // namespace rockfold::contact

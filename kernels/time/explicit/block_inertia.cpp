@@ -80,6 +80,7 @@ void find_inertia(Motion::Data& m) {
     s.factor = device::allocate<Real>("motion::mass_factor", m.covers);
     s.stiffness = device::allocate<Real>("motion::block_stiffness", 9 * small);
     s.damped = device::allocate<Real>("motion::damped", 9 * small);
+    s.rigid = device::allocate<Real>("motion::rigid", 9 * small);
     s.slowed = device::allocate<Real>("motion::slowed", 9 * small);
     s.turn = device::allocate<Real>("motion::block_turn", 9 * static_cast<std::size_t>(m.covers));
     s.lost = device::allocate<Real>("motion::lost", m.covers);
@@ -91,6 +92,7 @@ void find_inertia(Motion::Data& m) {
   list_vertices(m);
   find_stiffness(m);
   find_mass(m);
+  find_rigid(m);
 }
 
 }  // namespace rockfold::motion

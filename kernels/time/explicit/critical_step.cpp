@@ -19,13 +19,18 @@ namespace {
 constexpr Real inertia_of_strain = 1, damping_of_strain = 0.5;
 
 /// (ωh)² of contact. Beside strain it must be below (4 − 2d)/(1 − d/2) − p = 4 − p ≥ 3. (Beside none an oscillator whose spring is dragged by its
-/// share s of h goes by z² − (2 − (1 + s) a) z + (1 − s a) = 0, a = (ωh)²: stable to 4/(1 + 2s), 2.67 for s = 1/4.)
+/// share s of h goes by z² − (2 − (1 + s) a) z + (1 − s a) = 0, a = (ωh)²: stable to 4/(1 + 2s), 1 for the s = 1.5 of most_drag.)
 constexpr Real of_contact = 0.9;
+/// Where blocks rebound: what weighs on one takes g h off the speed e w at which it leaves, and adds as much to w.
+constexpr Real of_rebounds = 0.1;
 
 constexpr int rounds = 3, iterations = 16;
 
 /// Radians: a block that turns by ϑ along its tangent in a substep is stretched by ϑ²/2, here 5e-7.
 constexpr Real most_turn = 1e-3;
+
+/// λK over M: of the digits that a matrix has, half.
+constexpr Real beyond_all = 1e8;
 
 /// a ← (factor · M + θh²K)⁻¹, K [3n][3n].
 KOKKOS_INLINE_FUNCTION void invert_slowed(const Real* mass, Real factor, const Real* k, Real h,
@@ -127,6 +132,24 @@ void write_spring_tangents(const Motion::Data& m) {
 
 }  // namespace
 
+void find_rigid(const Motion::Data& m) {
+  const ExplicitScheme& s = m.explicit_scheme;
+  const auto stiffness = s.stiffness, mass = s.mass, rigid = s.rigid;
+  const int n = s.functions, width = 3 * n;
+  device::for_each(
+      "rockfold::motion::rigid", m.covers,
+      KOKKOS_LAMBDA(const Index p) {
+        const std::size_t own = static_cast<std::size_t>(p) * width * width;
+        const Real *k = &stiffness(own), *small = &mass(static_cast<std::size_t>(p) * n * n);
+        Real softest = 0;  // 1/ω² of the softest function
+        for (int i = 3; i < width; ++i)
+          softest = device::math::fmax(softest, small[(i / 3) * n + i / 3] / k[i * width + i]);
+        invert_slowed(small, 1, k, device::math::sqrt(beyond_all * softest / inertia_of_strain), n,
+                      &rigid(own));
+      },
+      width * width);
+}
+
 void find_block_steps(Motion::Data& m) {
   const ExplicitScheme& s = m.explicit_scheme;
   find_turns(m);
@@ -146,6 +169,8 @@ void find_block_steps(Motion::Data& m) {
   const auto gone = m.gone;
   const Index covers = m.covers;
   const int n = s.functions, width = 3 * n;
+  const bool rebounds = touches && m.contact->contacts.options.restitution > 0;
+  const Real limit = rebounds ? of_rebounds : of_contact;
   const Real unlimited = std::numeric_limits<Real>::infinity();
   device::for_each(
       "rockfold::motion::block_step", covers,
@@ -162,7 +187,7 @@ void find_block_steps(Motion::Data& m) {
           invert_slowed(small, 1, &stiffness(own), h, n, a);
           const Real value =
               gone(p) != 0 ? 0 : largest_value(a, c, &turn(9 * static_cast<std::size_t>(p)), n);
-          h = value > 0 ? device::math::sqrt(of_contact / value) : unlimited;
+          h = value > 0 ? device::math::sqrt(limit / value) : unlimited;
         }
         const Real spin =
             gone(p) != 0 ? 0 : find_spin(rock, velocity, p, &turn(9 * static_cast<std::size_t>(p)));

@@ -27,15 +27,13 @@
 
 namespace rockfold::motion {
 
-/// Of the distance to which points are looked for, how far vertices may go before they are looked for anew: two that come towards each other
-/// then meet no unseen face.
-inline constexpr Real points_serve = 0.25;
-
 /// What does not change with the motion: masses, stiffness, the surface vertices of blocks.
 void find_inertia(Motion::Data& m);
 /// For the inertia of now: slow_strain.
 HeldRows find_held_rows(const Motion::Data& m);
 
+/// ExplicitScheme::rigid, of masses without factor.
+void find_rigid(const Motion::Data& m);
 /// ExplicitScheme::step and turning: what is stable with the contact points of now, whatever their states.
 void find_block_steps(Motion::Data& m);
 /// ExplicitScheme::slowed and damped, for the intervals of the schedule.
@@ -43,9 +41,9 @@ void slow_strain(const Motion::Data& m);
 /// J: ½ vᵀ((factor − 1) M + θh²K)v, kinetic energy of the inertia that blocks and their strain have been given.
 Real added_inertia(const Motion::Data& m);
 
-/// For the contact points of now, and at most dt s. Where steps relax all blocks go by one clock, each with the mass that is stable with it: local damping
+/// For the contact points of now; dt s are left to go, in periods of at most `longest` s. Where steps relax all blocks go by one clock, each with the mass that is stable with it: local damping
 /// is of whole forces, and masses do not matter to rest.
-void make_schedule(Motion::Data& m, Real dt, const StepCourse& course);
+void make_schedule(Motion::Data& m, Real dt, Real longest, const StepCourse& course);
 
 /// A tick of all blocks that level `from` and faster ones touch. Where they do not go on, points held stop with their supports (prescribed, m/s).
 struct Tick {

@@ -90,14 +90,14 @@ std::vector<Real> find_steps(const Motion::Data& m, Real mass_scaling) {
 
 /// The period, and the levels of the blocks' own clocks.
 std::vector<int> find_own_levels(const Motion::Data& m, const std::vector<Real>& step, Real dt,
-                                 Schedule& s) {
+                                 Real limit, Schedule& s) {
   const std::vector<std::uint8_t> pulled = find_pulled(m);
   Real longest = 0, of_pulled = dt;
   for (std::size_t p = 0; p < step.size(); ++p) {
     longest = std::max(longest, std::min(step[p], dt));
     if (pulled[p] != 0) of_pulled = std::min(of_pulled, step[p]);
   }
-  s.period = dt / std::ceil((1 - 1e-12) * dt / std::min(longest, of_pulled));
+  s.period = dt / std::ceil((1 - 1e-12) * dt / std::min({longest, of_pulled, limit}));
   std::vector<int> own;
   s.deepest = 0;
   for (const Real h : step) {
@@ -169,10 +169,10 @@ void scale_masses(Motion::Data& m, const std::vector<int>& own) {
 
 }  // namespace
 
-void make_schedule(Motion::Data& m, Real dt, const StepCourse& course) {
+void make_schedule(Motion::Data& m, Real dt, Real longest, const StepCourse& course) {
   Schedule& s = m.explicit_scheme.schedule;
   const PointLists lists(m);
-  std::vector<int> own = find_own_levels(m, find_steps(m, course.mass_scaling), dt, s);
+  std::vector<int> own = find_own_levels(m, find_steps(m, course.mass_scaling), dt, longest, s);
   if (course.relaxes()) {
     std::fill(own.begin(), own.end(), 0);
     s.deepest = 0;

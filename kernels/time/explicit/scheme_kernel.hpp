@@ -56,6 +56,10 @@ struct ExplicitScheme {
   Array<Real> slowed;     ///< [P][3n][3n] (M + θh²K)⁻¹ in place: strain takes inertia with it
   /// [P][3n][3n] kg, ½ (M + θh²K) P², P = (M + θh²K)⁻¹ θh²K: times a velocity, the impulse that damps strain in a substep.
   Array<Real> damped;
+  Array<Real>
+      rigid;  ///< [P][3n][3n] (M + λK)⁻¹ in place, λ beyond all: of a block that does not strain
+  Array<Real>
+      impact;  ///< [points] of its force, the share that an impact explains; empty: nothing rebounds
   Array<Real> lost;        ///< [P] J, by that since the step began
   Array<Real> ahead;       ///< [P] J, see substeps.cpp
   Array<Real> unbalanced;  ///< [P] of steps that relax: forces out of balance over those that act

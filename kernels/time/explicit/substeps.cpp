@@ -11,6 +11,10 @@
 namespace rockfold::motion {
 namespace {
 
+/// Of the distance to which points are looked for, how far vertices may go before they are looked for anew: two that come towards each other
+/// then meet no unseen face.
+constexpr Real served = 0.25;
+
 /// A look costs as much as a tick of some hundred blocks.
 constexpr int periods_between_looks = 20;
 
@@ -86,15 +90,24 @@ struct ExplicitStep {
       // Points begin with the speeds that they ended with, so that half an impulse is the other half of the last one.
       Kokkos::deep_copy(m.contact->motion.v, contacts.speed_before);
       Kokkos::deep_copy(m.contact->force, 0.0);
+      const bool rebounds = contacts.options.restitution > 0 && !relaxes();
+      s.impact = {};
+      if (rebounds) s.impact = Array<Real>("motion::impact_share", m.contact->force.extent(0));
     }
     find_block_steps(m);
-    make_schedule(m, dt - done, course);
+    make_schedule(m, dt - done, longest_period(), course);
     shortest = std::min(shortest, s.schedule.interval(s.schedule.deepest));
     added_mass = std::max(added_mass, s.added_mass);
   }
 
   /// m: how far vertices may go before points are looked for anew.
-  Real far() const { return points_serve * m.contact->contacts.options.search_distance; }
+  Real far() const { return served * m.contact->contacts.options.search_distance; }
+
+  /// s, in which no vertex goes farther than that: points are looked for between periods.
+  Real longest_period() const {
+    const Real speed = m.contact ? contact::largest_length(m.contact->contacts.speed_before) : 0;
+    return speed > 0 ? far() / speed : std::numeric_limits<Real>::infinity();
+  }
 
   bool has_gone_far() const {
     return m.contact && contact::largest_shift(m.contact->motion.x,
@@ -130,7 +143,7 @@ struct ExplicitStep {
     contact::advance(m.contact->contacts, m.contact->motion,
                      {schedule.point, schedule.level, s.points[from], schedule.period,
                       relaxes() ? 1 : m.contact->contacts.options.restitution},
-                     m.contact->force, s.account);
+                     m.contact->force, s.impact, s.account);
     visits += s.points[from];
   }
 
@@ -290,7 +303,7 @@ struct ExplicitStep {
     m.now.work.damping += sum_of(s.lost);
     count_wall_work(m, m.now.walls, course.walls);
     m.now.walls = course.walls;
-    m.energy_made = 0;
+    m.energy_made = m.crossing = 0;
     m.gain = {};
     m.mean_over = dt;
     m.step_length = 0;

@@ -9,7 +9,7 @@ struct Scene {
   explicit Scene(const Motion::Data& m);
   Schedule schedule;
   HeldRows held;
-  Array<Real> mass, factor, slowed, damped, turn, lost, ahead, unbalanced;
+  Array<Real> mass, factor, stiffness, slowed, damped, rigid, impact, turn, lost, ahead, unbalanced;
   Array<Index> vertex_begin, vertex;
   finite::Deformation rock;
   Field d, v, load, force, home, x, speed, outside, target, target_before, target_speed;
@@ -26,8 +26,11 @@ Scene::Scene(const Motion::Data& m)
       held(m.explicit_scheme.held),
       mass(m.explicit_scheme.mass),
       factor(m.explicit_scheme.factor),
+      stiffness(m.explicit_scheme.stiffness),
       slowed(m.explicit_scheme.slowed),
       damped(m.explicit_scheme.damped),
+      rigid(m.explicit_scheme.rigid),
+      impact(m.explicit_scheme.impact),
       turn(m.explicit_scheme.turn),
       lost(m.explicit_scheme.lost),
       ahead(m.explicit_scheme.ahead),
@@ -57,23 +60,30 @@ Scene::Scene(const Motion::Data& m)
   vertices = m.contact->vertex;
 }
 
-/// x[3k + d] += the impulses of the points that tick, N s.
+/// x[3k + d] += the impulses of the points that tick, N s. Returns the share of these that impacts explain.
 template <int N>
-KOKKOS_INLINE_FUNCTION void add_point_impulses(const Scene& scene, Index p, const Tick& tick,
+KOKKOS_INLINE_FUNCTION Real add_point_impulses(const Scene& scene, Index p, const Tick& tick,
                                                Real* x) {
   const Schedule& s = scene.schedule;
-  Real h = 0;
+  const bool shares = scene.impact.extent(0) > 0;
+  Real h = 0, all = 0, explained = 0;
   int of_level = -1;
   for (Index e = s.begin(p); e < s.begin(p + 1); ++e) {
     const Index c = s.entry_point(e);
     const int level = s.level(c);
-    if (level < tick.from) return;
+    if (level < tick.from) break;
     if (level != of_level) h = tick.share * s.interval(of_level = level);
     const Real impulse[3] = {h * scene.force(c, 0), h * scene.force(c, 1), h * scene.force(c, 2)};
     const Real* weight = &s.entry_weight(static_cast<std::size_t>(e) * N);
     for (int k = 0; k < N; ++k)
       for (int i = 0; i < 3; ++i) x[3 * k + i] += weight[k] * impulse[i];
+    if (!shares) continue;
+    const Real size = device::math::sqrt(impulse[0] * impulse[0] + impulse[1] * impulse[1] +
+                                         impulse[2] * impulse[2]);
+    all += size;
+    explained += scene.impact(c) * size;
   }
+  return explained > 0 ? explained / all : 0;
 }
 
 /// That of the rock's stress over h.
@@ -134,6 +144,50 @@ KOKKOS_INLINE_FUNCTION void kick(const Scene& scene, Index p, const Real* x, Rea
     Real& v = scene.v(i / 3 * scene.covers + p, i % 3);
     v = ((1 - half) * v + speed[i]) / (1 + half);
   }
+}
+
+/// y = m x, m [n][n] ⊗ 1.
+template <int N>
+KOKKOS_INLINE_FUNCTION void multiply_mass(const Real* mass, Real factor, const Real* x, Real* y) {
+  for (int i = 0; i < 3 * N; ++i) {
+    y[i] = 0;
+    for (int l = 0; l < N; ++l) y[i] += factor * mass[(i / 3) * N + l] * x[3 * l + i % 3];
+  }
+}
+
+/// What a velocity has of strain, v − (M + λK)⁻¹ M v, in the block's place.
+template <int N>
+KOKKOS_INLINE_FUNCTION void strain_part(const Scene& scene, Index p, const Real* velocity,
+                                        Real* strain) {
+  constexpr int n = N, width = 3 * N;
+  const Real* rigid = &scene.rigid(static_cast<std::size_t>(p) * width * width);
+  Real impulse[3 * N];
+  turn_vector(&scene.turn(9 * static_cast<std::size_t>(p)), true, n, velocity, strain);
+  multiply_mass<N>(&scene.mass(static_cast<std::size_t>(p) * n * n), 1, strain, impulse);
+  for (int i = 0; i < width; ++i)
+    for (int j = 0; j < width; ++j) strain[i] -= rigid[i * width + j] * impulse[j];
+}
+
+/// Restitution is of blocks as wholes: as far as impacts explain what acts on it, a block goes on as a rigid one. Takes `share` of the strain of its velocity,
+/// and adds the impulse that this takes to `loss`.
+template <int N>
+KOKKOS_INLINE_FUNCTION void stiffen(const Scene& scene, Index p, Real share, Real* loss) {
+  constexpr int n = N, width = 3 * N;
+  const Real* r = &scene.turn(9 * static_cast<std::size_t>(p));
+  const Real* k = &scene.stiffness(static_cast<std::size_t>(p) * width * width);
+  Real v[3 * N], strain[3 * N], impulse[3 * N];
+  for (int i = 0; i < width; ++i) v[i] = scene.v(i / 3 * scene.covers + p, i % 3);
+  strain_part<N>(scene, p, v, strain);
+  for (int i = 0; i < width; ++i) strain[i] *= share;
+  multiply_mass<N>(&scene.mass(static_cast<std::size_t>(p) * n * n), scene.factor(p), strain,
+                   impulse);
+  const Real h = scene.schedule.interval(scene.schedule.block_level(p)), slow = h * h;
+  for (int i = 0; i < width; ++i)
+    for (int j = 0; j < width; ++j) impulse[i] += slow * k[i * width + j] * strain[j];
+  turn_vector(r, false, n, strain, v);
+  for (int i = 0; i < width; ++i) scene.v(i / 3 * scene.covers + p, i % 3) -= v[i];
+  turn_vector(r, false, n, impulse, v);
+  for (int i = 0; i < width; ++i) loss[i] += v[i];
 }
 
 /// Of force. FLAC and 3DEC take as much.
@@ -301,7 +355,7 @@ void tick_all(const Motion::Data& m, const Tick& tick) {
         const Real h = now.share * s.interval(s.block_level(p));
         Real x[3 * N], v[3 * N], loss[3 * N], slowing[3 * N];
         for (int i = 0; i < width; ++i) x[i] = loss[i] = slowing[i] = 0;
-        if (scene.touches) add_point_impulses<N>(scene, p, now, x);
+        const Real impact = scene.touches ? add_point_impulses<N>(scene, p, now, x) : 0;
         add_stress_impulse<N>(scene, p, h, x);
         Real stressed[3 * N];
         for (int i = 0; i < width; ++i) {
@@ -315,6 +369,7 @@ void tick_all(const Motion::Data& m, const Tick& tick) {
           relax<N>(scene, p, x, slowing);
         }
         kick<N>(scene, p, x, now.share, h, loss);
+        if (impact > 0) stiffen<N>(scene, p, impact, loss);
         if (now.drifts)
           drift<N>(scene, p, now.count);
         else if (scene.held.any())

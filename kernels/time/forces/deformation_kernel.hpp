@@ -51,6 +51,8 @@ class Deformation {
   /// After begin_step: what the strain rate that damps takes from the rates at the step's start (finite::carry_rate).
   virtual void carry_rate(const Field& /*velocity*/, Real /*of_velocity*/,
                           const Field& /*acceleration*/, Real /*of_acceleration*/) {}
+  /// Elements of this step have `factor` · viscosity(e) more (finite::ForceRule::stiffening); viscosity(e) is that of viscous_work.
+  virtual void stiffen(const Array<Real>& /*viscosity*/, Real /*factor*/) {}
   /// J that this viscosity takes in the step that ends at d (finite::viscous_work).
   virtual Real viscous_work(const Field& /*d*/, Real /*viscosity*/) const { return 0; }
   /// Takes the tangent of the last linearise() again without the part of the stress, which compression may make negative.

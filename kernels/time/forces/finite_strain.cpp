@@ -30,15 +30,24 @@ class FiniteStrain : public Deformation {
     finite::deform(body_, d);
     finite::keep(body_);
     rule_ = rule;
+    stiffened_ = 1;
   }
   void carry_rate(const Field& velocity, Real of_velocity, const Field& acceleration,
                   Real of_acceleration) override {
     finite::carry_rate(body_, velocity, of_velocity, acceleration, of_acceleration);
     rule_.carries = true;
   }
+  void stiffen(const Array<Real>& viscosity, Real factor) override {
+    rule_.stiffening = viscosity;
+    rule_.of_stiffening = factor;
+    const Real most = device::largest(
+        "rockfold::motion::largest_viscosity", body_.elements,
+        KOKKOS_LAMBDA(const Index e) { return viscosity(e); });
+    stiffened_ = 1 + 2 * factor * most;
+  }
   Real viscous_work(const Field& d, Real viscosity) const override {
     finite::deform(body_, d);
-    return finite::viscous_work(body_, viscosity, partial_, sums_);
+    return finite::viscous_work(body_, viscosity, rule_.stiffening, partial_, sums_);
   }
   void force(const Field& d, const Field& f) const override {
     finite::deform(body_, d);
@@ -62,7 +71,7 @@ class FiniteStrain : public Deformation {
     return finite::first_inverted(body_, least);
   }
   Real rounding(const Field& d) const override {
-    return rounding_ * finite::largest_terms(body_, d);
+    return stiffened_ * rounding_ * finite::largest_terms(body_, d);
   }
 
   void apply(const solve::Combination& c, const Field& x, const Field& y) const override {
@@ -106,7 +115,8 @@ class FiniteStrain : public Deformation {
   solve::ElementTable elements_;
   StressBefore before_;
   Array<Real> partial_, sums_;
-  Real rounding_;                               ///< N, at terms of H of size 1
+  Real rounding_;       ///< N, at terms of H of size 1
+  Real stiffened_ = 1;  ///< of the rock's stiffness, the most that an element of this step has
   std::unique_ptr<const CoverArrays> sampled_;  // where elements differ in their functions
 };
 
