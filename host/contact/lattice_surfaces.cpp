@@ -301,8 +301,8 @@ SurfaceArrays divide_surfaces(const SurfaceArrays& blocks, const Lattice& lattic
 }
 
 SurfaceArrays contact_surfaces(const Cutting& cutting, const BlockArrays& blocks,
-                               const CoverArrays& covers, Index intact) {
-  SurfaceArrays surfaces = contact_surfaces(cutting, blocks, intact);
+                               const CoverArrays& covers, const FaceMaterials& materials) {
+  SurfaceArrays surfaces = contact_surfaces(cutting, blocks, materials);
   const LatticeKind kind = covers.lattice.kind;
   if (kind == LatticeKind::block) return surfaces;
   return divide_surfaces(surfaces, covers.lattice,

@@ -17,6 +17,6 @@ SurfaceArrays divide_surfaces(const SurfaceArrays& blocks, const Lattice& lattic
 
 /// Those of the blocks as the covers over them move: each block with a cover of its own is whole.
 SurfaceArrays contact_surfaces(const Cutting& cutting, const BlockArrays& blocks,
-                               const CoverArrays& covers, Index intact = none);
+                               const CoverArrays& covers, const FaceMaterials& materials = {});
 
 }  // namespace rockfold

@@ -83,10 +83,10 @@ class CellPolygons {
 
 class Builder {
  public:
-  Builder(const Complex& complex, const BlockArrays& blocks, Index intact)
+  Builder(const Complex& complex, const BlockArrays& blocks, const FaceMaterials& materials)
       : complex_(complex),
         blocks_(blocks),
-        intact_(intact),
+        materials_(materials),
         polygons_(face_polygons(blocks)),
         cell_polygons_(complex, blocks) {}
 
@@ -220,8 +220,14 @@ class Builder {
                       blocks_.origins[origin].kind == FaceOrigin::Kind::excavation;
     out_.face_joint.push_back(joint || wall ? origin : none);
     out_.face_material.push_back(joint  ? blocks_.origins[origin].joint_material
-                                 : wall ? intact_
-                                        : none);
+                                 : wall ? materials_.intact
+                                        : free_material(origin));
+  }
+
+  Index free_material(Index origin) const {
+    if (origin == none || blocks_.origins[origin].kind != FaceOrigin::Kind::solid_face) return none;
+    const auto solid = static_cast<std::size_t>(blocks_.origins[origin].solid);
+    return solid < materials_.of_solid.size() ? materials_.of_solid[solid] : none;
   }
 
   void end_part(Index b) {
@@ -232,7 +238,7 @@ class Builder {
 
   const Complex& complex_;
   const BlockArrays& blocks_;
-  const Index intact_;
+  const FaceMaterials& materials_;
   const PolygonMesh polygons_;
   const CellPolygons cell_polygons_;
   bool goes_on_the_way_ = false;  ///< some rock
@@ -247,8 +253,9 @@ class Builder {
 
 }  // namespace
 
-SurfaceArrays contact_surfaces(const Cutting& cutting, const BlockArrays& blocks, Index intact) {
-  return Builder(*cutting.complex, blocks, intact).run();
+SurfaceArrays contact_surfaces(const Cutting& cutting, const BlockArrays& blocks,
+                               const FaceMaterials& materials) {
+  return Builder(*cutting.complex, blocks, materials).run();
 }
 
 }  // namespace rockfold

@@ -8,9 +8,8 @@
 namespace rockfold {
 
 /// A convex block is one part with the polygons of its shown faces. Any other block has a part for each cell that is no sliver, with
-/// the polygons in which joints, free faces and, through slivers, other blocks lie on it. Dead ends have none. `intact`: material of the faces
-/// between rock that is excavated on the way and other rock, which no joint parts.
+/// the polygons in which joints, free faces and, through slivers, other blocks lie on it. Dead ends have none.
 SurfaceArrays contact_surfaces(const Cutting& cutting, const BlockArrays& blocks,
-                               Index intact = none);
+                               const FaceMaterials& materials = {});
 
 }  // namespace rockfold

@@ -34,12 +34,16 @@ RunReport run_report(const Answer& answer) {
 Json answer_document(const Answer& answer, BlockList list = BlockList::whole) {
   const DocumentHead head{command_name(answer.options.command), answer.model.title,
                           answer.options.seed};
-  if (!answer.run && !answer.keyblocks)
-    return cut_document_without_blocks(head, answer.totals, answer.blocks, *answer.measures);
+  if (!answer.run && !answer.keyblocks) {
+    Json cut = cut_document_without_blocks(head, answer.totals, answer.blocks, *answer.measures);
+    add_body_fit(cut, answer.model);
+    return cut;
+  }
   Json document = answer.run ? run_document(head, run_report(answer), list)
                              : support_document(head, answer.model, answer.blocks,
                                                 *answer.keyblocks, *answer.design, list);
   add_specks(document, answer.totals);
+  add_body_fit(document, answer.model);
   return document;
 }
 
@@ -96,6 +100,7 @@ std::string page_summary(const std::string& path, const PageFacts& facts) {
 std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
   const bool demo = answer.options.command == Command::demo;
   std::string text = (answer.model.title.empty() ? answer.model.path : answer.model.title) + "\n\n";
+  if (answer.model.body_fit) text += bodies_summary(*answer.model.body_fit);
   text += cut_summary(answer.totals, answer.blocks);
   if (answer.options.command == Command::cut)
     text.append("\n").append(measure_summary(*answer.measures));

@@ -33,6 +33,7 @@
 #include "src/check/held_rock.hpp"
 #include "src/check/key_use.hpp"
 #include "src/check/needs.hpp"
+#include "src/check/opposed_supports.hpp"
 #include "src/check/record_check.hpp"
 #include "src/check/rock_check.hpp"
 #include "src/check/whole_model.hpp"
@@ -83,7 +84,7 @@ CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockAr
   rock.block_vertices = locate_block_vertices(rock.covering, blocks);
   if (has_contact(model) && blocks.block_count() > 1) {
     SurfaceArrays surfaces =
-        contact_surfaces(cutting, blocks, rock.covering.arrays, intact_law(model));
+        contact_surfaces(cutting, blocks, rock.covering.arrays, face_materials(model));
     MaterialPoints points = locate_surface(rock.covering, surfaces.vertex, surfaces.vertex_block);
     rock.contact = ContactSurfaces{std::move(surfaces), std::move(points)};
   }
@@ -245,7 +246,7 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
   const BlockArrays blocks =
       clock.measure("cut", "joining blocks", [&] { return flatten_blocks(cutting, model); });
   warn_of_cutting(cutting.totals.intent, terminal);
-  warn_of_lost_contact(blocks, terminal);
+  require_whole_contact(blocks, model);
 
   std::optional<RockMeasures> measures;
   if (wants_measures(options, model))
@@ -286,6 +287,9 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
     warn_of_keys_without_use(model, terminal);
     warn_of_conditional_stability(model, terminal);
     rock = clock.measure("cover", [&] { return cover_rock(cutting, model, blocks, terminal); });
+    require_supports_agree(model, rock->covering.arrays, rock->fixed, terminal);
+    warn_of_contact_within_blocks(model, blocks, cutting.totals.joint_area, rock->covering.arrays,
+                                  rock->fixed, terminal);
     warn_of_long_contact_steps(model, blocks, rock->covering.arrays, rock->fixed, rock->velocities,
                                terminal);
     warn_of_held_rock(model, blocks, rock->covering.arrays, rock->fixed, terminal);
@@ -341,9 +345,10 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
     warn_of_lost_energy(model, *run, terminal);
     warn_of_divided_steps(model, *run, terminal);
     warn_of_made_energy(*run, terminal);
+    warn_of_guessed_material(model, *run, terminal);
     warn_of_imbalance(model, *run, terminal);
     warn_of_missing_factors(model, *run, terminal);
-    if (!run->interrupted) warn_of_support_gap(model, *run, rock->fixed, terminal);
+    if (!run->interrupted) warn_of_support_gap(model, *run, terminal);
     warn_of_interruption(*run, model, options, terminal);
   }
   const Answer answer{options,
@@ -419,15 +424,22 @@ Estimate estimate_model(const Options& options, const Model& model, Terminal& te
 }
 
 /// What can only be told of rock that has been cut. What stops the cutting is for the commands that cut to tell.
-void warn_of_uncut_held_rock(const Model& model, Terminal& terminal) try {
+void look_at_supports_of_cut_rock(const Model& model, Terminal& terminal) {
   Progress silent;
-  const Cutting cutting = cut_blocks(model, silent);
-  const Covering covering = build_covers(cutting, model, silent);
-  const BlockArrays blocks = flatten_blocks(cutting, model);
-  const FixedPoints fixed = fixed_points(cutting, covering, model);
+  Covering covering;
+  BlockArrays blocks;
+  FixedPoints fixed;
+  try {
+    const Cutting cutting = cut_blocks(model, silent);
+    covering = build_covers(cutting, model, silent);
+    blocks = flatten_blocks(cutting, model);
+    fixed = fixed_points(cutting, covering, model);
+  } catch (const Error&) {
+    return;
+  }
+  require_supports_agree(model, covering.arrays, fixed, terminal);
   warn_of_held_rock(model, blocks, covering.arrays, fixed, terminal);
   warn_of_unheld_rock(model, blocks, covering.arrays, fixed, terminal);
-} catch (const Error&) {
 }
 
 int check_model(const Options& options, Terminal& terminal) {
@@ -440,8 +452,9 @@ int check_model(const Options& options, Terminal& terminal) {
   warn_of_unbalanced_start(model, has_joints(model), terminal);
   warn_of_record(model, terminal);
   const bool block_covers = model.cover && model.cover->lattice == LatticeKind::block;
-  if ((may_hold_all(model) || (block_covers && may_leave_rock_unheld(model))) && !options.estimate)
-    warn_of_uncut_held_rock(model, terminal);
+  const bool of_blocks = block_covers && (may_leave_rock_unheld(model) || may_oppose(model));
+  if ((may_hold_all(model) || of_blocks) && !options.estimate)
+    look_at_supports_of_cut_rock(model, terminal);
   std::optional<Estimate> estimate;
   if (options.estimate) estimate = estimate_model(options, model, terminal);
   print_check(options, model, named_extents(model), estimate ? &*estimate : nullptr, terminal);

@@ -96,8 +96,8 @@ struct ContactPoint {
   Real offset = 0;  ///< m, so that the gap of a joint of the cut is zero at step 0
   Real period = 0;  ///< s, √(m/K) of the two blocks and all that is between them (impact_rule)
   ContactMemory memory{};
-  std::int16_t law = 0;  ///< into the laws
-  std::int16_t unused = 0;
+  std::int16_t law = 0;       ///< into the laws
+  std::int16_t surfaces = 0;  ///< of the two sides, into ContactOptions::law_of_pair
   Index joint =
       none;  ///< that both sides are faces of (SurfaceArrays::face_joint); none: two faces that met
 };
@@ -133,7 +133,9 @@ struct ContactSample {
   Vec3 place{};         ///< m, of the first side
   Index block[2] = {};  ///< of the sides
   Index joint = none;   ///< into BlockArrays::origins; none: two faces that met
-  Vec3 normal{};        ///< unit, from the second side to the first
+  Index material =
+      none;  ///< whose law holds, into Model::joint_materials; none: intact rock, or a model without any
+  Vec3 normal{};  ///< unit, from the second side to the first
   Contact state = Contact::open;
   Real gap = 0;            ///< m; negative: the joint has closed
   Real area = 0;           ///< m²

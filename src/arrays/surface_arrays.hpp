@@ -49,7 +49,7 @@ struct SurfaceArrays {
   std::vector<Index>
       face_joint;  ///< [F] which joint it is a side of, equal on both sides; none = a free face
   std::vector<Index>
-      face_material;  ///< [F] into Model::joint_materials; none = a free face, or a joint without one
+      face_material;  ///< [F] joint material, or what surface_of_solid() says; none = a face without
   /// [F] a vertex in a triangle's middle, or none; empty where none has one. It carries what lies inside with the corners.
   std::vector<Index> face_centre;
 
@@ -87,5 +87,12 @@ void add_hull_face(const std::vector<Index>& corners, SurfaceArrays& surfaces);
 /// Fills corner_side and the edges: those of a cell's hull faces, of any other part where its faces meet each other or those of another part,
 /// and `more`.
 void find_edges(SurfaceArrays& surfaces, const std::vector<PartEdge>& more = {});
+
+/// Surfaces (SurfaceArrays::face_material) of faces that no joint made.
+struct FaceMaterials {
+  Index intact =
+      none;  ///< between rock that is excavated on the way and other rock, which no joint parts
+  std::vector<Index> of_solid = {};  ///< [Model::solids] of their free faces; none: they have none
+};
 
 }  // namespace rockfold

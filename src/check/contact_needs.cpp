@@ -9,6 +9,7 @@
 #include "src/model/openings.hpp"
 #include "src/report/error_text.hpp"
 #include "src/run/made_energy.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold {
 
@@ -57,6 +58,71 @@ void check_contact(const Model& model, const BlockArrays& blocks, Terminal& term
       "analysis.kinematics = \"large\" and no static analysis (\"quasi_static\" finds the same "
       "rest). With cover.joints = \"welded\" the rock moves as one mass",
       count));
+}
+
+namespace {
+
+/// Of the area of all joints, which is told to six digits.
+constexpr Real least_dead_end = 1e-6;
+
+void warn_of_dead_ends(const Model& model, const BlockArrays& blocks, Real joint_area,
+                       Terminal& terminal) {
+  Real area = 0;
+  Index most = none, count = 0;
+  for (Index b = 0; b < static_cast<Index>(blocks.dead_end_area.size()); ++b) {
+    const Real of_block = blocks.dead_end_area[b];
+    if (!(of_block > 0) || !is_there_at_first(model, blocks.stage[b])) continue;
+    area += of_block;
+    ++count;
+    if (most == none || of_block > blocks.dead_end_area[most]) most = b;
+  }
+  const bool touch = has_contact(model) && blocks.block_count() > 1;
+  const bool of_blocks = model.cover->lattice == LatticeKind::block;
+  if (!(area > least_dead_end * joint_area)) return;
+  const std::string where = count == 1
+                                ? fmt::format("block {}", most + 1)
+                                : fmt::format("{} blocks, most in block {}", count, most + 1);
+  terminal.warn(fmt::format(
+      "{:.4g} m2 of joints end inside {}: contact is between blocks alone, and there {}. Joints "
+      "that go on to another joint or a face part blocks",
+      area, where,
+      touch || of_blocks
+          ? "they are intact rock, which neither opens nor slips"
+          : "they are open cracks, whose sides pass through each other where they close"));
+}
+
+/// Those on a lattice that are not convex and have no support.
+std::vector<Index> blocks_that_may_fold(const Model& model, const BlockArrays& blocks,
+                                        const CoverArrays& covers, const FixedPoints& fixed) {
+  std::vector<Index> found;
+  if (model.cover->lattice == LatticeKind::block || !model.analysis->large()) return found;
+  std::vector<std::uint8_t> held(blocks.convex.size());
+  for (const Index e : fixed.points.element)
+    if (e != none) held[block_of(covers, e)] = 1;
+  for (Index b = 0; b < blocks.block_count(); ++b)
+    if (!blocks.convex[b] && !held[b] && is_there_at_first(model, blocks.stage[b]))
+      found.push_back(b);
+  return found;
+}
+
+}  // namespace
+
+void warn_of_contact_within_blocks(const Model& model, const BlockArrays& blocks, Real joint_area,
+                                   const CoverArrays& covers, const FixedPoints& fixed,
+                                   Terminal& terminal) {
+  if (model.cover->joints == JointTreatment::welded) return;
+  warn_of_dead_ends(model, blocks, joint_area, terminal);
+  const auto folding = blocks_that_may_fold(model, blocks, covers, fixed);
+  if (folding.empty()) return;
+  const bool one = folding.size() == 1;
+  const std::string which =
+      one ? fmt::format("block {} is not convex, and nothing holds it", folding[0] + 1)
+          : fmt::format("{} blocks are not convex, and nothing holds them (block {} first)",
+                        folding.size(), folding[0] + 1);
+  terminal.warn(which +
+                ": where rock of one block folds, its parts pass through each other, since contact "
+                "is between "
+                "blocks. A joint across the notch would make two blocks of it");
 }
 
 namespace {

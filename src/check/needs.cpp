@@ -23,7 +23,6 @@
 #include "src/model/read/read_model.hpp"
 #include "src/report/error_text.hpp"
 #include "src/report/names.hpp"
-#include "src/run/fixed_contradiction.hpp"
 #include "src/store/output_path.hpp"
 
 namespace rockfold {
@@ -121,7 +120,7 @@ Model load_model(const Options& options, Terminal& terminal) {
       options.command == Command::demo
           ? parse_model(find_example("slope").text, "slope.toml", options.overrides, purpose)
       : options.model_text
-          ? parse_model(*options.model_text, options.input, options.overrides, purpose)
+          ? parse_model(*options.model_text, options.input, options.overrides, purpose, file_bodies)
           : read_whole_model(options.input, options.overrides, purpose);
   if (options.seed) reseed(model, *options.seed);
   load_files(model);
@@ -229,18 +228,27 @@ void warn_of_cutting(const IntentReport& intent, Terminal& terminal) {
                   what, names, intent.least_doubt, place_text(intent.doubt_at)));
 }
 
-void warn_of_lost_contact(const BlockArrays& blocks, Terminal& terminal) {
+void require_whole_contact(const BlockArrays& blocks, const Model& model) {
   const std::vector<LostContact> list = lost_contact(blocks);
   if (list.empty()) return;
-  const LostContact& worst =
-      *std::max_element(list.begin(), list.end(),
-                        [](const LostContact& a, const LostContact& b) { return a.lost < b.lost; });
-  terminal.warn(fmt::format(
-      "{:.4g} of {:.4g} m2 of joint {} on block {} are in contact with no other block, near "
-      "{}{}: factors of safety there are wrong. Please report the model",
-      worst.lost, worst.area, blocks.origins[worst.origin].name, worst.block + 1,
-      place_text(worst.place),
-      list.size() > 1 ? fmt::format(", and so in {} other places", list.size() - 1) : ""));
+  const auto off = [](const LostContact& c) { return std::max(c.lost, c.surplus); };
+  const LostContact& worst = *std::max_element(
+      list.begin(), list.end(),
+      [&](const LostContact& a, const LostContact& b) { return off(a) < off(b); });
+  const std::string& name = blocks.origins[worst.origin].name;
+  Place place;
+  for (const JointMesh& mesh : model.joint_meshes)
+    if (mesh.name == name) place = mesh.place;
+  throw Error(
+      ErrorKind::analysis,
+      fmt::format(
+          "the contact of joint {} does not add up to its area: of {:.6g} m2 on block {}, {:.4g} "
+          "m2 lean on nothing and {:.4g} m2 are counted twice, near {}{}. Factors of safety there "
+          "would be wrong. Corners of its triangles that are given to fewer decimals make fewer "
+          "slivers; please report the model",
+          name, worst.area, worst.block + 1, worst.lost, worst.surplus, place_text(worst.place),
+          list.size() > 1 ? fmt::format(" (one of {} places)", list.size()) : ""),
+      place);
 }
 
 void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& model,
@@ -339,15 +347,7 @@ void warn_of_divided_steps(const Model& model, const RunResult& run, Terminal& t
       run.divided_steps, run.steps, run.most_parts, keys));
 }
 
-void warn_of_support_gap(const Model& model, const RunResult& run, const FixedPoints& fixed,
-                         Terminal& terminal) {
-  if (const auto pair = find_contradiction(fixed)) {
-    terminal.warn(fmt::format(
-        "fixed[{}] and fixed[{}] prescribe different displacements of the same points: neither "
-        "can be kept (reactions and stress there mean nothing)",
-        (*pair)[0] + 1, (*pair)[1] + 1));
-    return;
-  }
+void warn_of_support_gap(const Model& model, const RunResult& run, Terminal& terminal) {
   const OffPlace& off = run.off_place;
   const Real motion = std::max(off.prescribed, run.largest_displacement.length);
   if (off.other != none && off.prescribed > 0 && off.distance > largest_share_off_place * motion) {
@@ -376,6 +376,15 @@ void warn_of_missing_factors(const Model& model, const RunResult& run, Terminal&
       fmt::format("solver.preconditioner = \"direct\": this system's factors are out of reach "
                   "(3e11 operations, 3 GB) or did not help; it was solved with {}",
                   preconditioner_name(run.preconditioner)));
+}
+
+void warn_of_guessed_material(const Model& model, const RunResult& run, Terminal& terminal) {
+  for (const MetSurfaces& met : run.met)
+    if (met.by == MetSurfaces::By::guess)
+      terminal.warn(fmt::format(
+          "faces without a joint material met each other and took that of \"{}\", the first of {}: "
+          "set contact.material to the one that holds there, or solid.interface",
+          model.joint_materials[met.material].name, model.joint_materials.size()));
 }
 
 void warn_of_imbalance(const Model& model, const RunResult& run, Terminal& terminal) {

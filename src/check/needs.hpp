@@ -36,8 +36,8 @@ std::vector<Vec3> monitor_points(const Model& model);
 void require_in_rock(const Model& model, const MaterialPoints& monitors);
 
 void warn_of_cutting(const IntentReport& intent, Terminal& terminal);
-/// Where a joint's face leans on no block: block theory would take it for free.
-void warn_of_lost_contact(const BlockArrays& blocks, Terminal& terminal);
+/// Throws Error(analysis) where the contact of a joint does not add up to its area on both sides: block theory would take a face for free.
+void require_whole_contact(const BlockArrays& blocks, const Model& model);
 /// Blocks below cut.min_volume or above cut.max_aspect_ratio: they stay, but the user should look.
 void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& model,
                             Terminal& terminal);
@@ -55,12 +55,13 @@ void warn_of_keys_without_use(const Model& model, Terminal& terminal);
 void warn_of_conditional_stability(const Model& model, Terminal& terminal);
 /// Steps that found no solution until they were taken in parts; not those that max_displacement_ratio divides.
 void warn_of_divided_steps(const Model& model, const RunResult& run, Terminal& terminal);
-/// Points held that could not be brought to their places, or two [[fixed]] that contradict each other.
-void warn_of_support_gap(const Model& model, const RunResult& run, const FixedPoints& fixed,
-                         Terminal& terminal);
+/// Points held that could not be brought to their places.
+void warn_of_support_gap(const Model& model, const RunResult& run, Terminal& terminal);
 /// Factors were asked for, and the last solve went without them.
 void warn_of_missing_factors(const Model& model, const RunResult& run, Terminal& terminal);
 /// The last quasi-static step is no equilibrium.
+/// The law of faces that met was that of the first of several joint materials, as no key names one.
+void warn_of_guessed_material(const Model& model, const RunResult& run, Terminal& terminal);
 void warn_of_imbalance(const Model& model, const RunResult& run, Terminal& terminal);
 void warn_of_interruption(const RunResult& run, const Model& model, const Options& options,
                           Terminal& terminal);

@@ -17,7 +17,7 @@ Error both(const Error& model, const Error& files) {
 
 Model read_whole_model(const std::string& path, const std::vector<std::string>& overrides,
                        Purpose purpose) {
-  ReadModel read = try_read_model(path, overrides, purpose);
+  ReadModel read = try_read_model(path, overrides, purpose, file_bodies);
   try {
     load_files(read.model);
   } catch (const Error& files) {

@@ -122,10 +122,19 @@ struct TunnelShape {
   std::vector<std::array<Real, 2>> section;
 };
 
+/// A plane that a body's surface shares with the bodies that it touches.
+struct SurfacePlane {
+  Vec3 point{}, normal{};    ///< m; taken exactly
+  bool inside_above = true;  ///< the body lies where the normal points
+};
 /// Triangles read from a file. Filled after the model is read (host/files).
 struct TriangleSurface {
   std::vector<Vec3> vertices;                   ///< m
   std::vector<std::array<Index, 3>> triangles;  ///< counter-clockwise seen from outside (solids)
+  Real last_digit = 0;  ///< m: what 1 in the last decimal of its coordinates means; 0 = not known
+  /// Of a convex body that was fitted to its neighbours (host/files/bodies): their intersection is the body.
+  /// Empty: it is what the triangles bound.
+  std::vector<SurfacePlane> planes = {};
 };
 struct MeshShape {
   std::string file;  ///< OBJ, OFF, STL or PLY; resolved against the model's folder
@@ -492,10 +501,29 @@ struct Analysis {
 struct ContactSpec {
   /// Into Model::joint_materials, where faces meet that no joint joined; none if the model has none.
   Index material = 0;
+  bool material_given = false;
   Index max_iterations = 40;  ///< open–close (Newton) iterations before the step is halved, ≥ 1
   Real restitution = 0;       ///< normal velocity after an impact over that before, [0, 1]
   Real max_penetration = 0;   ///< m; > 0: augmented Lagrangian until no point is deeper; 0: springs
-  Place place = {};           ///< no file: not given
+  /// m, > 0: how far coordinates of mesh files may be off; none: from the digits that they are written with.
+  std::optional<Real> tolerance = {};
+  Place place = {};  ///< no file: not given
+};
+
+/// How bodies from mesh files were fitted together: corners on one point, faces that touch on one plane.
+struct BodyFit {
+  Real tolerance = 0;  ///< m, that of [contact], or from the files
+  bool is_given = false;
+  Index bodies = 0;       ///< that touch others
+  Index convex = 0;       ///< of these, bounded by planes that they share with their neighbours
+  Index contacts = 0;     ///< pairs of faces that became one plane
+  Real largest_move = 0;  ///< m, of a corner
+};
+
+/// [[contact_pair]]: what two surfaces give wherever they meet.
+struct ContactPair {
+  Index between[2] = {none, none};  ///< joint materials, or surface_of_solid()
+  Index material = none;            ///< into Model::joint_materials
 };
 
 struct SolverSpec {
@@ -661,6 +689,9 @@ struct Model {
   std::optional<BaseAcceleration> base_acceleration;
   std::optional<Analysis> analysis;
   ContactSpec contact;
+  std::vector<ContactPair> contact_pairs;
+  std::vector<Index> contact_solids;  ///< whose free faces contact pairs name
+  std::optional<BodyFit> body_fit;    ///< where bodies from files touch each other
   SolverSpec solver;
   Output output;
   std::optional<StrengthReduction> reduction;
@@ -683,6 +714,11 @@ struct Model {
   std::vector<Diagnostic> warnings;  ///< of reading: what is allowed and hardly meant
   std::vector<GivenKey> given;       ///< all keys, in the order of the file
 };
+
+/// Surfaces as contact tells them apart: joint materials, intact rock, and the free faces of solids that contact pairs name, in their order.
+inline Index surface_of_solid(const Model& model, Index place) {
+  return std::max<Index>(1, static_cast<Index>(model.joint_materials.size())) + 1 + place;
+}
 
 /// Whether blocks that joints cut apart touch each other in the analysis: large kinematics, in stages that take time. Between the
 /// vertices of a face, which the lattice divides, surfaces are taken as plane: functions are of first order at most.

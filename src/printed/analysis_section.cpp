@@ -9,6 +9,7 @@
 
 #include "src/printed/plot.hpp"
 #include "src/printed/sections.hpp"
+#include "src/report/documents/met_surfaces.hpp"
 #include "src/report/documents/settled.hpp"
 
 namespace rockfold {
@@ -145,6 +146,8 @@ void add_totals(Html& html, const Json& answer) {
         fmt::format("{} open, {} stick, {} slide; deepest penetration {}",
                     c.at("open").get<Index>(), c.at("stick").get<Index>(),
                     c.at("slide").get<Index>(), quantity(c.at("max_penetration"), "m")));
+    if (c.contains("met"))  // not in older results
+      for (const Json& met : c.at("met")) facts.emplace_back("Faces that met", met_text(met));
   }
   html.facts(facts);
 }

@@ -57,7 +57,95 @@ JointLaw law_of(const JointMaterial& m, Real stiffness) {
   return law;
 }
 
+/// Which of two materials holds less: by residual friction, then cohesion.
+Index weaker(const Model& model, Index one, Index other) {
+  const auto strength = [&](Index m) {
+    const JointMaterial& joint = model.joint_materials[m];
+    return std::pair{joint.residual_friction_angle.value_or(joint.friction_angle),
+                     joint.residual_cohesion};
+  };
+  return strength(other) < strength(one) ? other : one;
+}
+
+/// ContactOptions::law_of_pair.
+std::vector<std::int16_t> laws_of_pairs(const Model& model) {
+  std::vector<std::int16_t> law;
+  const Index surfaces = surface_of_solid(model, static_cast<Index>(model.contact_solids.size()));
+  for (Index one = none; one < surfaces; ++one)
+    for (Index other = none; other < surfaces; ++other)
+      law.push_back(
+          static_cast<std::int16_t>(std::max<Index>(0, law_between(model, one, other).material)));
+  return law;
+}
+
+/// No joint made them: [contact] material, where it is given, is that of them all.
+Index of_free_faces(const Model& model, const Solid& solid) {
+  return model.contact.material_given ? none : solid.interface;
+}
+
+/// The joint material of a surface, or none: of intact rock that came apart, of a solid's free faces without an interface.
+Index own_material(const Model& model, Index surface) {
+  const Index first = surface_of_solid(model, 0);
+  if (surface >= first)
+    return of_free_faces(model, model.solids[model.contact_solids[surface - first]]);
+  return surface == intact_law(model) ? none : surface;
+}
+
+/// What a contact pair says of these two, or none.
+Index material_between(const Model& model, Index one, Index other) {
+  if (one == none || other == none) return none;
+  for (const ContactPair& pair : model.contact_pairs)
+    if ((pair.between[0] == one && pair.between[1] == other) ||
+        (pair.between[0] == other && pair.between[1] == one))
+      return pair.material;
+  return none;
+}
+
 }  // namespace
+
+MetSurfaces law_between(const Model& model, Index one, Index other) {
+  using By = MetSurfaces::By;
+  const Index a = own_material(model, one), b = own_material(model, other);
+  for (const auto& [p, q] : {std::pair{one, other}, {one, b}, {a, other}, {a, b}})
+    if (const Index said = material_between(model, p, q); said != none)
+      return {{one, other}, said, By::pair};
+  if (a == none && b == none) {
+    const By by = model.contact.material_given       ? By::given
+                  : model.joint_materials.size() > 1 ? By::guess
+                                                     : By::own;
+    return {{one, other}, model.contact.material, by};
+  }
+  if (a == none || b == none || a == b) return {{one, other}, a == none ? b : a, By::own};
+  return {{one, other}, weaker(model, std::min(a, b), std::max(a, b)), By::weaker};
+}
+
+std::vector<MetSurfaces> met_surfaces(const Model& model, const std::vector<std::uint8_t>& met) {
+  std::vector<MetSurfaces> found;
+  const Index surfaces = surface_of_solid(model, static_cast<Index>(model.contact_solids.size()));
+  std::size_t place = 0;
+  for (Index one = none; one < surfaces; ++one)
+    for (Index other = none; other < surfaces; ++other, ++place) {
+      const std::size_t mirror = (other + 1) * (surfaces + 1) + one + 1;
+      if (one <= other && place < met.size() && (met[place] != 0 || met[mirror] != 0))
+        found.push_back(law_between(model, one, other));
+    }
+  return found;
+}
+
+std::string surface_name(const Model& model, Index surface) {
+  const Index first = surface_of_solid(model, 0);
+  if (surface >= first) return model.solids[model.contact_solids[surface - first]].name;
+  if (surface == intact_law(model)) return "broken rock";
+  return surface == none ? "faces without a joint material" : model.joint_materials[surface].name;
+}
+
+FaceMaterials face_materials(const Model& model) {
+  FaceMaterials materials{intact_law(model), {}};
+  for (const Solid& solid : model.solids) materials.of_solid.push_back(of_free_faces(model, solid));
+  for (std::size_t k = 0; k < model.contact_solids.size(); ++k)
+    materials.of_solid[model.contact_solids[k]] = surface_of_solid(model, static_cast<Index>(k));
+  return materials;
+}
 
 Index intact_law(const Model& model) {
   return std::max<Index>(1, static_cast<Index>(model.joint_materials.size()));
@@ -77,7 +165,7 @@ ContactOptions contact_options(const Model& model, const BlockArrays& blocks) {
   JointLaw intact = law_of({}, stiffness);
   intact.cohesion = intact.tensile_strength = std::numeric_limits<Real>::infinity();
   options.laws.push_back(intact);
-  options.material = std::max(model.contact.material, 0);
+  options.law_of_pair = laws_of_pairs(model);
   options.restitution = model.contact.restitution;
   options.search_distance = reach_of_size * size;
   options.skin = skin_of_size * size;

@@ -3,7 +3,9 @@
 
 #include "kernels/contact/contact.hpp"
 #include "src/arrays/block_arrays.hpp"
+#include "src/arrays/surface_arrays.hpp"
 #include "src/model/model.hpp"
+#include "src/run/run_result.hpp"
 
 namespace rockfold {
 
@@ -14,5 +16,15 @@ ContactOptions contact_options(const Model& model, const BlockArrays& blocks);
 
 /// Into the laws: of the faces between rock that is excavated on the way and other rock. Its bonds bear whatever comes.
 Index intact_law(const Model& model);
+/// Of faces that no joint made: free ones of a solid carry its `interface`, unless [contact] material is given.
+FaceMaterials face_materials(const Model& model);
+
+/// Of two surfaces that met (SurfaceArrays::face_material, or none): what a [[contact_pair]] says, the material that both have or that
+/// one has, else the weaker one; [contact] material where none has any.
+MetSurfaces law_between(const Model& model, Index one, Index other);
+/// Of those that `met` (Motion::surfaces_that_met).
+std::vector<MetSurfaces> met_surfaces(const Model& model, const std::vector<std::uint8_t>& met);
+/// As the model and messages name it.
+std::string surface_name(const Model& model, Index surface);
 
 }  // namespace rockfold

@@ -10,20 +10,23 @@
 
 namespace rockfold {
 
-/// Two conditions (into Model::fixed, ascending) that prescribe different displacements, at some time, of one point in one direction;
-/// nothing where there are none. Points are one whose weights agree to 1e-9.
-std::optional<std::array<Index, 2>> find_contradiction(const FixedPoints& fixed);
-
-/// Where a fixed point has come to lie.
-struct OffPlace {
-  Real distance = 0;       ///< m, from its place
-  Real prescribed = 0;     ///< m, the largest displacement that any condition prescribes
-  Index condition = none;  ///< into Model::fixed
-  Index other = none;      ///< one that holds the same covers, if there is any
+/// Two [[fixed]] that prescribe different displacements of the same rock.
+struct Contradiction {
+  std::array<Index, 2> condition{none, none};  ///< into Model::fixed, ascending
+  int axis = 0;                                ///< in which direction: 0, 1, 2
+  Index row = none;                            ///< of FixedPoints: where
+  Real from = 0;                               ///< s: up to there they agree
+  Real time =
+      0;  ///< s, ≥ from: when they differ as follows; where they differ from the start, `from`
+  std::array<Real, 2> displacement{};  ///< m, what each prescribes there and then
+  /// Whether they hold the same point, or one all that moves the other's; else the covers alone cannot follow both.
+  bool same_rock = false;
 };
 
-/// The point farthest off its place at time t (s), of those not on springs of given stiffness. `displacement`: [unknowns] m.
-OffPlace find_farthest_off_place(const FixedPoints& fixed, const std::vector<Fixed>& conditions,
-                                 const std::vector<Vec3>& displacement, Real t);
+/// The first contradiction between t = 0 and `end` (s), of the same rock if there is one; nothing where there is none. Rows contradict each other where some combination
+/// of them moves nothing and yet is prescribed to: A u = b(t) has no solution. That is looked for by elimination, of rows that come
+/// to no more than 64 unknowns on the way, and between rows that are alike. Springs of given stiffness contradict nothing: they give.
+std::optional<Contradiction> find_contradiction(const FixedPoints& fixed,
+                                                const std::vector<Fixed>& conditions, Real end);
 
 }  // namespace rockfold

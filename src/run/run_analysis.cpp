@@ -276,11 +276,12 @@ bool Run::take_step(Index step, Real dt) {
     const bool makes_energy =
         motion_.energy_made() > most_energy_made && at.parts < most_exact_parts;
     const bool goes_far = watched_ && motion_.largest_increment() > limit_;
-    if (!makes_energy && !goes_far) {
+    const bool crosses = motion_.crossing() > 1 && at.parts < most_substeps;
+    if (!makes_energy && !goes_far && !crosses) {
       ++at.done;
       note_gain(input_, motion_, result_.made);
       note_substeps(report, step);
-    } else if (makes_energy || at.parts < most_substeps) {
+    } else if (makes_energy || crosses || at.parts < most_substeps) {
       halve();
     } else {
       throw Error(ErrorKind::analysis,
@@ -572,6 +573,7 @@ void Run::summarise() {
   result.strength = find_strength(input_.covers, moments_, stress, model.materials);
   find_imbalance();
   if (input_.contact) {
+    result.met = met_surfaces(model, motion_.surfaces_that_met());
     result.rest =
         find_rest(input_, result.blocks, in_all,
                   average_block_motion(input_.covers, moments_, motion_.state().velocity, blocks),

@@ -12,7 +12,7 @@
 #include "src/arrays/contact_arrays.hpp"
 #include "src/arrays/element_arrays.hpp"
 #include "src/base/types.hpp"
-#include "src/run/fixed_contradiction.hpp"
+#include "src/run/farthest_off_place.hpp"
 #include "src/run/settling.hpp"
 
 namespace rockfold {
@@ -137,6 +137,15 @@ struct Rest {
       false;  ///< all blocks slower than a thousandth of √(g h), h the mean size: what falls by h/2 takes √(h/g)
 };
 
+/// Two kinds of faces that touched without a joint of the cut between them, and the law that they gave.
+struct MetSurfaces {
+  enum class By { own, pair, weaker, given, guess };
+  Index between[2] = {none, none};  ///< SurfaceArrays::face_material; none: of no material
+  Index material = none;            ///< into Model::joint_materials
+  /// The material that both have or that one has, a [[contact_pair]], the weaker of two, [contact] material, or the first of several materials.
+  By by = By::own;
+};
+
 /// What a quasi-static step leaves of the forces on blocks: what accelerates them.
 struct Unbalanced {
   /// Sum of their magnitudes, over the weight of the rock or what supports carry, whichever is more.
@@ -195,6 +204,7 @@ struct RunResult {
   ContactCount contacts;             ///< at the end
   ContactHistory contact_history;    ///< at the times of the energies; empty without contact
   std::optional<Rest> rest;          ///< with contact
+  std::vector<MetSurfaces> met;      ///< likewise: in all steps
   std::optional<Unbalanced> unbalanced;  ///< of the last step, where that is quasi-static
   std::vector<BlockCourse> courses;      ///< [B] with contact
   std::vector<std::uint8_t> gone;        ///< [B] 1: excavated on the way; empty where nothing goes

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "host/files/load_files.hpp"
 #include "src/base/archive.hpp"
 #include "src/model/read/read_model.hpp"
 #include "src/model/text/overrides.hpp"
@@ -65,7 +66,7 @@ std::string require_model(const Options& options, const SweepSpec& spec,
   if (!fs::is_regular_file(spec.model, ignored))
     throw Error(ErrorKind::io, "no such file", Place{spec.model, 0, 0, "model"});
   const auto changes = overrides_of(options, spec, values);
-  const ReadModel read = try_read_model(spec.model, changes, Purpose::cut);
+  const ReadModel read = try_read_model(spec.model, changes, Purpose::cut, file_bodies);
   if (read.wrong)
     if (auto wrong = wrong_keys(spec, changes, *read.wrong); !wrong.empty())
       throw Error(ErrorKind::model, std::move(wrong));

@@ -247,6 +247,7 @@ void append_contacts(File& file, std::span<const ContactSample> contacts) {
   append("first_block", [](C c) { return c.block[0] + 1; });
   append("second_block", [](C c) { return c.block[1] + 1; });
   append("joint", [](C c) { return c.joint; });
+  append("material", [](C c) { return c.material; });
   append("state", [](C c) { return static_cast<std::uint8_t>(c.state); });
 }
 
@@ -265,7 +266,7 @@ void write_history(File& file, const std::string& group, const History& history)
 }
 
 std::int64_t contact_bytes() {
-  return 3 * sizeof(Vec3) + 4 * sizeof(Real) + 3 * sizeof(Index) + 1;
+  return 3 * sizeof(Vec3) + 4 * sizeof(Real) + 4 * sizeof(Index) + 1;
 }
 
 }  // namespace rockfold

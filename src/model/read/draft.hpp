@@ -7,6 +7,7 @@
 
 #include "src/model/model.hpp"
 #include "src/model/names.hpp"
+#include "src/model/read/file_bodies.hpp"
 #include "src/model/text/diagnostics.hpp"
 #include "src/model/text/table_reader.hpp"
 
@@ -16,6 +17,7 @@ struct Draft {
   const Table& root;
   Diagnostics& out;
   Model model;
+  const BodyReader& bodies;
   Names materials{"material", "material"};
   Names joint_materials{"joint material", "joint_material"};
   Names solids{"solid", "solid"};
@@ -59,6 +61,7 @@ void read_monitors(Draft& draft);  // needs joints of all kinds and solids
 void read_analysis(Draft& draft);
 void read_base_acceleration(Draft& draft);  // needs the steps of the analysis
 void read_contact(Draft& draft);            // needs joint materials
+void read_contact_pairs(Draft& draft);      // and solids
 void read_solver(Draft& draft);
 void read_output(Draft& draft);
 void read_reduction(Draft& draft);

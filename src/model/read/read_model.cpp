@@ -81,6 +81,7 @@ void read_top_level(Draft& draft, const Value& root) {
                           "base_acceleration",
                           "analysis",
                           "contact",
+                          "contact_pair",
                           "step",
                           "solver",
                           "output",
@@ -125,6 +126,7 @@ void read_sections(Draft& draft) {
   read_analysis(draft);
   read_base_acceleration(draft);
   read_contact(draft);
+  read_contact_pairs(draft);
   read_solver(draft);
   read_output(draft);
   read_reduction(draft);
@@ -161,7 +163,8 @@ std::string text_with(std::string_view text, const std::vector<std::string>& ove
 }
 
 ReadModel try_parse(std::string_view text, const std::string& name,
-                    const std::vector<std::string>& overrides, Purpose purpose) {
+                    const std::vector<std::string>& overrides, Purpose purpose,
+                    const BodyReader& bodies) {
   Value root = parse_toml(text, 0, name);
   std::vector<std::string> sources{name};
   for (const auto& override_text : overrides) {
@@ -169,7 +172,7 @@ ReadModel try_parse(std::string_view text, const std::string& name,
     sources.push_back(override_name(override_text));
   }
   Diagnostics out(std::move(sources));
-  Draft draft{.root = std::get<Table>(root.data), .out = out, .model = {}};
+  Draft draft{.root = std::get<Table>(root.data), .out = out, .model = {}, .bodies = bodies};
   draft.model.path = name;
   draft.model.text = text_with(text, overrides);
   read_top_level(draft, root);
@@ -185,20 +188,21 @@ ReadModel try_parse(std::string_view text, const std::string& name,
 }  // namespace
 
 Model read_model(const std::string& path, const std::vector<std::string>& overrides,
-                 Purpose purpose) {
-  return parse_model(file_text(path), path, overrides, purpose);
+                 Purpose purpose, const BodyReader& bodies) {
+  return parse_model(file_text(path), path, overrides, purpose, bodies);
 }
 
 Model parse_model(std::string_view text, const std::string& name,
-                  const std::vector<std::string>& overrides, Purpose purpose) {
-  ReadModel read = try_parse(text, name, overrides, purpose);
+                  const std::vector<std::string>& overrides, Purpose purpose,
+                  const BodyReader& bodies) {
+  ReadModel read = try_parse(text, name, overrides, purpose, bodies);
   if (read.wrong) throw *read.wrong;
   return std::move(read.model);
 }
 
 ReadModel try_read_model(const std::string& path, const std::vector<std::string>& overrides,
-                         Purpose purpose) {
-  return try_parse(file_text(path), path, overrides, purpose);
+                         Purpose purpose, const BodyReader& bodies) {
+  return try_parse(file_text(path), path, overrides, purpose, bodies);
 }
 
 }  // namespace rockfold

@@ -8,6 +8,7 @@
 
 #include "src/model/check_model.hpp"
 #include "src/model/model.hpp"
+#include "src/model/read/file_bodies.hpp"
 
 namespace rockfold {
 
@@ -19,12 +20,14 @@ namespace rockfold {
 /// with all of the model's errors at once, by line. Each has the file, line and column of the wrong
 /// value or key and its key path: entries count from 1, as in "joint_set[2].spacing". A value from
 /// the command line has "--set key.path=value" as its file, and line 0.
+/// `bodies` reads mesh files of which each body becomes a solid; without it such files are no part of a model.
 Model read_model(const std::string& path, const std::vector<std::string>& overrides = {},
-                 Purpose purpose = Purpose::cut);
+                 Purpose purpose = Purpose::cut, const BodyReader& bodies = {});
 
 /// The same for a text in memory; `name` stands for the file in messages.
 Model parse_model(std::string_view text, const std::string& name,
-                  const std::vector<std::string>& overrides = {}, Purpose purpose = Purpose::cut);
+                  const std::vector<std::string>& overrides = {}, Purpose purpose = Purpose::cut,
+                  const BodyReader& bodies = {});
 
 /// A model as far as it could be read.
 struct ReadModel {
@@ -34,6 +37,6 @@ struct ReadModel {
 };
 /// Throws only where there is no model at all: no such file, no TOML, a malformed override.
 ReadModel try_read_model(const std::string& path, const std::vector<std::string>& overrides,
-                         Purpose purpose);
+                         Purpose purpose, const BodyReader& bodies = {});
 
 }  // namespace rockfold

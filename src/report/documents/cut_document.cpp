@@ -69,6 +69,17 @@ void add_specks(Json& document, const CutTotals& totals) {
   if (totals.specks) document["specks"] = specks_json(*totals.specks);
 }
 
+void add_body_fit(Json& document, const Model& model) {
+  if (!model.body_fit) return;
+  const BodyFit& fit = *model.body_fit;
+  document["bodies"] = {{"tolerance", fit.tolerance},
+                        {"tolerance_from", fit.is_given ? "contact.tolerance" : "files"},
+                        {"fitted", fit.bodies},
+                        {"convex", fit.convex},
+                        {"contacts", fit.contacts},
+                        {"largest_move", fit.largest_move}};
+}
+
 Json block_json(const Model& model, const BlockArrays& blocks, const BlockStatistics& statistics,
                 Index b) {
   const BlockShape& shape = statistics.shape[b];
@@ -107,6 +118,7 @@ Json cut_document_without_blocks(const DocumentHead& head, const CutTotals& tota
 Json cut_document(const DocumentHead& head, const Model& model, const CutTotals& totals,
                   const BlockArrays& blocks, const RockMeasures& measures) {
   Json document = cut_document_without_blocks(head, totals, blocks, measures);
+  add_body_fit(document, model);
   for (Index b = 0; b < blocks.block_count(); ++b)
     document["blocks"].push_back(block_json(model, blocks, measures.blocks, b));
   return document;

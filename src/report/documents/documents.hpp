@@ -66,6 +66,8 @@ Json block_json(const Model& model, const BlockArrays& blocks, const BlockStatis
                 Index b);
 /// "specks", where the cutting merged any that it could.
 void add_specks(Json& document, const CutTotals& totals);
+/// "bodies", where solids from mesh files were fitted together.
+void add_body_fit(Json& document, const Model& model);
 Json support_document(const DocumentHead& head, const Model& model, const BlockArrays& blocks,
                       const KeyblockReport& report, const SupportDesign& design,
                       BlockList list = BlockList::whole);

@@ -1,6 +1,7 @@
 #include "src/base/vector.hpp"
 #include "src/io/viewers/stress_measures.hpp"
 #include "src/report/documents/document_parts.hpp"
+#include "src/report/documents/met_surfaces.hpp"
 #include "src/report/documents/settled.hpp"
 #include "src/report/joint_strength.hpp"
 #include "src/report/names.hpp"
@@ -148,15 +149,18 @@ Json excavation_json(const RunReport& report) {
   return excavation;
 }
 
-Json contacts_json(const RunResult& run) {
+Json contacts_json(const RunReport& report) {
+  const RunResult& run = report.run;
   const ContactCount& c = run.contacts;
   const Rest rest = run.rest.value_or(Rest{});
-  return {{"open", c.open},
-          {"stick", c.stick},
-          {"slide", c.slide},
-          {"max_penetration", c.largest_penetration},
-          {"max_opening", rest.opening.value},
-          {"max_slip", rest.slip.value}};
+  Json contacts{{"open", c.open},
+                {"stick", c.stick},
+                {"slide", c.slide},
+                {"max_penetration", c.largest_penetration},
+                {"max_opening", rest.opening.value},
+                {"max_slip", rest.slip.value}};
+  if (!run.met.empty()) contacts["met"] = met_json(report.model, run.met);
+  return contacts;
 }
 
 Json contacts_history_json(const RunResult& run) {
@@ -262,7 +266,7 @@ Json run_document(const DocumentHead& head, const RunReport& report, BlockList l
   document["monitors"] = monitors_json(report);
   document["energy"] = energy_json(report.run.energy);
   document["energy_history"] = energy_history_json(report.run);
-  document["contacts"] = contacts_json(report.run);
+  document["contacts"] = contacts_json(report);
   document["contacts_history"] = contacts_history_json(report.run);
   if (report.run.rest) document["rest"] = rest_json(report);
   if (!report.run.gone.empty()) document["excavation"] = excavation_json(report);

@@ -13,6 +13,7 @@
 #include "src/model/check_model.hpp"
 #include "src/report/design_names.hpp"
 #include "src/report/documents/document_parts.hpp"
+#include "src/report/documents/met_surfaces.hpp"
 #include "src/report/documents/settled.hpp"
 #include "src/report/joint_strength.hpp"
 #include "src/report/names.hpp"
@@ -179,6 +180,16 @@ std::string speck_facts(const SpeckReport& specks) {
 
 }  // namespace
 
+std::string bodies_summary(const BodyFit& fit) {
+  return fact(
+      "bodies from files",
+      fmt::format("{} that touch, fitted together to {:.2g} m ({}): {} pairs of faces are one "
+                  "plane, corners moved by {:.2g} m at most",
+                  grouped(fit.bodies), fit.tolerance,
+                  fit.is_given ? "contact.tolerance" : "the files' decimals", grouped(fit.contacts),
+                  fit.largest_move));
+}
+
 std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks) {
   const auto [smallest, largest] = std::minmax_element(blocks.volume.begin(), blocks.volume.end());
   std::string text =
@@ -250,6 +261,14 @@ std::string excavation_facts(const RunReport& report) {
   return text;
 }
 
+/// Of which law holds where that is not plain: faces of two materials, or of none.
+std::string met_facts(const RunReport& report) {
+  std::string text;
+  for (const Json& met : met_json(report.model, report.run.met))
+    if (met.at("by") != "own") text += fact(text.empty() ? "faces that met" : "", met_text(met));
+  return text;
+}
+
 std::string rest_facts(const RunReport& report) {
   const Rest& rest = *report.run.rest;
   const Index blocks = report.blocks.block_count() - count_true(report.run.gone);
@@ -268,6 +287,7 @@ std::string rest_facts(const RunReport& report) {
   if (const auto weaker = materials_that_lose_strength(report.model, report.blocks);
       !weaker.empty())
     text += fact("strength lost by slip", strength_loss_text(weaker));
+  text += met_facts(report);
   const ContactCount& c = report.run.contacts;
   return text + fact("contact points", fmt::format("{} stick, {} slide, {} open", grouped(c.stick),
                                                    grouped(c.slide), grouped(c.open)));

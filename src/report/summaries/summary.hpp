@@ -18,6 +18,8 @@ namespace rockfold {
 constexpr std::size_t most_keyblocks = 20;
 
 std::string check_summary(const Model& model, const std::vector<NamedExtent>& extents);
+/// Of solids from mesh files that were fitted together, and to what tolerance.
+std::string bodies_summary(const BodyFit& fit);
 std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks);
 /// Sizes and shapes of the blocks, joints and their intensities, stages.
 std::string measure_summary(const RockMeasures& measures);

@@ -29,6 +29,7 @@ std::vector<ContactSample> contact_samples(const RunInput& input, const std::vec
       sample.block[side] = surfaces.vertex_block[p.vertex[3 * side]];
     sample.normal = {p.normal[0], p.normal[1], p.normal[2]};
     sample.joint = p.joint;
+    if (p.law < static_cast<Index>(input.model.joint_materials.size())) sample.material = p.law;
     sample.state = memory.state;
     sample.gap = dot(sample.normal, apart) + p.offset;
     sample.area = p.area;

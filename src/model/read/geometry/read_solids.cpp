@@ -57,15 +57,65 @@ void check_thickness(Draft& draft) {
   }
 }
 
+bool printable(const std::string& name) {
+  return std::none_of(name.begin(), name.end(),
+                      [](unsigned char c) { return c < 0x20 || c == 0x7F; });
+}
+
+/// The bodies of the entry's file; none where it cannot be read, which is told.
+std::vector<FileBody> read_bodies(TableReader& in, const Draft& draft, const Shape& shape) {
+  const auto* mesh = std::get_if<MeshShape>(&shape);
+  if (!mesh || !draft.bodies) {
+    in.wrong("bodies", mesh ? "\"separate\" needs the mesh file, which is not read here"
+                            : "belongs to shape = \"mesh\": other shapes are one body");
+    return {};
+  }
+  try {
+    return draft.bodies({mesh->file, 0, 0, in.path_of("file")});
+  } catch (const Error& error) {
+    for (const Diagnostic& found : error.diagnostics()) in.wrong_in_file(found);
+    return {};
+  }
+}
+
+/// One solid a body, each with all that the entry says. Bodies are called as in the file, else by the entry's name and a number.
+/// Of a file that cannot be read one without a shape.
+void add_bodies(TableReader& in, const std::string& prefix, const std::vector<FileBody>& bodies,
+                const Solid& entry, Draft& draft) {
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    Solid solid = entry;
+    const std::string& given = bodies[b].name;
+    const bool is_named = !given.empty() && printable(given);
+    solid.name = in.add_name(draft.solids, is_named ? given : prefix + std::to_string(b + 1));
+    std::get<MeshShape>(solid.shape).surface = bodies[b].surface;
+    draft.has_shape.push_back(true);
+    draft.model.solids.push_back(std::move(solid));
+  }
+  if (!bodies.empty()) return;
+  draft.solids.set_incomplete();
+  draft.has_shape.push_back(false);
+  Solid& unknown = draft.model.solids.emplace_back(entry);
+  unknown.name = in.add_name(draft.solids, prefix);
+  unknown.shape = {};
+}
+
+bool bodies_are_separate(TableReader& in) {
+  return in.choose("bodies", {{"one", "separate"}, {}}, Need::optional).value_or(0) == 1;
+}
+
 }  // namespace
 
 void read_solids(Draft& draft) {
   read_entries(draft, "solid", [&](TableReader& in, Index number) {
     Solid solid;
-    solid.name = in.read_name(draft.solids, "solid" + std::to_string(number));
+    const std::string fallback = "solid" + std::to_string(number);
+    const bool separate = in.gives("bodies") && bodies_are_separate(in);
+    solid.name = separate ? in.read_prefix(fallback) : in.read_name(draft.solids, fallback);
     solid.place = in.place();
     read_operation(in, number == 1, solid);
     const auto shape = read_shape(in, solid.add, draft.model.path);
+    if (shape && std::holds_alternative<MeshShape>(*shape) && !in.gives("bodies"))
+      bodies_are_separate(in);  // it is a key here
     read_continues(in, shape, solid);
     in.read_reference("material", draft.materials, solid.material);
     if (in.read_optional_reference("interface", draft.joint_materials, solid.interface) &&
@@ -73,6 +123,11 @@ void read_solids(Draft& draft) {
       in.wrong("interface",
                "belongs to rock that is added: a solid that is subtracted leaves none");
     if (shape) solid.shape = *shape;
+    if (separate) {
+      const auto bodies = shape ? read_bodies(in, draft, *shape) : std::vector<FileBody>{};
+      add_bodies(in, solid.name, bodies, solid, draft);
+      return;
+    }
     draft.has_shape.push_back(shape.has_value());
     draft.model.solids.push_back(std::move(solid));
   });
