@@ -156,9 +156,23 @@ class Warnings(ProgramTest):
     def test_name_conditions_that_contradict_each_other(self):
         again = PRESSED.split("[[fixed]]")[1].split("[[")[0]
         self.write("torn.toml", PRESSED + "[[fixed]]" + again + "value = [0.1, 0, 0]\n")
-        done = self.run_program("run", "torn.toml")
-        self.assertRegex(done.stderr, r"fixed\[1\] and fixed\[\d\] prescribe different displacements of the same points")
-        self.assertNotIn("lattice nodes", done.stderr)
+        done = self.run_program("run", "torn.toml", status=2)
+        self.assertRegex(done.stderr, r"torn\.toml:\d+:\d*:? ?fixed\[\d\]: contradicts fixed\[1\] \(line \d+\) at t = 0 s, in x at \(")
+        # Tables count as they are at t = 1 s in a static analysis.
+        self.write("static.toml", PRESSED + "[[fixed]]" + again + "value_table = [[0, 0, 0, 0], [1, 0.1, 0, 0]]\n")
+        self.assertRegex(self.run_program("run", "static.toml", status=2).stderr, r"contradicts fixed\[1\] \(line \d+\) after t = 0 s, in x")
+
+    def test_name_supports_of_one_block_that_differ_only_later(self):
+        supports = PRESSED.index("[[fixed]]"), PRESSED.index("[[traction]]")
+        later = "value_table = [[0, 0, 0, 0], [1, 0, 0, 0], [21, 0, 0, -0.05]]\n"
+        text = (PRESSED[:supports[0]] + "[[fixed]]\nwhere = {block_at = [0.5, 0.5, 0.1]}\n[[fixed]]\nwhere = {block_at = [0.5, 0.5, 1.9]}\n" + later
+                + '[analysis]\ntype = "quasi_static"\ntime_step = 1\nsteps = 5\n').replace("spacing = 0.7", 'lattice = "block"')
+        self.write("later.toml", text)
+        for command in ("check", "run"):
+            self.assertRegex(self.run_program(command, "later.toml", status=2).stderr,
+                             r"later\.toml:\d+.*fixed\[2\]: contradicts fixed\[1\] \(line \d+\) after t = 1 s, in z at \(.*\): at t = 5 s it prescribes -0\.01 m, where fixed\[1\] \(line \d+\) makes 0 m")
+        self.write("before.toml", text.replace("steps = 5", "steps = 1"))
+        self.run_program("check", "before.toml")
 
 
 if __name__ == "__main__":

@@ -372,6 +372,7 @@ TEST(WrongModel, OfAnalyses) {
       {RUN "type = 'quasi_static'\ntolerance_of_balance = 1e-6", 8, 24, "analysis.tolerance_of_balance", "is for type = \"quasi_static\" with scheme = \"explicit\""},
       {RUN "type = 'quasi_static'\nscheme = 'explicit'\nmass_scaling = 1e-3", 9, 16, "analysis.mass_scaling", "is for type = \"dynamic\" with scheme = \"explicit\" or \"auto\""},
       {RUN "mass_scaling = 2", 7, 16, "analysis.mass_scaling", "found 2, must be 0 to 1 (of the mass of all rock)"},
+      {RUN "[[contact_pair]]\nbetween = ['rock', 'nothing']", 8, 11, "contact_pair[1].between", "no joint material and no solid is called \"nothing\""},
       {RUN "scheme = 'leapfrog'", 7, 10, "analysis.scheme", "must be \"auto\", \"implicit\" or \"explicit\""},
       {RUN "kinematics = 'medium'", 7, 14, "analysis.kinematics", "must be \"small\" or \"large\""},
       {RUN "rayleigh = {alpha = -1}", 7, 21, "analysis.rayleigh.alpha", "found -1, must be >= 0 (1/s)"},

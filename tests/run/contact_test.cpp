@@ -201,12 +201,12 @@ TEST(BlockOnRamp, IsHeldByCohesionOnTheJointsAreaAlone) {
   EXPECT_NEAR(base.normal_stress.back() / (-0.8 * weight / area), 1, 1e-3);
   EXPECT_NEAR(base.shear_stress.back() / (0.6 * weight / area), 1, 1e-3);
   EXPECT_EQ(base.state.back(), Contact::stick);
-  // With less it slides: brittle, on friction alone; else by what is missing, a Δt²/4 in each of 20 steps, less 0.2 % of its foot that comes
-  // onto the rough ramp, which has friction and, since no joint was there, no cohesion.
+  // With less it slides: brittle, on friction alone; else by what is missing, a Δt²/4 in each of 20 steps, and by the cohesion of the 0.2 % of its foot
+  // that leaves the joint: on the ramp beyond it has its friction and, since no joint was there, no cohesion.
   EXPECT_GT(way(run_model(on_ramp(20, 0.98 * needed, "residual_cohesion = 0\n") + analysis)), 0.01);
   const Real missing = 0.02 * needed * area / weight * gravity;
   EXPECT_NEAR(way(run_model(on_ramp(20, 0.98 * needed) + analysis)) / (20 * missing * 0.01 / 4),
-              0.93, 0.05);
+              1.05, 0.05);
 }
 
 /// Two blocks on a plane that dips by 35°, one behind the other, and below both a joint's other half: the joint between them crosses the plane.
@@ -398,8 +398,11 @@ TEST(Cubes, InTouchHandOnWhatHitsThemWithRestitutionOne) {
             "'\npoint = [" + std::to_string(x + 0.5) + ", 0.5, 0.5]\n";
   }
   const RunResult run = run_model(text).result;
-  for (const Energy& e : run.energies)
-    EXPECT_NEAR(e.kinetic + e.strain + e.contact, 1250, 1e-6 * 1250);
+  // While one hits another neither swings.
+  for (const Energy& e : run.energies) {
+    EXPECT_NEAR(e.kinetic + e.strain + e.contact + e.damping, 1250, 1e-6 * 1250);
+    EXPECT_LT(e.damping, 1e-4 * 1250);
+  }
   const std::array<Real, 5> expected = speeds_of_a_cradle();
   for (int i = 0; i < 5; ++i)
     EXPECT_NEAR(run.monitors[i].velocity.back()[0], expected[i], 5e-3) << i;

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "src/base/error.hpp"
-#include "src/run/fixed_contradiction.hpp"
 #include "tests/run/run_model.hpp"
 
 namespace rockfold {
@@ -207,22 +206,6 @@ TEST(FixedRegions, InsideRockThatHoldNoVertexSayWhatIsMissing) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("no rock lies there"), std::string::npos);
   }
-}
-
-TEST(FixedFaces, ThatContradictEachOtherAreFound) {
-  const auto contradiction = [](const std::string& other) {
-    const Model model = parse_model(
-        box("spacing = 0.5", "type = 'static'") + hold("xmin", "'x'") + hold("zmin", "'z'") + other,
-        "m.toml", {}, Purpose::run);
-    Progress silent;
-    const Cutting cutting = cut_blocks(model, silent);
-    return find_contradiction(fixed_points(cutting, build_covers(cutting, model, silent), model));
-  };
-  const auto moved = contradiction(hold("zmin", "'y', 'z'") + "value = [0, 0, 0.1]\n");
-  ASSERT_TRUE(moved.has_value());
-  EXPECT_EQ(*moved, (std::array<Index, 2>{1, 2}));
-  EXPECT_TRUE(contradiction(hold("zmin", "'z'") + "value_table = [[0, 0, 0, 0], [1, 0, 0, 1]]\n"));
-  EXPECT_FALSE(contradiction(hold("zmin", "'z'")));
 }
 
 TEST(FixedFaces, ThatPointsContradictAreFoundByWhatTheyLeaveOffItsPlace) {

@@ -54,7 +54,7 @@ inline void run_model(const std::string& text, ModelAnswer& answer,
                  loads, quiet,           velocities, vertices};
   ContactSurfaces contact;
   if (has_contact(model) && blocks.block_count() > 1) {
-    contact.surfaces = contact_surfaces(cutting, blocks, covering.arrays, intact_law(model));
+    contact.surfaces = contact_surfaces(cutting, blocks, covering.arrays, face_materials(model));
     contact.points =
         locate_surface(covering, contact.surfaces.vertex, contact.surfaces.vertex_block);
     input.contact = &contact;

@@ -14,6 +14,8 @@ CASES = ROOT / "tests" / "cases"
 class Rockfold:
     """The program, with the number of threads and the time limit of every run."""
 
+    by_substeps = False
+
     def __init__(self, program=None, threads=2, timeout=1800):
         self.program = program or os.environ.get("ROCKFOLD_BINARY") or ROOT / "build" / "release" / "rockfold"
         self.threads, self.timeout = threads, timeout
@@ -43,6 +45,8 @@ class Rockfold:
 
 class Explicit(Rockfold):
     """Takes the dynamic steps of block covers by explicit substeps."""
+
+    by_substeps = True
 
     def answer(self, command, case, changes, edit):
         def by_substeps(text):

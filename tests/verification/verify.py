@@ -58,9 +58,9 @@ def report(found):
 
 
 def add_explicit(stored, found):
-    """Beside what implicit steps came to."""
+    """Beside what implicit steps came to, of the same question."""
     for row, its in zip(stored["rows"], found.rows, strict=True):
-        row["explicit"] = its.ours
+        row["explicit"] = its.ours if its.quantity == row["quantity"] else None
 
 
 def main():
@@ -92,6 +92,10 @@ def main():
         failed += len(found.bad())
         if options.store:  # read anew, so that several may run side by side
             stored = json.loads(STORE.read_text(encoding="utf-8")) if STORE.exists() else {}
+            if options.explicit and name not in stored:
+                print(f"! {name} is not stored by implicit steps yet")
+                failed += 1
+                continue
             if options.explicit:
                 add_explicit(stored[name], found)
             else:
