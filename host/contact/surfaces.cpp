@@ -125,12 +125,13 @@ class Builder {
   /// Of its polygons [begin, end), or of its cells.
   void add_block(Index b, Index begin, Index end, std::span<const Index> cells) {
     if (blocks_.convex[b] != 0)
-      add_convex(b, begin, end);
+      add_convex(b, begin, end, complex_.zone(cells.front()).solid);
     else
       add_cells(b, cells);
   }
 
-  void add_convex(Index b, Index begin, Index end) {
+  /// `solid`: that it is of; a block of several is one rock.
+  void add_convex(Index b, Index begin, Index end, Index solid) {
     const Index shift = out_.vertex_count() - blocks_.vertex_begin[b];
     for (Index v = blocks_.vertex_begin[b]; v < blocks_.vertex_begin[b + 1]; ++v) {
       out_.part_vertex.push_back(out_.vertex_count());
@@ -139,7 +140,7 @@ class Builder {
     }
     for (Index p = begin; p < end; ++p) {
       for (const Index v : polygons_.polygon(p)) out_.corner_vertex.push_back(v + shift);
-      end_face(blocks_.face_origin[polygons_.polygon_face[p]]);
+      end_face(blocks_.face_origin[polygons_.polygon_face[p]], solid);
     }
     end_part(b);
   }
@@ -183,7 +184,7 @@ class Builder {
     const std::vector<Index> corners = merged(p.corners, first, merger);
     if (corners.size() < 3) return false;
     out_.corner_vertex.insert(out_.corner_vertex.end(), corners.begin(), corners.end());
-    end_face(p.origin);
+    end_face(p.origin, complex_.zone(p.cell).solid);
     return true;
   }
 
@@ -213,15 +214,24 @@ class Builder {
     out_.part_far_begin.push_back(static_cast<Index>(out_.part_far_face.size()));
   }
 
-  void end_face(Index origin) {
+  void end_face(Index origin, Index solid) {
     out_.corner_begin.push_back(static_cast<Index>(out_.corner_vertex.size()));
     const bool joint = origin != none && blocks_.origins[origin].kind == FaceOrigin::Kind::joint;
     const bool wall = origin != none && goes_on_the_way_ &&
                       blocks_.origins[origin].kind == FaceOrigin::Kind::excavation;
     out_.face_joint.push_back(joint || wall ? origin : none);
-    out_.face_material.push_back(joint  ? blocks_.origins[origin].joint_material
+    out_.face_material.push_back(joint  ? joint_surface(origin, solid)
                                  : wall ? materials_.intact
                                         : free_material(origin));
+  }
+
+  /// Of one side of a joint.
+  Index joint_surface(Index origin, Index solid) const {
+    const auto s = static_cast<std::size_t>(solid);
+    const bool is_interface = origin >= complex_.first_interface;
+    if (is_interface && s < materials_.of_interface.size() && materials_.of_interface[s] != none)
+      return materials_.of_interface[s];
+    return blocks_.origins[origin].joint_material;
   }
 
   Index free_material(Index origin) const {

@@ -370,8 +370,10 @@ Index interface_between(const Complex& complex, const Zone& one, const Zone& two
   if (one.solid == two.solid) return none;
   // The later solid made the boundary.
   const auto [first, last] = std::minmax(one.solid, two.solid);
-  const Index origin = complex.interface_of_solid[last];
-  return origin != none ? origin : complex.interface_of_solid[first];
+  const auto& interfaces = complex.interfaces;
+  const Index material = interfaces.material[interfaces.kind[last]][interfaces.kind[first]];
+  if (material == none) return none;
+  return interfaces.origin.at({interfaces.given[last] != 0 ? last : first, material});
 }
 
 std::vector<Fragment> find_adjacency(Complex& complex, Index rock_count) {

@@ -93,6 +93,8 @@ struct FaceMaterials {
   Index intact =
       none;  ///< between rock that is excavated on the way and other rock, which no joint parts
   std::vector<Index> of_solid = {};  ///< [Model::solids] of their free faces; none: they have none
+  std::vector<Index> of_interface =
+      {};  ///< [Model::solids] on their side of the joint round a solid; none: the joint's own
 };
 
 }  // namespace rockfold

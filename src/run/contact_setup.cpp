@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "src/base/vector.hpp"
+#include "src/model/pair_law.hpp"
 
 namespace rockfold {
 namespace {
@@ -57,16 +58,6 @@ JointLaw law_of(const JointMaterial& m, Real stiffness) {
   return law;
 }
 
-/// Which of two materials holds less: by residual friction, then cohesion.
-Index weaker(const Model& model, Index one, Index other) {
-  const auto strength = [&](Index m) {
-    const JointMaterial& joint = model.joint_materials[m];
-    return std::pair{joint.residual_friction_angle.value_or(joint.friction_angle),
-                     joint.residual_cohesion};
-  };
-  return strength(other) < strength(one) ? other : one;
-}
-
 /// ContactOptions::law_of_pair.
 std::vector<std::int16_t> laws_of_pairs(const Model& model) {
   std::vector<std::int16_t> law;
@@ -83,22 +74,11 @@ Index of_free_faces(const Model& model, const Solid& solid) {
   return model.contact.material_given ? none : solid.interface;
 }
 
-/// The joint material of a surface, or none: of intact rock that came apart, of a solid's free faces without an interface.
+/// The joint material of a surface, or none: of intact rock that came apart, of a solid without an interface.
 Index own_material(const Model& model, Index surface) {
   const Index first = surface_of_solid(model, 0);
-  if (surface >= first)
-    return of_free_faces(model, model.solids[model.contact_solids[surface - first]]);
+  if (surface >= first) return model.solids[model.contact_solids[surface - first]].interface;
   return surface == intact_law(model) ? none : surface;
-}
-
-/// What a contact pair says of these two, or none.
-Index material_between(const Model& model, Index one, Index other) {
-  if (one == none || other == none) return none;
-  for (const ContactPair& pair : model.contact_pairs)
-    if ((pair.between[0] == one && pair.between[1] == other) ||
-        (pair.between[0] == other && pair.between[1] == one))
-      return pair.material;
-  return none;
 }
 
 }  // namespace
@@ -106,9 +86,8 @@ Index material_between(const Model& model, Index one, Index other) {
 MetSurfaces law_between(const Model& model, Index one, Index other) {
   using By = MetSurfaces::By;
   const Index a = own_material(model, one), b = own_material(model, other);
-  for (const auto& [p, q] : {std::pair{one, other}, {one, b}, {a, other}, {a, b}})
-    if (const Index said = material_between(model, p, q); said != none)
-      return {{one, other}, said, By::pair};
+  if (const Index said = paired_material(model, {one, a}, {other, b}); said != none)
+    return {{one, other}, said, By::pair};
   if (a == none && b == none) {
     const By by = model.contact.material_given       ? By::given
                   : model.joint_materials.size() > 1 ? By::guess
@@ -116,7 +95,7 @@ MetSurfaces law_between(const Model& model, Index one, Index other) {
     return {{one, other}, model.contact.material, by};
   }
   if (a == none || b == none || a == b) return {{one, other}, a == none ? b : a, By::own};
-  return {{one, other}, weaker(model, std::min(a, b), std::max(a, b)), By::weaker};
+  return {{one, other}, weaker_material(model, std::min(a, b), std::max(a, b)), By::weaker};
 }
 
 std::vector<MetSurfaces> met_surfaces(const Model& model, const std::vector<std::uint8_t>& met) {
@@ -140,8 +119,11 @@ std::string surface_name(const Model& model, Index surface) {
 }
 
 FaceMaterials face_materials(const Model& model) {
-  FaceMaterials materials{intact_law(model), {}};
-  for (const Solid& solid : model.solids) materials.of_solid.push_back(of_free_faces(model, solid));
+  FaceMaterials materials{intact_law(model), {}, {}};
+  for (std::size_t s = 0; s < model.solids.size(); ++s) {
+    materials.of_solid.push_back(of_free_faces(model, model.solids[s]));
+    materials.of_interface.push_back(interface_surface(model, static_cast<Index>(s)));
+  }
   for (std::size_t k = 0; k < model.contact_solids.size(); ++k)
     materials.of_solid[model.contact_solids[k]] = surface_of_solid(model, static_cast<Index>(k));
   return materials;

@@ -88,5 +88,22 @@ TEST(ContactPairs, GiveWhatTheModelSaysOfTwoMaterialsOrTheWeakerOne) {
   EXPECT_NEAR(way(of_solid) / slide(20), 1, 2e-2);
 }
 
+/// The plane has a surface of its own, and the joint under a cube is that of both from the start.
+TEST(ContactPairs, CountBetweenTwoInterfacesFromTheStart) {
+  const std::string materials =
+      joint_material("ten", 10) + joint_material("twenty", 20) + joint_material("more", 25);
+  const auto with_ground = [&](const std::string& ground, const std::string& pair) {
+    std::string model = on_plane(materials, {"ten", "twenty", "more"}, pair);
+    const std::string plane = "max = [9, 9, 0]\n";
+    return model.replace(model.find(plane), plane.size(), plane + "interface = '" + ground + "'\n");
+  };
+  expect_slides(with_ground("twenty", ""), {10, 20, 20});
+  expect_slides(with_ground("ten", ""), {10, 10, 10});
+  const std::string says =
+      "[[contact_pair]]\nbetween = ['ten', 'twenty']\nmaterial = 'more'\n"
+      "[[contact_pair]]\nbetween = ['cube2', 'plane']\nmaterial = 'ten'\n";
+  expect_slides(with_ground("twenty", says), {25, 20, 10});
+}
+
 }  // namespace
 }  // namespace rockfold

@@ -1,6 +1,7 @@
 // The complex of convex cells that a model is cut into: the one data structure behind blocks, covers and interfaces.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <new>
 #include <tuple>
@@ -131,8 +132,15 @@ struct Complex {
   std::vector<bool> adds_solid;  ///< [solids] block operation '+', else '−'
   std::vector<Body> bodies;      ///< of the solids in their order, of excavations, of merge regions
   std::vector<Facet> facets;     ///< of all bodies
-  std::vector<JointPatch> joints;         ///< by plane in the order of precedence
-  std::vector<Index> interface_of_solid;  ///< [solids] into origins; none = welded
+  std::vector<JointPatch> joints;  ///< by plane in the order of precedence
+  Index first_interface = none;    ///< into origins: joints between solids are those from here on
+  /// Of these joints. Kinds of solids are few: those of one have the same interface, and the same is said of them in pairs.
+  struct Interfaces {
+    std::vector<Index> kind;                   ///< [solids]
+    std::vector<std::vector<Index>> material;  ///< [kinds][kinds] joint material; none = welded
+    std::vector<std::uint8_t> given;           ///< [solids] 1: it has an interface
+    std::map<std::pair<Index, Index>, Index> origin;  ///< into origins, of solid and material
+  } interfaces;
   ByPlane facets_by_plane, joints_by_plane;
 
   CellStore cells;  ///< rock only

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <list>
+#include <map>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include "host/refuse.hpp"
 #include "host/shapes/shape_geometry_exact.hpp"
 #include "src/base/vector.hpp"
+#include "src/model/pair_law.hpp"
 
 namespace rockfold {
 
@@ -88,6 +90,33 @@ FaceOrigin joint_origin(const std::string& name, Index material) {
   return origin;
 }
 
+// The joints round solids with an interface: of its material, and of each that it gives with others.
+void add_interfaces(const Model& model, Complex& complex) {
+  auto& [kind, material, given, origin] = complex.interfaces;
+  complex.first_interface = static_cast<Index>(complex.origins.size());
+  std::map<std::pair<Index, Index>, Index> kinds;  // of interface and surface
+  std::vector<Index> example;
+  for (Index s = 0; s < std::ssize(model.solids); ++s) {
+    const auto [at, fresh] = kinds.try_emplace(
+        {model.solids[s].interface, interface_surface(model, s)}, std::ssize(example));
+    if (fresh) example.push_back(s);
+    kind.push_back(at->second);
+    given.push_back(model.solids[s].interface != none ? 1 : 0);
+  }
+  for (const Index a : example) {
+    auto& row = material.emplace_back();
+    for (const Index b : example) row.push_back(interface_material(model, a, b));
+  }
+  for (Index s = 0; s < std::ssize(model.solids); ++s) {
+    if (given[s] == 0) continue;
+    std::vector<Index> materials = material[kind[s]];
+    materials.insert(materials.begin(), model.solids[s].interface);
+    for (const Index m : materials)
+      if (origin.try_emplace({s, m}, static_cast<Index>(complex.origins.size())).second)
+        complex.origins.push_back(joint_origin(model.solids[s].name + ".interface", m));
+  }
+}
+
 void add_origins(const Model& model, const PlacedJoints& joints, std::vector<ShapeRegion>& regions,
                  Complex& complex) {
   auto& origins = complex.origins;
@@ -111,12 +140,7 @@ void add_origins(const Model& model, const PlacedJoints& joints, std::vector<Sha
     }
   }
   for (const Solid& solid : model.solids) complex.adds_solid.push_back(solid.add);
-  complex.interface_of_solid.assign(model.solids.size(), none);
-  for (std::size_t s = 0; s < model.solids.size(); ++s) {
-    if (model.solids[s].interface == none) continue;
-    complex.interface_of_solid[s] = static_cast<Index>(origins.size());
-    origins.push_back(joint_origin(model.solids[s].name + ".interface", model.solids[s].interface));
-  }
+  add_interfaces(model, complex);
 }
 
 Index origin_of(const ShapeRegion& region, Index face) {

@@ -221,8 +221,8 @@ class PairPoints {
     const Index joint = joint_of(fa, fb);
     const Index ma = s_.face_material(fa), mb = s_.face_material(fb);
     p.surfaces = static_cast<std::int16_t>((ma + 1) * options_.materials + mb + 1);
-    p.law = joint != none && ma != none ? static_cast<std::int16_t>(ma)
-                                        : options_.law_of_pair(p.surfaces);
+    p.law = joint != none && ma != none && ma == mb ? static_cast<std::int16_t>(ma)
+                                                    : options_.law_of_pair(p.surfaces);
     p.joint = joint;
     begin_memory(p, joint != none, fa, fb);
   }
