@@ -135,6 +135,11 @@ KOKKOS_INLINE_FUNCTION Pressure momentary_impact(Real k, const ImpactRule& rule,
   return p;
 }
 
+/// Of the closing speed, by how much a rebound may be too fast: that share of the rebound itself, which is no slower than a tenth.
+KOKKOS_INLINE_FUNCTION Real rebound_error(const ImpactRule& rule) {
+  return restitution_error * (rule.restitution > 0 ? larger(rule.restitution, 0.1) : 1);
+}
+
 /// Of a point that has been open before; g: gap less dilation at both ends of the step (law.hpp, "Impact").
 KOKKOS_INLINE_FUNCTION Pressure impact_pressure(Real k, const ImpactRule& rule,
                                                 const ContactMemory& memory,
@@ -151,7 +156,7 @@ KOKKOS_INLINE_FUNCTION Pressure impact_pressure(Real k, const ImpactRule& rule,
   const Real depth = larger(0.0, -g1), explained = approach * rule.period;
   const bool whole = explained >= depth, least = explained <= restitution_error * depth;
   const Real share = whole ? 1 : least ? restitution_error : explained / depth;
-  const Real delay = share * rule.period / restitution_error, drag = k * delay * beyond;
+  const Real delay = share * rule.period / rebound_error(rule), drag = k * delay * beyond;
   p.value -= drag;
   p.stiffness += k * delay * motion.speed_by_gap + (whole || least ? 0 : drag / depth);
   if (!(p.value > 0)) p.value = p.stiffness = 0;

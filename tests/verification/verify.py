@@ -25,9 +25,11 @@ import impacts  # noqa: E402
 import jointed  # noqa: E402
 import limits  # noqa: E402
 import random_blocks  # noqa: E402
+import random_contact  # noqa: E402
 import rest  # noqa: E402
 import statics  # noqa: E402
 import supports  # noqa: E402
+import water  # noqa: E402
 from runner import ROOT, Explicit, Rockfold  # noqa: E402
 
 CASES = {case.__name__: case for case in (
@@ -36,8 +38,9 @@ CASES = {case.__name__: case for case in (
     dynamics.plate_peak, dynamics.wave, dynamics.vibration, dynamics.simply_supported, dynamics.oscillator, dynamics.quasi_static,
     contact.sliding_block, contact.cohesive_block, contact.sliding_wedge, contact.shaken_wedge, contact.stacked_blocks, contact.overhang, contact.rocking_block,
     contact.falling_block, contact.colliding_bars, contact.rolling_prism, contact.spinning_box, jointed.jointed_bar, jointed.block_pile,
-    random_blocks.random_prisms, random_blocks.random_wedges, rest.brick_wall, rest.jointed_slope, impacts.crossing_beams, impacts.dropped_cube,
-    limits.toppling_slope, limits.voussoir_arch, limits.random_arches, supports.stressed_tunnel, supports.stressed_wedge, supports.anchored_block)}
+    random_blocks.random_prisms, random_blocks.random_wedges, random_contact.random_surfaces, random_contact.random_cards,
+    random_contact.random_rebounds, random_contact.random_throws, rest.brick_wall, rest.jointed_slope, impacts.crossing_beams, impacts.dropped_cube,
+    limits.toppling_slope, limits.voussoir_arch, limits.random_arches, supports.stressed_tunnel, supports.stressed_wedge, supports.anchored_block, water.wet_slope)}
 # Of blocks in motion, which steps by explicit substeps take too.
 BY_SUBSTEPS = ("sliding_block", "cohesive_block", "sliding_wedge", "shaken_wedge", "rocking_block", "falling_block", "rolling_prism", "spinning_box",
                "crossing_beams", "dropped_cube", "random_prisms", "random_wedges")
