@@ -230,6 +230,21 @@ void Bodies::press_faces(RockBody& body) const {
   }
 }
 
+std::vector<std::vector<LinearPressure>> Bodies::water_in_joints(const RockBody& body) const {
+  const JointOutlines joints = may_drain(body) ? joint_outlines(body) : JointOutlines{};
+  std::vector<Pressures> pressures(body.faces.size());
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    if (!(body.faces[f].contact_area > 0)) continue;
+    const FaceNature& nature = nature_[at(blocks_.face_origin[at(body.face_id[f])])];
+    const Index outline = joints.of_face.empty() ? none : joints.of_face[f];
+    if (nature.water && is_drained(*nature.water) && outline != none)
+      pressures[f] = joint_pressures(*nature.water, gravity_, joints.outline[at(outline)]);
+    else if (const LinearPressure p = undrained(nature); p.at_origin != 0 || p.gradient != Vec3{})
+      pressures[f] = {p};
+  }
+  return pressures;
+}
+
 /// Of a solid, upright, all free, with no water before it.
 bool Bodies::is_free_side(const RockBody& body, std::size_t f) const {
   const BlockFace& face = body.faces[f];
@@ -328,14 +343,18 @@ void Bodies::press_in_situ(BlockFace& face, Index id, const FaceNature& nature) 
   if (face.clamping > 0) face.in_situ_shear = traction + face.clamping * face.normal;
 }
 
+/// Of water that no edge drains.
+LinearPressure Bodies::undrained(const FaceNature& nature) const {
+  if (nature.water) return linear_pressure(*nature.water, gravity_);
+  return {.at_origin = spec_.water_pressure, .gradient = {}};
+}
+
 /// On all of a face.
 PressureForce Bodies::water_on(Index face, const FaceNature& nature,
                                const Pressures& drained) const {
   if (!drained.empty())
     return least_pressure_force(face_loops(blocks_, face), blocks_.face_normal[at(face)], drained);
-  const LinearPressure p = nature.water
-                               ? linear_pressure(*nature.water, gravity_)
-                               : LinearPressure{.at_origin = spec_.water_pressure, .gradient = {}};
+  const LinearPressure p = undrained(nature);
   if (p.at_origin == 0 && p.gradient == Vec3{}) return {};
   if (!has_polygons_) return {.force = blocks_.face_area[at(face)] * p.at_origin};
   return pressure_force(blocks_, face, p);

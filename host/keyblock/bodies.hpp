@@ -69,6 +69,9 @@ class Bodies {
   /// solid that look away from each other.
   JointOutlines joint_outlines(const RockBody& body) const;
 
+  /// [faces of the body] Linear functions whose least, no less than zero, is the pressure of the water in their joints, Pa; none: dry.
+  std::vector<std::vector<LinearPressure>> water_in_joints(const RockBody& body) const;
+
   const BlockArrays& blocks() const { return blocks_; }
   /// Whether every face of a block leans on a block that is still there.
   bool is_encased(Index block, const std::vector<Index>& batch) const;
@@ -117,6 +120,7 @@ class Bodies {
   using Pressures = std::vector<LinearPressure>;
   void press_faces(RockBody& body) const;
   void press(BlockFace& face, Index id, const Pressures& drained, RockBody& body) const;
+  LinearPressure undrained(const FaceNature& nature) const;
   PressureForce water_on(Index face, const FaceNature& nature, const Pressures& drained) const;
   void press_in_situ(BlockFace& face, Index id, const FaceNature& nature) const;
   void press_by_water(BlockFace& face, Index id, const FaceNature& nature, const Pressures& drained,

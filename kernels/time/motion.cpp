@@ -208,12 +208,25 @@ void Motion::save() {
         motion::make_moving_state(m.unknowns, m.system.springs.points.count, m.contact != nullptr);
   motion::copy_state(m.now, m.saved);
   if (m.contact) contact::keep(m.contact->contacts, m.saved_contacts);
+  m.saved_water = m.following.water;
 }
 
 void Motion::restore() {
   motion::copy_state(data_->saved, data_->now);
   if (data_->contact) contact::restore(data_->contact->contacts, data_->saved_contacts);
+  data_->following.water = data_->following.water_at_end = data_->saved_water;
   motion::set_time(*data_, data_->now.time);  // loads and supports too stand where they stood
+}
+
+void Motion::set_water(const CoverArrays& covers, const LoadPoints& water) {
+  motion::set_water(data_->following, covers, water);
+}
+void Motion::set_water_now(const CoverArrays& covers, const LoadPoints& water) {
+  set_water(covers, water);
+  data_->following.water = data_->following.water_at_end;
+}
+void Motion::set_water_shares(const std::vector<Real>& share) {
+  data_->following.share = device::to_device("motion::water_share", share);
 }
 
 std::vector<ContactPoint> Motion::contact_points() const {

@@ -65,6 +65,9 @@ struct MotionSetup {
   Vec3 gravity{};  ///< m/s²
   LoadPoints loads{};
   QuietPoints quiet{};
+  const LoadPoints* water =
+      nullptr;  ///< in joints as it is at first; null: there never is any. Large kinematics alone
+  Index water_sides = 0;  ///< of joints, that LoadPoints::side numbers
   InitialStress initial_stress{};
   TimeTable base_acceleration{};  ///< m/s²; empty: the base is at rest
   Rayleigh damping{};
@@ -109,6 +112,13 @@ class Motion {
   void set_walls(Real left);
   /// The same for a state restored from bytes, in which it has been done.
   void leave_out(const GoneRock& gone);
+
+  /// The water that is in joints at the end of the next step, which begins with that of the step before.
+  void set_water(const CoverArrays& covers, const LoadPoints& water);
+  /// Likewise, from now on: of a state restored from bytes.
+  void set_water_now(const CoverArrays& covers, const LoadPoints& water);
+  /// [sides of joints] Share of the water's pressure that acts.
+  void set_water_shares(const std::vector<Real>& share);
 
   /// The velocity that goes with the points held, and, for schemes that need one, the acceleration at t = 0: fixed points are held against
   /// accelerating as steps of length dt will hold them.

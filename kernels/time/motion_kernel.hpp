@@ -67,6 +67,7 @@ struct Motion::Data {
   motion::BlockForces of_blocks;                  ///< then
   motion::Rebounds rebounds;                      ///< then, where impacts give something back
   contact::Accepted saved_contacts;
+  motion::PressedPoints saved_water;
   int most_iterations = 60;  ///< of Newton's method
   motion::ExplicitScheme explicit_scheme;
 

@@ -104,6 +104,7 @@ void begin(Motion::Data& m, const Step& step, bool time_stands) {
   }
   if (!linear) carry_rate(m, step);
   if (!linear || step.middle) keep_start(m);
+  m.following.water = m.following.water_at_end;
   if (m.varying_loads.any()) varying_load(m.varying_loads, m.now.time, m.varying_before);
   if (step.stabilised) stabilise_supports(m, step.dt, step.middle);
   if (!time_stands) m.now.time += step.dt;

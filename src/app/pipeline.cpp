@@ -10,6 +10,7 @@
 
 #include "host/contact/lattice_surfaces.hpp"
 #include "host/cover/cover.hpp"
+#include "host/cover/points/joint_water.hpp"
 #include "host/cover/points/loads.hpp"
 #include "host/cut/cut.hpp"
 #include "host/flatten/face_polygons.hpp"
@@ -70,6 +71,7 @@ struct CoveredRock {
   std::vector<RigidVelocity> velocities;
   ElementMesh mesh;
   std::optional<ContactSurfaces> contact;
+  std::unique_ptr<JointWater> water;  ///< in the joints between blocks
 };
 
 CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockArrays& blocks,
@@ -87,6 +89,8 @@ CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockAr
         contact_surfaces(cutting, blocks, rock.covering.arrays, face_materials(model));
     MaterialPoints points = locate_surface(rock.covering, surfaces.vertex, surfaces.vertex_block);
     rock.contact = ContactSurfaces{std::move(surfaces), std::move(points)};
+    auto water = std::make_unique<JointWater>(cutting, rock.covering, blocks, model);
+    if (water->any()) rock.water = std::move(water);
   }
   rock.mesh = make_element_mesh(rock.covering.arrays);
   require_in_rock(model, rock.monitors);
@@ -123,7 +127,8 @@ Analysed analyse(const CoveredRock& rock, const Model& model, const BlockArrays&
                     rock.velocities,
                     rock.block_vertices,
                     &rock.mesh,
-                    rock.contact ? &*rock.contact : nullptr};
+                    rock.contact ? &*rock.contact : nullptr,
+                    rock.water.get()};
   };
   const DeviceScope device(options.threads);
   std::optional<Reduction> reduction;

@@ -23,6 +23,8 @@ struct LoadPoints {
       area;  ///< [L] m², outward area vector of what a following pressure acts on; 0 elsewhere
   std::vector<Real>
       pressure;  ///< [L] Pa along the inward normal, which follows the face; with a table: its x component · pressure
+  std::vector<Index>
+      side;  ///< [L] of a joint, on which water presses as far as the other side lies before it; empty: none
   std::vector<TimeTable> tables;
 };
 

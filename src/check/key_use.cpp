@@ -140,10 +140,11 @@ void require_loads_used(const Options& options, const Model& model, Terminal& te
                                 not_in.front(),
                                 action.instead.empty() ? "" : ": " + action.instead));
   }
-  if (model.support && wants_run(options) && model.support->seismic_coefficient != Vec3{})
+  if (model.support && wants_run(options) && model.support->seismic_coefficient != Vec3{} &&
+      !model.analysis->is_seismic())
     terminal.warn(
-        "support.seismic_coefficient acts on key blocks alone, not on the analysis: "
-        "base_acceleration acts there");
+        "support.seismic_coefficient acts on key blocks alone, not on the analysis: it does in a "
+        "[[step]] with seismic = true, and base_acceleration brings a record");
   if (!refused.empty()) throw Error(ErrorKind::model, refused);
 }
 

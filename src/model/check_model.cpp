@@ -132,6 +132,11 @@ class Needs {
     if (!in_time && !model_.analysis->has(AnalysisType::quasi_static) && model_.base_acceleration)
       found_.push_back({model_.base_acceleration->place,
                         "has no use in a static analysis; must be type = \"dynamic\""});
+    for (const AnalysisStage& stage : model_.analysis->stages)
+      if (stage.seismic && !(model_.support && model_.support->seismic_coefficient != Vec3{}))
+        found_.push_back(
+            {{stage.place.file, stage.place.line, stage.place.column, stage.place.key + ".seismic"},
+             "is true, but there is no support.seismic_coefficient to act"});
     if (in_time) return;
     for (const InitialVelocity& start : model_.initial_velocities)
       found_.push_back({start.place, "has no use without type = \"dynamic\""});

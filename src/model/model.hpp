@@ -462,6 +462,7 @@ struct AnalysisStage {
   Index steps = 100;                ///< resolved from `steps` or `end_time`; 1 for static
   Real dynamic_ratio = 1.0;         ///< [0, 1]: share of the velocity handed to the next step
   bool reset_displacement = false;  ///< displacements and monitors count from its start
+  bool seismic = false;             ///< SupportSpec::seismic_coefficient acts on all rock
   /// Stage of excavation whose rock goes at its start; 0: none, as in the first.
   Index excavate = 0;
   /// s since its start, and the share of the tractions on the excavation's walls that is gone by then; empty: by default.
@@ -483,6 +484,9 @@ struct Analysis {
   }
   bool has(AnalysisType type) const {
     return std::any_of(stages.begin(), stages.end(), [&](const auto& s) { return s.type == type; });
+  }
+  bool is_seismic() const {
+    return std::any_of(stages.begin(), stages.end(), [](const auto& s) { return s.seismic; });
   }
   /// Of all stages.
   Index steps() const {
@@ -584,6 +588,10 @@ struct Water {
   std::variant<WaterPressure, WaterTable, WaterHead> level;
   std::optional<bool> drains;   ///< whether free faces let the water out; none: by default
   std::optional<WaterLaw> law;  ///< none: by default
+  /// How `level` changes over time, in x: Pa or m; `level` is that at t = 1 s. Empty: it stays.
+  TimeTable course = {};
+  /// m: in `run` the pressure on an area falls, as its joint opens, to nothing at this opening; none: it stays.
+  std::optional<Real> drained_at;
   Place place = {};
 };
 

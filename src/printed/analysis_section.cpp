@@ -274,9 +274,7 @@ void add_confirmed(Html& html, const Json& confirmed) {
 /// Blocks under a record of the ground, and Newmark's sliding block beside them.
 void add_shaken(Html& html, const Json& shaken) {
   Rows rows;
-  bool in_water = false;
   for (const Json& s : shaken) {
-    in_water |= s.value("water", false);
     if (rows.size() == most_rows) break;
     const bool slides = !s.at("newmark").is_null();
     rows.push_back(
@@ -291,14 +289,8 @@ void add_shaken(Html& html, const Json& shaken) {
   html.table(shaken.size() > most_rows
                  ? fmt::format("The {} of {} that move furthest", most_rows, shaken.size())
                  : "",
-             {{"block"},
-              {"slides on", "", true},
-              {"moved", "m"},
-              {in_water ? "Newmark's rigid block, in water" : "Newmark's rigid block", "m"}},
+             {{"block"}, {"slides on", "", true}, {"moved", "m"}, {"Newmark's rigid block", "m"}},
              rows);
-  if (in_water)
-    html.paragraph(
-        "Newmark's block stands in the water of block theory, which the analysis does not have.");
 }
 
 }  // namespace

@@ -131,9 +131,7 @@ std::vector<Confirmed> confirmed_motion(const RunReport& report) {
   const Reasons reasons(report);
   for (Confirmed& c : list)
     if (!c.agrees) c.reason = reason_name(reasons.of(c));
-  const SupportSpec& spec = *report.model.support;
-  const bool other_loads = spec.water_pressure != 0 || spec.seismic_coefficient != Vec3{} ||
-                           !report.model.waters.empty();
+  const bool other_loads = has_other_loads(report.model);
   for (Confirmed& c : list) c.other_loads = other_loads;
   return list;
 }

@@ -33,6 +33,10 @@ Real way_from_rest(Real acceleration, const Analysis& analysis, Index excavation
 
 }  // namespace
 
+bool has_other_loads(const Model& model) {
+  return model.support->seismic_coefficient != Vec3{} && !model.analysis->is_seismic();
+}
+
 Reasons::Reasons(const RunReport& report)
     : report_(report), beside_loose_rock_(report.blocks.volume.size(), 0) {
   const BlockArrays& blocks = report.blocks;
@@ -87,8 +91,7 @@ bool Reasons::slips_once_moved(Index block) const {
 /// What acts in one of the two alone.
 bool Reasons::other_loads() const {
   const Model& model = report_.model;
-  return model.support->water_pressure != 0 || model.support->seismic_coefficient != Vec3{} ||
-         !model.waters.empty() || model.base_acceleration.has_value();
+  return has_other_loads(model) || model.base_acceleration.has_value();
 }
 
 /// Which block theory does not count.

@@ -9,6 +9,9 @@ namespace rockfold {
 
 enum class Reason { held, batch, time, rock, loads, in_situ_stress, strength, neighbours };
 
+/// Whether block theory, of a model with [support], counts what acts in none of its steps.
+bool has_other_loads(const Model& model);
+
 class Reasons {
  public:
   explicit Reasons(const RunReport& report);

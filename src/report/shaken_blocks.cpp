@@ -111,10 +111,6 @@ bool is_shaken(const RunReport& report) {
   return report.model.base_acceleration && report.run.rest && !report.reduction;
 }
 
-bool newmark_has_water(const Model& model) {
-  return !model.waters.empty() || (model.support && model.support->water_pressure != 0);
-}
-
 std::vector<ShakenBlock> shaken_blocks(const RunReport& report) {
   std::vector<ShakenBlock> list;
   std::vector<std::uint8_t> told(report.blocks.volume.size(), 0);
@@ -154,7 +150,6 @@ Json shaken_json(const RunReport& report) {
     entry["moved"] = norm(shaken.displacement);
     entry["newmark"] = shaken.newmark ? Json(*shaken.newmark) : Json(nullptr);
     entry["lifts"] = shaken.lifts;
-    entry["water"] = shaken.newmark && newmark_has_water(report.model);
     list.push_back(std::move(entry));
   }
   return list;

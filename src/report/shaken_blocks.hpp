@@ -23,8 +23,6 @@ struct ShakenBlock {
 
 /// Whether the base is accelerated and blocks may come apart.
 bool is_shaken(const RunReport& report);
-/// Whether Newmark's block stands in water, as in block theory, that the analysis does not have.
-bool newmark_has_water(const Model& model);
 /// Those that move furthest first, in the analysis or as rigid blocks.
 std::vector<ShakenBlock> shaken_blocks(const RunReport& report);
 

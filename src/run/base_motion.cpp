@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "src/base/vector.hpp"
@@ -43,6 +44,46 @@ TimeTable base_acceleration(const Model& model) {
   const Analysis& analysis = *model.analysis;
   return begun_at(start_of_stage(analysis, base.stage), analysis.stages[base.stage].time_step,
                   table);
+}
+
+namespace {
+
+/// A base that is accelerated against the seismic coefficient while steps ask for it. It comes and goes within a step, whose loads are those of
+/// its ends.
+TimeTable seismic_acceleration(const Model& model) {
+  TimeTable table;
+  if (!model.support || !model.analysis || !model.analysis->is_seismic()) return table;
+  const Vec3 acting = -norm(model.gravity) * model.support->seismic_coefficient;
+  Vec3 before{};
+  Real time = 0;
+  for (const AnalysisStage& stage : model.analysis->stages) {
+    const Vec3 now = stage.seismic ? acting : Vec3{};
+    if (now != before) {
+      if (table.time.empty() || table.time.back() < time) {
+        table.time.push_back(time);
+        table.value.push_back(before);
+      }
+      const bool is_static = stage.type == AnalysisType::static_;
+      table.time.push_back(time + (is_static ? 1 : stage.time_step));
+      table.value.push_back(now);
+    }
+    time += duration(stage);
+    before = now;
+  }
+  return table;
+}
+
+}  // namespace
+
+TimeTable ground_acceleration(const Model& model) {
+  const TimeTable record = base_acceleration(model), seismic = seismic_acceleration(model);
+  if (seismic.empty()) return record;
+  if (record.empty()) return seismic;
+  TimeTable sum;
+  std::set_union(record.time.begin(), record.time.end(), seismic.time.begin(), seismic.time.end(),
+                 std::back_inserter(sum.time));
+  for (const Real t : sum.time) sum.value.push_back(record.at(t) + seismic.at(t));
+  return sum;
 }
 
 RecordSpan record_span(const Model& model) {

@@ -17,6 +17,9 @@ Real start_of_stage(const Analysis& analysis, Index stage);
 /// empty if the base is at rest.
 TimeTable base_acceleration(const Model& model);
 
+/// m/s², of the base: the record, and what stands for the seismic coefficient in the steps where it acts. Empty: it is at rest.
+TimeTable ground_acceleration(const Model& model);
+
 /// A record as the model gives it, with its scale.
 struct RecordSpan {
   Real peak = 0;          ///< m/s²

@@ -73,9 +73,9 @@ class TrialProgress : public Progress {
 };
 
 RunInput with_model(const RunInput& input, const Model& model) {
-  return {model,        input.covers, input.blocks,     input.fixed,          input.monitors,
-          input.loads,  input.quiet,  input.velocities, input.block_vertices, input.mesh,
-          input.contact};
+  return {model,         input.covers, input.blocks,     input.fixed,          input.monitors,
+          input.loads,   input.quiet,  input.velocities, input.block_vertices, input.mesh,
+          input.contact, input.water};
 }
 
 /// The search under way.

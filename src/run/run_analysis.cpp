@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "host/cover/points/joint_water.hpp"
 #include "host/direct/multifrontal.hpp"
 #include "kernels/integrate/moments.hpp"
 #include "kernels/time/motion.hpp"
@@ -19,6 +20,7 @@
 #include "src/run/letting_go.hpp"
 #include "src/run/loose_parts.hpp"
 #include "src/run/made_energy.hpp"
+#include "src/run/moving_water.hpp"
 #include "src/run/records/block_motion.hpp"
 #include "src/run/records/block_stress.hpp"
 #include "src/run/records/recorder.hpp"
@@ -43,7 +45,7 @@ std::vector<ElasticMaterial> elastic_materials(const Model& model) {
 }
 
 MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
-                       const std::vector<ElasticMaterial>& materials) {
+                       const std::vector<ElasticMaterial>& materials, const MovingWater& water) {
   const Analysis& analysis = *input.model.analysis;
   MotionSetup setup{input.covers, moments, materials, input.fixed};
   setup.gravity = input.model.gravity;
@@ -52,8 +54,10 @@ MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
   setup.gamma = analysis.newmark_gamma;
   setup.damping = {analysis.rayleigh_alpha, analysis.rayleigh_beta};
   setup.quiet = input.quiet;
+  setup.water = water.at_start();
+  if (input.water) setup.water_sides = static_cast<Index>(input.water->sides().size());
   setup.initial_stress = input.model.initial_stress;
-  setup.base_acceleration = base_acceleration(input.model);
+  setup.base_acceleration = ground_acceleration(input.model);
   setup.large = analysis.large();
   setup.dynamic_ratio = analysis.stages[0].share_handed_on();
   setup.solver.tolerance = input.model.solver.tolerance;
@@ -85,12 +89,14 @@ Real half_height(const RunInput& input) {
 class Run {
  public:
   Run(const RunInput& input, const PieceMoments& moments, const StoreState& store,
-      RunResult& result, Motion& motion, const Checkpoints& checkpoints, const Watch& watch)
+      RunResult& result, Motion& motion, MovingWater& water, const Checkpoints& checkpoints,
+      const Watch& watch)
       : input_(input),
         moments_(moments),
         analysis_(*input.model.analysis),
         result_(result),
         motion_(motion),
+        water_(water),
         recorder_(input, moments, store, result),
         checkpoints_(checkpoints),
         watch_(watch),
@@ -138,6 +144,7 @@ class Run {
   const Analysis& analysis_;
   RunResult& result_;
   Motion& motion_;
+  MovingWater& water_;
   Recorder recorder_;
   const Checkpoints& checkpoints_;
   const Watch& watch_;
@@ -255,6 +262,8 @@ bool Run::take_step(Index step, Real dt) {
   while (at.done < at.parts) {
     if (at.parts > 1) save_checkpoint_if_due();
     save_motion();
+    water_.begin_step(motion_, at.settled ? motion_.time() + dt / at.parts : motion_.time(),
+                      result_.steps == 0);
     SolveReport report = motion_.step(dt / at.parts, at.done == 0, watched_ ? &*watched_ : nullptr,
                                       course_to(motion_.time() + dt / at.parts));
     // Newton's method may find its way by shorter steps.
@@ -451,6 +460,7 @@ void Run::pass(Archive& archive) {
   pass_stages(archive, analysis_, at_.stage, at_.step);
   archive.pass(start_);
   letting_go_.pass(archive);
+  water_.pass(archive);
   pass_histories(archive, result_);
   recorder_.pass(archive);
 }
@@ -482,6 +492,7 @@ void Run::restore(std::span<const std::byte> checkpoint) try {
   std::vector<std::byte> motion;
   archive.pass(motion);
   motion_.restore(motion);
+  water_.restore(motion_);
   const GoneRock gone = gone_rock(input_, at_.begun ? at_.stage : at_.stage - 1);
   if (gone.block.empty()) return;
   motion_.leave_out(gone);
@@ -595,7 +606,7 @@ StageKeys keys_of_analysis(const Model& model) {
                   "quiet_boundary", "initial_velocity", "initial_stress", "base_acceleration",
                   "monitor", "analysis", "step", "solver", "output"}};
   if (has_contact(model))
-    for (const char* section : {"joint_material", "contact", "reduction"})
+    for (const char* section : {"joint_material", "contact", "reduction", "water"})
       keys.keys.emplace_back(section);
   if (std::any_of(model.tables.begin(), model.tables.end(), std::mem_fn(&TableFile::is_history)))
     keys.keys.emplace_back("table");
@@ -610,12 +621,13 @@ RunResult run_analysis(const RunInput& input, const StoreState& store, Progress&
     require_no_loose_parts(input.covers, input.fixed);
   const PieceMoments moments = piece_moments(input.covers);
   const std::vector<ElasticMaterial> materials = elastic_materials(input.model);
-  Motion motion(make_setup(input, moments, materials));
+  MovingWater water(input);
+  Motion motion(make_setup(input, moments, materials, water));
   if (!input.velocities.empty())
     motion.set_motion(initial_motion(input.covers, moments, materials, input.velocities));
   result.seconds.assemble = timer.seconds();
 
-  Run run(input, moments, store, result, motion, checkpoints, watch);
+  Run run(input, moments, store, result, motion, water, checkpoints, watch);
   run.go(progress);
   run.summarise();
   return result;

@@ -15,6 +15,8 @@
 
 namespace rockfold {
 
+class JointWater;
+
 StageKeys keys_of_analysis(const Model& model);
 
 /// The blocks' surfaces and their vertices in the rock.
@@ -36,7 +38,8 @@ struct RunInput {
   const MaterialPoints& block_vertices;          ///< in the order of BlockArrays::vertex
   const ElementMesh* mesh = nullptr;             ///< at whose points stress is averaged, if any
   const ContactSurfaces* contact =
-      nullptr;  ///< where blocks touch each other (has_contact), else null
+      nullptr;                        ///< where blocks touch each other (has_contact), else null
+  const JointWater* water = nullptr;  ///< in their joints, if there is any
 };
 
 /// Called for each state to be stored, in time order, so that the result file is written as the run goes.

@@ -93,16 +93,15 @@ class OnOnePlane(ShakenTest):
         self.assertTrue(0 < block["moved"] < 5e-4 and 0 < block["newmark"] < 5e-4, block)
         self.assertRegex(text, rf"\n +2 +\S.* +{block['moved']:.3g} +{block['newmark']:.3g}\n")
 
-    def test_newmark_in_water_is_marked(self):
-        rows = pulse(2.2, 0.2, 90, 1)
-        dry, document = self.run_block(38, rows, 0.1)
-        self.assertFalse(document["shaken"][0]["water"])
-        self.assertNotIn("water", dry)
-        wet, document = self.run_block(38, rows, 0.1, support="[support]\nwater_pressure = 100\n")
-        self.assertTrue(document["shaken"][0]["water"])
-        self.assertIn("Newmark in water", wet)
-        self.assertIn("stands in the water of block theory, which the analysis does not have", wet)
-        self.assertTrue(all(c["other_loads"] for c in document["confirmed"]))
+    def test_water_acts_on_both(self):
+        rows = pulse(3.0, 0.4, 90)
+        _, document = self.run_block(38, rows, 1.0)
+        dry, = document["shaken"]
+        _, document = self.run_block(38, rows, 1.0, support="[support]\nwater_pressure = 500\n")
+        wet, = document["shaken"]
+        self.assertGreater(wet["newmark"], 1.1 * dry["newmark"])
+        self.assertAlmostEqual(wet["moved"] / wet["newmark"], 1, delta=0.02)
+        self.assertFalse(any(c["other_loads"] for c in document["confirmed"]))
 
     def test_without_support_there_is_no_newmark(self):
         text, document = self.run_block(38, pulse(3.0, 0.4, 90), 0.4, support="")

@@ -7,6 +7,7 @@
 
 #include "host/contact/lattice_surfaces.hpp"
 #include "host/cover/cover.hpp"
+#include "host/cover/points/joint_water.hpp"
 #include "host/cover/points/loads.hpp"
 #include "host/cut/cut.hpp"
 #include "host/flatten/flatten.hpp"
@@ -59,6 +60,8 @@ inline void run_model(const std::string& text, ModelAnswer& answer,
         locate_surface(covering, contact.surfaces.vertex, contact.surfaces.vertex_block);
     input.contact = &contact;
   }
+  const JointWater water(cutting, covering, blocks, model);
+  if (input.contact && water.any()) input.water = &water;
   answer.result =
       run_analysis(input, store, hooks.progress ? *hooks.progress : silent, hooks.checkpoints);
 }

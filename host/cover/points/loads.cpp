@@ -30,13 +30,6 @@ Error outside(const Place& entry, const std::string& key, const Vec3& x) {
                   fmt::format("({:g}, {:g}, {:g}) is not in the rock", x[0], x[1], x[2]));
 }
 
-/// Degree of the functions of an element on a plane.
-int function_degree(const CoverArrays& covers) {
-  const LatticeKind kind = covers.lattice.kind;
-  const int of_weights = kind == LatticeKind::hex8 ? 3 : kind == LatticeKind::block ? 0 : 1;
-  return of_weights + covers.order;
-}
-
 /// Points on the free faces of a region, each with its share of the area.
 class FaceIntegral {
  public:
@@ -150,6 +143,12 @@ void add_water(const FaceIntegral& faces, const CoverArrays& covers, const Vec3&
 }
 
 }  // namespace
+
+int function_degree(const CoverArrays& covers) {
+  const LatticeKind kind = covers.lattice.kind;
+  const int of_weights = kind == LatticeKind::hex8 ? 3 : kind == LatticeKind::block ? 0 : 1;
+  return of_weights + covers.order;
+}
 
 LoadPoints load_points(const Cutting& cutting, const Covering& covering, const Model& model) {
   LoadPoints loads;

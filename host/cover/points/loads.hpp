@@ -7,6 +7,9 @@
 
 namespace rockfold {
 
+/// Degree of the functions of an element on a plane.
+int function_degree(const CoverArrays& covers);
+
 /// The [[point_load]] and [[traction]] of a model: point loads first, in their order. A traction becomes points whose shares of the
 /// area integrate it times the functions of each element exactly, so that the forces of a face sum to its area times the traction.
 /// Throws Error(model): a point that is not in the rock, a traction where no free face is.

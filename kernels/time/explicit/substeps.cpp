@@ -63,6 +63,7 @@ struct ExplicitStep {
 
   void begin() {
     m.rock->begin_step(m.now.displacement, {});
+    m.following.water = m.following.water_at_end;
     if (m.contact) begin_contact(m);
     Kokkos::deep_copy(s.start, m.now.displacement);
     Kokkos::deep_copy(s.account, 0.0);

@@ -171,6 +171,7 @@ void read_stage(TableReader& in, AnalysisStage& stage, StageDefaults& given) {
   read_scheme(in, stage);
   read_duration(in, stage, given);
   read_dynamic_ratio(in, stage);
+  in.read("seismic", stage.seismic, Need::optional);
 }
 
 /// An excavation has the stage, and no step before takes its rock.

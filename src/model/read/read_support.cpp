@@ -4,6 +4,7 @@
 #include "src/base/vector.hpp"
 #include "src/model/openings.hpp"
 #include "src/model/read/draft.hpp"
+#include "src/model/read/read_loads.hpp"
 #include "src/model/read/read_value.hpp"
 
 namespace rockfold {
@@ -61,11 +62,12 @@ void read_table(TableReader& in, Water& water) {
 /// Exactly one of pressure, table and head.
 void read_level(TableReader& in, Water& water) {
   std::vector<std::string> given;
-  for (const char* key : {"pressure", "table", "head"})
+  for (const char* key : {"pressure", "pressure_table", "table", "head", "head_table"})
     if (in.has(key)) given.emplace_back(key);
   if (given.empty())
-    in.missing({"pressure", "table", "head"},
-               "says not how high the water stands: must have one of pressure, table or head");
+    in.missing({"pressure", "pressure_table", "table", "head", "head_table"},
+               "says not how high the water stands: must have one of pressure, table or head, or "
+               "pressure_table or head_table over time");
   if (given.size() > 1)
     in.wrong(given[1], "has both " + given[0] + " and " + given[1] +
                            ", must have one of pressure, table or head");
@@ -75,6 +77,15 @@ void read_level(TableReader& in, Water& water) {
   if (in.has("table")) read_table(in, water);
   WaterHead head;
   if (in.read("head", head.elevation, coordinate(), Need::optional)) water.level = head;
+  read_time_table(in, "pressure_table", 1, not_negative("Pa"), water.course);
+  read_time_table(in, "head_table", 1, coordinate(), water.course);
+  if (water.course.empty()) return;
+  constexpr Real time_of_statics = 1;  // s, as of loads over time
+  const Real usual = water.course.at(time_of_statics)[0];
+  if (in.has("head_table"))
+    water.level = WaterHead{usual};
+  else
+    water.level = WaterPressure{usual};
 }
 
 /// How the pressure goes on to edges that drain. Both may be left out.
@@ -91,6 +102,18 @@ void read_law(TableReader& in, Water& water) {
                           "\"hydrostatic\", or drains true"
                         : "has its full pressure at the very edge, but drains is true: must be "
                           "\"drained\" or \"mid_height\", or drains false");
+}
+
+/// What becomes of it where a joint opens.
+void read_opening(TableReader& in, Water& water) {
+  const auto kind = in.choose("when_open", {{"stays", "drains"}, {}}, Need::optional);
+  Real aperture = 1e-3;
+  const bool given = in.read("aperture", aperture, positive("m"), Need::optional);
+  if (kind && *kind == 1)
+    water.drained_at = aperture;
+  else if (given)
+    in.wrong("aperture",
+             "is the opening at which a joint has drained: needs when_open = \"drains\"");
 }
 
 void read_batches(TableReader& in, SupportSpec& support) {
@@ -138,6 +161,7 @@ void read_waters(Draft& draft) {
     in.read("density", water.density, positive("kg/m3"), Need::optional);
     read_level(in, water);
     read_law(in, water);
+    read_opening(in, water);
     if (draft.model.gravity == Vec3{} && !in.has("pressure"))
       in.wrong("", "gravity is zero: a water table or head gives no pressure");
     draft.model.waters.push_back(std::move(water));

@@ -123,12 +123,14 @@ const char* type_name(AnalysisType type) {
 
 Json analysis_json(const Model& model) {
   Json stages = Json::array();
-  for (const AnalysisStage& stage : model.analysis->stages)
+  for (const AnalysisStage& stage : model.analysis->stages) {
     stages.push_back({{"name", stage.name},
                       {"type", type_name(stage.type)},
                       {"time_step", stage.time_step},
                       {"steps", stage.steps},
                       {"dynamic_ratio", stage.share_handed_on()}});
+    if (stage.seismic) stages.back()["seismic"] = true;
+  }
   Json json{{"stages", stages},
             {"kinematics", model.analysis->large() ? "large" : "small"},
             {"contact", has_contact(model)}};
@@ -151,6 +153,13 @@ Json water_json(const Water& water) {
   if (const auto* head = std::get_if<WaterHead>(&water.level)) json["head"] = head->elevation;
   if (const auto* table = std::get_if<WaterTable>(&water.level))
     json["table"] = {{"point", table->point}, {"normal", table->normal}};
+  if (!water.course.empty()) {
+    Json rows = Json::array();
+    for (std::size_t row = 0; row < water.course.time.size(); ++row)
+      rows.push_back({water.course.time[row], water.course.value[row][0]});
+    json[std::holds_alternative<WaterHead>(water.level) ? "head_table" : "pressure_table"] = rows;
+  }
+  if (water.drained_at) json["drained_at"] = *water.drained_at;
   return json;
 }
 

@@ -110,7 +110,7 @@ std::string weaker_note(const RunReport& report, const std::vector<Confirmed>& k
 std::string loads_note(const std::vector<Confirmed>& keys) {
   if (std::none_of(keys.begin(), keys.end(), [](const Confirmed& c) { return c.other_loads; }))
     return "";
-  return "\n  Block theory counts water or a seismic coefficient here, which do not act in the "
+  return "\n  Block theory counts a seismic coefficient here, which does not act in the "
          "analysis.\n";
 }
 

@@ -35,12 +35,6 @@ bool wedges_in(const ShakenBlock& shaken, const Model& model) {
 
 std::string notes(const RunReport& report, const std::vector<ShakenBlock>& list) {
   std::string text;
-  if (newmark_has_water(report.model) &&
-      std::any_of(list.begin(), list.end(), [](const auto& s) { return s.newmark.has_value(); }))
-    text +=
-        "\n  Newmark's block stands in the water of block theory, which the analysis does not "
-        "have: the "
-        "two\n  do not move under the same loads.\n";
   if (std::any_of(list.begin(), list.end(), [](const auto& s) { return s.lifts; }))
     text += "\n  * would leave a joint for a time, where Newmark's block keeps to it.\n";
   if (std::any_of(list.begin(), list.end(),
@@ -72,11 +66,7 @@ std::string shaken_summary(const RunReport& report, std::size_t most) {
                                ? fmt::format("{}; the {} that move furthest:", list.size(), most)
                                : std::to_string(list.size());
   return fact("blocks under the record", head) + "\n" +
-         table_text({{"block", ""},
-                     {"on", "", true},
-                     {"moved", "m"},
-                     {newmark_has_water(report.model) ? "Newmark in water" : "Newmark", "m"}},
-                    rows) +
+         table_text({{"block", ""}, {"on", "", true}, {"moved", "m"}, {"Newmark", "m"}}, rows) +
          notes(report, list);
 }
 
