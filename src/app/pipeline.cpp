@@ -350,6 +350,7 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
     warn_of_lost_energy(model, *run, terminal);
     warn_of_divided_steps(model, *run, terminal);
     warn_of_made_energy(*run, terminal);
+    warn_of_deep_overlap(*run, blocks, terminal);
     warn_of_guessed_material(model, *run, terminal);
     warn_of_imbalance(model, *run, terminal);
     warn_of_missing_factors(model, *run, terminal);

@@ -180,4 +180,15 @@ void warn_of_made_energy(const RunResult& run, Terminal& terminal) {
   if (run.made.share() > largest_made_share) terminal.warn(made_energy_text(run.made));
 }
 
+void warn_of_deep_overlap(const RunResult& run, const BlockArrays& blocks, Terminal& terminal) {
+  constexpr Real much = 0.05;  // of the blocks' size: joints give way by thousandths of it
+  const Real size = size_of(blocks), depth = run.contacts.largest_penetration;
+  if (!(depth > much * size)) return;
+  terminal.warn(
+      fmt::format("at the end blocks lie in each other by up to {:.3g} m, {:.2g} % of their mean "
+                  "size: supports "
+                  "press them together, or joints are too soft (joint_material.normal_stiffness)",
+                  depth, 100 * depth / size));
+}
+
 }  // namespace rockfold

@@ -25,5 +25,7 @@ void warn_of_contact_stiffness(const Model& model, const BlockArrays& blocks, Te
 void warn_of_unbalanced_start(const Model& model, bool meet, Terminal& terminal);
 /// Blocks that moved so far in a step that contact gave them energy.
 void warn_of_made_energy(const RunResult& run, Terminal& terminal);
+/// Of blocks that lie in each other by more than a joint gives way, at the end.
+void warn_of_deep_overlap(const RunResult& run, const BlockArrays& blocks, Terminal& terminal);
 
 }  // namespace rockfold

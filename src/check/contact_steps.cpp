@@ -178,12 +178,13 @@ std::string told(const Motion& motion, Real time_step) {
         motion.size, motion.speed, way / motion.size);
   const std::string obstacle = fmt::format("rock like block {} ({:.2g} m thick)",
                                            motion.obstacle + 1, motion.obstacle_thickness);
-  return fmt::format("block {} ({:.2g} m thick) {} {:.2g} m/s and moves by {:.2g} m in a step; {}",
-                     motion.block + 1, motion.block_thickness,
-                     motion.falls ? "may fall at" : "starts at", motion.speed, way,
-                     way > motion.size ? "it may pass unseen through " + obstacle
-                                       : "an impact on " + obstacle +
-                                             " takes many iterations, or the step is divided");
+  return fmt::format(
+      "block {} ({:.2g} m thick) {} {:.2g} m/s and moves by {:.2g} m in a step; {}",
+      motion.block + 1, motion.block_thickness, motion.falls ? "may fall at" : "starts at",
+      motion.speed, way,
+      way > motion.size
+          ? "a step that would take it through " + obstacle + " is divided"
+          : "an impact on " + obstacle + " takes many iterations, or the step is divided");
 }
 
 }  // namespace

@@ -137,6 +137,11 @@ class Needs {
         found_.push_back(
             {{stage.place.file, stage.place.line, stage.place.column, stage.place.key + ".seismic"},
              "is true, but there is no support.seismic_coefficient to act"});
+    if (in_time && model_.analysis->stages.front().share_handed_on() == 0)
+      for (const InitialVelocity& start : model_.initial_velocities)
+        found_.push_back({start.place,
+                          "is a velocity at t = 0, of which the first step, quasi-static, leaves "
+                          "nothing: must begin with a dynamic step"});
     if (in_time) return;
     for (const InitialVelocity& start : model_.initial_velocities)
       found_.push_back({start.place, "has no use without type = \"dynamic\""});

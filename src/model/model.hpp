@@ -585,6 +585,7 @@ struct Water {
   std::vector<std::string>
       joints;           ///< names of joints of any kind; empty = all that no other names
   Real density = 1000;  ///< kg/m³, > 0
+  Real factor = 1;      ///< share of the pressure that stands in these joints, 0 … 1
   std::variant<WaterPressure, WaterTable, WaterHead> level;
   std::optional<bool> drains;   ///< whether free faces let the water out; none: by default
   std::optional<WaterLaw> law;  ///< none: by default

@@ -89,6 +89,9 @@ std::string water_text(const Json& water) {
                : fmt::format("table through ({}) m, normal ({})", vector_text(table.at("point")),
                              vector_text(table.at("normal")));
   }
+  if (water.contains("head_table") || water.contains("pressure_table"))
+    text += " at t = 1 s, changing over time";
+  if (water.contains("factor")) text += fmt::format(", {} of it", digits(water.at("factor")));
   if (water.at("density") != 1000) text += ", " + digits(water.at("density")) + " kg/m³";
   const std::string law = water.value("law", "hydrostatic");
   if (law == "mid_height") text += ", none at edges that drain, peak at mid-height";

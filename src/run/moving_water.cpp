@@ -54,6 +54,22 @@ void MovingWater::begin_step(Motion& motion, Real end, bool first) {
     motion.set_water(input_.covers, input_.water->at(end, input_.covers));
 }
 
+std::optional<WaterInJoints> MovingWater::at_end(const Motion& motion) {
+  if (!any()) return {};
+  WaterInJoints water;
+  const std::vector<Real> share = shares(motion);
+  const LoadPoints points = input_.water->at(motion.time(), input_.covers);
+  for (std::size_t n = 0; n < points.side.size(); ++n) {
+    const Real force = 0.5 * points.pressure[n] * norm(points.area[n]);  // of two sides
+    water.whole_force += force;
+    water.force += share[points.side[n]] * force;
+    if (share[points.side[n]] > 0)
+      water.largest_pressure = std::max(water.largest_pressure, points.pressure[n]);
+  }
+  for (const JointWater::Side& side : input_.water->sides()) water.area += 0.5 * side.area;
+  return water;
+}
+
 void MovingWater::restore(Motion& motion) const {
   if (any()) motion.set_water_now(input_.covers, input_.water->at(motion.time(), input_.covers));
 }

@@ -1,6 +1,7 @@
 // Water in joints while blocks move: how high it stands, and on how much of each joint's sides it presses.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "kernels/time/motion.hpp"
@@ -21,6 +22,8 @@ class MovingWater {
   void begin_step(Motion& motion, Real end, bool first);
   /// Of a motion restored from bytes.
   void restore(Motion& motion) const;
+  /// As it stands at the end.
+  std::optional<WaterInJoints> at_end(const Motion& motion);
   void pass(Archive& archive) { archive.pass(left_); }
 
  private:

@@ -585,6 +585,7 @@ void Run::summarise() {
   find_imbalance();
   if (input_.contact) {
     result.met = met_surfaces(model, motion_.surfaces_that_met());
+    result.water = water_.at_end(motion_);
     result.rest =
         find_rest(input_, result.blocks, in_all,
                   average_block_motion(input_.covers, moments_, motion_.state().velocity, blocks),
@@ -606,7 +607,7 @@ StageKeys keys_of_analysis(const Model& model) {
                   "quiet_boundary", "initial_velocity", "initial_stress", "base_acceleration",
                   "monitor", "analysis", "step", "solver", "output"}};
   if (has_contact(model))
-    for (const char* section : {"joint_material", "contact", "reduction", "water"})
+    for (const char* section : {"joint_material", "contact", "contact_pair", "reduction", "water"})
       keys.keys.emplace_back(section);
   if (std::any_of(model.tables.begin(), model.tables.end(), std::mem_fn(&TableFile::is_history)))
     keys.keys.emplace_back("table");

@@ -171,6 +171,14 @@ struct MadeEnergy {
   Real share() const { return turned_over > 0 ? energy / turned_over : 0; }
 };
 
+/// Water in the joints between blocks.
+struct WaterInJoints {
+  Real area = 0;              ///< m², of wet joints as they were cut, each counted once
+  Real largest_pressure = 0;  ///< Pa, at the end
+  Real force = 0;             ///< N, on one side of all joints together, at the end …
+  Real whole_force = 0;       ///< N, … and what it would be on all of their area
+};
+
 /// A stage's steps that were taken by explicit substeps.
 struct BySubsteps {
   Index stage = 0;
@@ -205,6 +213,7 @@ struct RunResult {
   ContactHistory contact_history;    ///< at the times of the energies; empty without contact
   std::optional<Rest> rest;          ///< with contact
   std::vector<MetSurfaces> met;      ///< likewise: in all steps
+  std::optional<WaterInJoints> water;
   std::optional<Unbalanced> unbalanced;  ///< of the last step, where that is quasi-static
   std::vector<BlockCourse> courses;      ///< [B] with contact
   std::vector<std::uint8_t> gone;        ///< [B] 1: excavated on the way; empty where nothing goes

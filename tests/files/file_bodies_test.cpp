@@ -97,6 +97,42 @@ TEST(FileBodies, BecomeSolidsWithAllOfTheirEntry) {
   EXPECT_EQ(files_named_by(model).size(), 3u);
 }
 
+/// Two boxes, the second from `x` on, in the middle of the end of the first.
+std::string pegged(Real x) {
+  const TemporaryFolder folder;
+  std::string text;
+  int first = 1;
+  for (const PlainMesh& box :
+       {box_mesh({0, 0, 0}, {1, 1, 1}), box_mesh({x, 0.25, 0.25}, {2, 0.75, 0.75})}) {
+    text += first == 1 ? "o base\n" : "o peg\n";
+    for (const Vec3& v : box.vertices)
+      text += "v " + std::to_string(v[0]) + " " + std::to_string(v[1]) + " " +
+              std::to_string(v[2]) + "\n";
+    for (const auto& face : box.faces) {
+      text += "f";
+      for (const int corner : face) text += " " + std::to_string(first + corner);
+      text += "\n";
+    }
+    first += 8;
+  }
+  folder.write("two.obj", text);
+  Model model = parse_model(
+      "[[material]]\ndensity = 1\n[[joint_material]]\nname = \"m\"\nfriction_angle = 30\n"
+      "[[solid]]\nshape = \"mesh\"\nfile = \"two.obj\"\nbodies = \"separate\"\ninterface = "
+      "\"m\"\n",
+      folder.path("m.toml"), {}, Purpose::cut, file_bodies);
+  load_files(model);
+  std::string warnings;
+  for (const Diagnostic& warning : model.warnings) warnings += warning.message + "\n";
+  return warnings;
+}
+
+TEST(FileBodies, ThatLieInEachOtherAreTold) {
+  EXPECT_EQ(pegged(1), "");
+  const std::string told = pegged(0.9);
+  EXPECT_NE(told.find("\"peg\" lies in \"base\" by 0.1 m"), std::string::npos) << told;
+}
+
 TEST(FileBodies, BelongToMeshes) {
   const auto errors = errors_of_reading([] {
     parse_model(

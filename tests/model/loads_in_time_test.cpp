@@ -23,6 +23,12 @@ TEST(LoadsInTime, AreRefusedWhereNothingMoves) {
     expect_error(
         {model_of(type, start).c_str(), 18, 0, "initial_velocity[1]", "type = \"dynamic\""},
         Purpose::run);
+  expect_error({model_of("dynamic", start + "[[step]]\ntype = 'quasi_static'\n[[step]]\n").c_str(),
+                18, 0, "initial_velocity[1]", "must begin with a dynamic step"},
+               Purpose::run);
+  expect_error({model_of("dynamic", "[[step]]\nseismic = true\n").c_str(), 18, 0, "step[1].seismic",
+                "no support.seismic_coefficient"},
+               Purpose::run);
   EXPECT_TRUE(errors_of(model_of("dynamic", base + start), {}, Purpose::run).empty());
   EXPECT_TRUE(errors_of(model_of("quasi_static", base), {}, Purpose::run).empty());
 }

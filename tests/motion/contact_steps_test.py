@@ -61,7 +61,7 @@ class ContactSteps(ProgramTest):
         line = model.count("\n") + 1
         # From 6 cm on, half of both thicknesses, its centre is behind the slab's after a step; contact finds its way through 1.2 mm.
         self.warned(model + analysed(0.01) + thrown(STONE), f"m.toml:{line}:1: analysis.time_step: is 0.01 s, long for contact: "
-                    "block 3 (0.1 m thick) starts at 10 m/s and moves by 0.1 m in a step; it may pass unseen through rock like block 1 (0.02 m thick). "
+                    "block 3 (0.1 m thick) starts at 10 m/s and moves by 0.1 m in a step; a step that would take it through rock like block 1 (0.02 m thick) is divided. "
                     "0.0001 s is a good start")
         self.warned(model + analysed(0.005) + thrown(STONE), "an impact on rock like block 1 (0.02 m thick) takes many iterations, or the step is divided")
         self.assertEqual(self.warnings(model + analysed(0.001) + thrown(STONE)), [])
@@ -86,7 +86,7 @@ class ContactSteps(ProgramTest):
     def test_of_a_small_block_that_falls(self):
         """By 5 m: at 9.9 m/s, and no faster than 9.81 m/s² for as long as the analysis takes."""
         model = BLOCKS + held(SLAB, ROCK)
-        self.warned(model + analysed(0.01, 102), "block 3 (0.1 m thick) may fall at 9.9 m/s and moves by 0.099 m in a step; it may pass unseen through rock like block 1")
+        self.warned(model + analysed(0.01, 102), "block 3 (0.1 m thick) may fall at 9.9 m/s and moves by 0.099 m in a step; a step that would take it through rock like block 1")
         self.assertEqual(self.warnings(model + analysed(0.01, 12)), [])  # 1.2 m/s: 12 mm
         self.warned(model + analysed(0.01, 13), "may fall at 1.3 m/s and moves by 0.013 m", "an impact on rock like block 1")
         self.assertEqual(self.warnings(BLOCKS + held(SLAB, ROCK, STONE) + analysed(0.01, 102)), [])

@@ -109,5 +109,25 @@ TEST(Rebound, LosesNothingWhereRestitutionIsOne) {
   for (const Real top : tops) EXPECT_NEAR(top, 1, 0.02);
 }
 
+/// Without friction nothing of a plastic impact stays but rounding, which turns nothing.
+TEST(Rebound, OfASmoothBlockIsNoneAtRestitutionZero) {
+  std::string model = model_of({.restitution = 0, .scheme = "implicit"});
+  const std::string friction = "friction_angle = 30";
+  model.replace(model.find(friction), friction.size(), "friction_angle = 0");
+  for (const Real size : {1.0, 0.1}) {
+    SCOPED_TRACE(size);
+    if (size < 1) {
+      const std::string box = "min = [-0.5, -0.5, 1]\nmax = [0.5, 0.5, 2]";
+      model.replace(model.find(box), box.size(),
+                    "min = [-0.05, -0.05, 1]\nmax = [0.05, 0.05, 1.1]");
+      model.replace(model.find("point = [0, 0, 1.5]"), 19, "point = [0, 0, 1.05]");
+    }
+    const RunResult run = run_model(model).result;
+    EXPECT_LT(run.made.share(), 1e-2);
+    EXPECT_NEAR(run.monitors[0].displacement.back()[2], -1, 2e-3);
+    EXPECT_TRUE(run.rest->at_rest);
+  }
+}
+
 }  // namespace
 }  // namespace rockfold

@@ -76,6 +76,11 @@ const std::string settled =
     "[[step]]\ntype = 'quasi_static'\ntime_step = 0.05\nsteps = 5\n"
     "[[step]]\ntype = 'dynamic'\ntime_step = 0.01\nend_time = 0.6\nreset_displacement = true\n";
 
+TEST(WaterInMotion, IsAShareOfItsPressure) {
+  EXPECT_EQ(way(OnPlane{.water = "pressure = 24e3\nfactor = 0.5"}.model()),
+            way(OnPlane{.water = "pressure = 12e3"}.model()));
+}
+
 TEST(WaterInMotion, LetsGoAtThePressureOfLimitEquilibrium) {
   const Real limit =
       density * gravity * (std::cos(30 * degree) - std::sin(30 * degree) / std::tan(35 * degree));

@@ -11,6 +11,7 @@
 
 #include "host/cut/cells/patch.hpp"
 #include "host/files/bodies/common_planes.hpp"
+#include "host/files/bodies/overlapping.hpp"
 #include "host/files/bodies/touching.hpp"
 #include "host/refuse.hpp"
 #include "src/base/vector.hpp"
@@ -147,6 +148,22 @@ class Fitter {
   std::string farthest_;
 };
 
+void warn_of_overlap(const std::vector<Solid*>& solids, const Rounding& rounding, Model& model) {
+  std::vector<const TriangleSurface*> surfaces;
+  for (const Solid* solid : solids) surfaces.push_back(&surface_of(*solid));
+  const Overlap overlap = find_overlap(surfaces, 2 * rounding.tolerance);
+  if (overlap.count == 0) return;
+  const Solid &in = *solids[overlap.body], &around = *solids[overlap.other];
+  model.warnings.push_back(
+      {around.place,
+       fmt::format("\"{}\" lies in \"{}\" by {:.3g} m, far more than the rounding of their "
+                   "files{}: where solids overlap the rock is that of the later one, and the other "
+                   "is carved by it",
+                   in.name, around.name, overlap.depth,
+                   overlap.count > 1 ? fmt::format(" (the deepest of {} such pairs)", overlap.count)
+                                     : "")});
+}
+
 }  // namespace
 
 void fit_bodies(Model& model) {
@@ -154,6 +171,7 @@ void fit_bodies(Model& model) {
   std::vector<Solid*> solids = solids_of_meshes(model);
   if (solids.size() < 2) return;
   const Rounding rounding = rounding_of(solids, model);
+  warn_of_overlap(solids, rounding, model);
   Fitter fitter(std::move(solids), rounding);
   model.body_fit = fitter.run();
   if (!model.body_fit) return;

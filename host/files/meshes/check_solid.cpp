@@ -59,8 +59,8 @@ struct Found {
 
 class SolidCheck {
  public:
-  SolidCheck(const MeshTriangles& mesh, Faults& faults)
-      : mesh_(mesh), surface_(mesh.surface), faults_(faults) {}
+  SolidCheck(const MeshTriangles& mesh, Faults& faults, MeshHint hint)
+      : mesh_(mesh), surface_(mesh.surface), faults_(faults), hint_(hint) {}
 
   void run() {
     pair_sides();
@@ -71,6 +71,18 @@ class SolidCheck {
   }
 
  private:
+  /// Behind what several bodies in one look like.
+  const char* hint() const {
+    switch (hint_) {
+      case MeshHint::nothing:
+        break;
+      case MeshHint::may_be_bodies:
+        return "; if these are several bodies: bodies = \"separate\"";
+      case MeshHint::bodies_share_corners:
+        return "; bodies that share corners need a line `o` each, or corners of their own";
+    }
+    return "";
+  }
   std::string point(Index v) const { return point_text(surface_.vertices[static_cast<SizeT>(v)]); }
   int line_of(Index side) const { return mesh_.line[static_cast<SizeT>(side / 3)]; }
   std::string edge_text(const Side& side) const {
@@ -106,8 +118,8 @@ class SolidCheck {
       faults_.add(
           crowded.line, 0,
           fmt::format("two triangles of a solid's surface must meet at each edge: more do at "
-                      "{}, the first {}; if these are several bodies: bodies = \"separate\"",
-                      counted(crowded.count, "edge"), crowded.where));
+                      "{}, the first {}{}",
+                      counted(crowded.count, "edge"), crowded.where, hint()));
     if (clashing.count > 0)
       faults_.add(clashing.line, 0,
                   fmt::format("neighbouring triangles must be oriented alike (counter-clockwise "
@@ -165,10 +177,10 @@ class SolidCheck {
     const auto [a, b] = *std::min_element(pairs.begin(), pairs.end());
     faults_.fail(mesh_.line[a], 0,
                  fmt::format("the surface of a solid must not intersect itself: {}{} of triangles "
-                             "do, the first {} and {}",
+                             "do, the first {} and {}{}",
                              counted(pairs.size(), "pair"),
                              pairs.size() == most_intersections ? " or more" : "", triangle_text(a),
-                             triangle_text(b)));
+                             triangle_text(b), hint()));
   }
 
   void find_inverted_shells() {
@@ -208,14 +220,15 @@ class SolidCheck {
   const MeshTriangles& mesh_;
   const TriangleSurface& surface_;
   Faults& faults_;
+  MeshHint hint_;
   std::vector<Index> opposite_;  ///< [sides] the side of the neighbour
   Mesh cgal_;
 };
 
 }  // namespace
 
-void check_solid(const MeshTriangles& mesh, Faults& faults) {
-  SolidCheck(mesh, faults).run();
+void check_solid(const MeshTriangles& mesh, Faults& faults, MeshHint hint) {
+  SolidCheck(mesh, faults, hint).run();
 }
 
 }  // namespace rockfold

@@ -31,6 +31,8 @@ using Triangle = std::array<Index, 3>;
 /// Deviation from a plane over the size of a face that is taken for rounding in the file: six digits
 /// of coordinates, faces of a thousandth of the whole.
 constexpr Real planar_tolerance = 1e-3;
+/// Of a polygon's size: a digit that takes its corners further off their plane is no rounding (as of [contact] tolerance).
+constexpr Real most_rounding = 0.05;
 
 /// For each vertex the first one of the same coordinates.
 std::vector<Index> identical_vertices(const std::vector<Vec3>& vertices) {
@@ -68,15 +70,15 @@ std::vector<Point2> projected(const std::vector<Vec3>& corners, const Vec3& norm
   return points;
 }
 
-/// "" or what is wrong with the polygon's plane.
-std::string plane_fault(const std::vector<Vec3>& corners, const Vec3& area) {
+/// "" or what is wrong with the polygon's plane, whose corners are rounded to `digit`.
+std::string plane_fault(const std::vector<Vec3>& corners, const Vec3& area, Real digit) {
   if (!(norm(area) > 0)) return "has no area";
   const Vec3 normal = normalized(area);
   Real size = 0;
   for (const auto& corner : corners) size = std::max(size, norm(corner - corners[0]));
   for (const auto& corner : corners) {
     const Real distance = std::abs(dot(normal, corner - corners[0]));
-    if (distance > planar_tolerance * size)
+    if (distance > std::max(planar_tolerance * size, std::min(2 * digit, most_rounding * size)))
       return fmt::format(
           "must be planar, but its corner {} lies {:.3g} m off the plane: split it "
           "into triangles",
@@ -142,10 +144,11 @@ std::vector<Triangle> triangulated(const std::vector<Point2>& points) {
 
 class TriangleMaker {
  public:
-  TriangleMaker(const PolygonSoup& soup, bool drop_collapsed, Faults& faults)
+  TriangleMaker(const PolygonSoup& soup, bool drop_collapsed, Faults& faults, Real digit)
       : soup_(soup),
         drop_collapsed_(drop_collapsed),
         faults_(faults),
+        digit_(digit),
         first_(identical_vertices(soup.vertices)),
         number_(soup.vertices.size(), none) {}
 
@@ -174,7 +177,7 @@ class TriangleMaker {
     std::vector<Vec3> points;
     for (const Index corner : corners) points.push_back(position(corner));
     const Vec3 area = vector_area(points);
-    auto fault = plane_fault(points, area);
+    auto fault = plane_fault(points, area, digit_);
     std::vector<Triangle> triangles;
     if (fault.empty()) {
       const auto plane = projected(points, area);
@@ -229,6 +232,7 @@ class TriangleMaker {
   const PolygonSoup& soup_;
   bool drop_collapsed_;
   Faults& faults_;
+  Real digit_;
   std::vector<Index> first_, number_;
   MeshTriangles mesh_;
   std::size_t without_area_ = 0;
@@ -238,8 +242,9 @@ class TriangleMaker {
 
 }  // namespace
 
-MeshTriangles make_triangles(const PolygonSoup& soup, bool drop_collapsed, Faults& faults) {
-  return TriangleMaker(soup, drop_collapsed, faults).make();
+MeshTriangles make_triangles(const PolygonSoup& soup, bool drop_collapsed, Faults& faults,
+                             Real digit) {
+  return TriangleMaker(soup, drop_collapsed, faults, digit).make();
 }
 
 }  // namespace rockfold

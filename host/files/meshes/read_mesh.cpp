@@ -48,9 +48,10 @@ TriangleSurface read_mesh(std::string_view bytes, MeshFormat format, MeshUse use
   Faults faults(place);
   const bool is_solid = use == MeshUse::solid;
   const PolygonSoup soup = read_soup(bytes, format, faults);
-  MeshTriangles mesh = make_triangles(soup, is_solid, faults);
-  if (is_solid) check_solid(mesh, faults);
-  mesh.surface.last_digit = last_digit(soup.vertices, soup.single_precision);
+  const Real digit = last_digit(soup.vertices, soup.single_precision);
+  MeshTriangles mesh = make_triangles(soup, is_solid, faults, is_solid ? digit : 0);
+  if (is_solid) check_solid(mesh, faults, MeshHint::may_be_bodies);
+  mesh.surface.last_digit = digit;
   if (warnings && soup.single_precision)
     if (auto found = coarse_coordinates(mesh.surface, is_solid, place))
       warnings->push_back(std::move(*found));
@@ -63,8 +64,8 @@ std::vector<FileBody> read_bodies(std::string_view bytes, MeshFormat format, con
   const Real digit = last_digit(whole.vertices, whole.single_precision);
   std::vector<FileBody> bodies;
   for (const SoupBody& body : separate_bodies(whole, format == MeshFormat::stl)) {
-    MeshTriangles mesh = make_triangles(body.soup, true, faults);
-    check_solid(mesh, faults);
+    MeshTriangles mesh = make_triangles(body.soup, true, faults, digit);
+    check_solid(mesh, faults, MeshHint::bodies_share_corners);
     mesh.surface.last_digit = digit;
     bodies.push_back({body.name, std::make_shared<TriangleSurface>(std::move(mesh.surface))});
   }

@@ -21,8 +21,8 @@ const Water* water_of(const std::vector<Water>& waters, const std::string& joint
 
 LinearPressure linear_pressure(const Water& water, const Vec3& gravity) {
   if (const auto* constant = std::get_if<WaterPressure>(&water.level))
-    return {.at_origin = constant->value, .gradient = {}};
-  const Real weight = water.density * norm(gravity);
+    return {.at_origin = water.factor * constant->value, .gradient = {}};
+  const Real weight = water.factor * water.density * norm(gravity);
   const Vec3 up = -normalized(gravity);
   if (const auto* head = std::get_if<WaterHead>(&water.level))
     return {.at_origin = weight * head->elevation, .gradient = -weight * up};

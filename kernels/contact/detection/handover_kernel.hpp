@@ -61,12 +61,12 @@ KOKKOS_INLINE_FUNCTION bool rides(const ContactPoint& p, const Array<JointLaw>& 
 }
 
 /// What a point born into a pair remembers: it is as whole as all were that the pair had; those that ride have slipped and are opened by
-/// dilation as it is in the mean; and the mean closing speed of those that touched is the one that its rebound is measured by: an impact goes
-/// on where corners change their names in it.
+/// dilation as it is in the mean; and the mean closing speed of those that touched is the one that its rebound is measured by, and what they store
+/// in the mean what it has stored: an impact goes on where corners change their names in it.
 KOKKOS_INLINE_FUNCTION ContactMemory memory_of_newborn(const Span& old,
                                                        const Array<JointLaw>& laws) {
   ContactMemory newborn;
-  Real dilation = 0, slip = 0, riding = 0, approach = 0, touching = 0;
+  Real dilation = 0, slip = 0, riding = 0, approach = 0, pressed = 0, touching = 0;
   newborn.met = newborn.loose = newborn.parting = 1;
   for (Index j = 0; j < old.count; ++j) {
     const ContactMemory& memory = old[j].memory;
@@ -75,6 +75,7 @@ KOKKOS_INLINE_FUNCTION ContactMemory memory_of_newborn(const Span& old,
     newborn.loose = newborn.loose && memory.loose;
     if (memory.state != Contact::open) {
       approach += old[j].area * memory.approach;
+      pressed += old[j].area * memory.pressed * memory.pressed;
       touching += old[j].area;
       newborn.parting = newborn.parting && memory.parting;
     }
@@ -87,10 +88,12 @@ KOKKOS_INLINE_FUNCTION ContactMemory memory_of_newborn(const Span& old,
     newborn.dilation = dilation / riding;
     newborn.slip = slip / riding;
   }
-  if (touching > 0)
+  if (touching > 0) {
     newborn.approach = approach / touching;
-  else
+    newborn.pressed = math::sqrt(pressed / touching);
+  } else {
     newborn.parting = 0;
+  }
   return newborn;
 }
 
@@ -132,7 +135,10 @@ KOKKOS_INLINE_FUNCTION void hand_over_shear(const Span& old, const Span& now,
     ContactPoint& p = now[i];
     bool lives = false;
     for (Index j = 0; j < old.count && !lives; ++j) lives = old[j].key == p.key;
-    if (lives || !(p.gap_before < p.memory.dilation)) continue;
+    if (lives) continue;
+    p.memory.pressed =
+        math::fmin(p.memory.pressed, math::fmax(0.0, p.memory.dilation - p.gap_before));
+    if (!(p.gap_before < p.memory.dilation)) continue;
     Vector n, a;
     frame(p, n, a);
     p.memory.state = Contact::stick;

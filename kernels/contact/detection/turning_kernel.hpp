@@ -8,8 +8,8 @@
 
 namespace rockfold::contact {
 
-/// Turning over sliding, as speeds in the mean square over the area: from the first on faces turn, below the other they no longer do. The
-/// torque depends on the second moment alone in the limit of none, and to 1 % up to there.
+/// Turning over all other motion of the faces, as speeds in the mean square over the area: from the first on faces turn, below the other they no
+/// longer do. The torque depends on the second moment alone in the limit of none, and to 1 % up to there.
 inline constexpr Real turns_from = 0.1, turns_until = 0.05;
 
 /// Of the points' radius of gyration: nearer to the centre than that, points may stick while faces turn.
@@ -27,23 +27,23 @@ KOKKOS_INLINE_FUNCTION Vector place_of(const ContactPoint& p, const Field& x) {
 KOKKOS_INLINE_FUNCTION bool turns_in_plane(const Span& points, const Field& x, const Field& v,
                                            bool did) {
   Real area = 0;
-  Vector centre, speed;
+  Vector centre;
   for (Index i = 0; i < points.count; ++i) {
     const ContactPoint& p = points[i];
     if (p.memory.state == Contact::open) return false;
     area += p.area;
     centre = centre + p.area * place_of(p, x);
-    speed = speed + p.area * between(p, v);
   }
   if (!(area > 0)) return false;
   centre = (1 / area) * centre;
-  speed = (1 / area) * speed;
   const Vector n = to_vector(points[0].normal);
-  Real second = 0, momentum = 0;
+  Real second = 0, momentum = 0, motion = 0;
   for (Index i = 0; i < points.count; ++i) {
     const Vector r = place_of(points[i], x) - centre;
     second += points[i].area * dot(r, r);
-    momentum += points[i].area * dot(n, cross(r, between(points[i], v)));
+    const Vector speed = between(points[i], v);
+    momentum += points[i].area * dot(n, cross(r, speed));
+    motion += points[i].area * dot(speed, speed);
   }
   for (Index i = 0; i < points.count; ++i) {
     const Vector r = place_of(points[i], x) - centre;
@@ -51,9 +51,8 @@ KOKKOS_INLINE_FUNCTION bool turns_in_plane(const Span& points, const Field& x, c
         dot(r, r) * area > outer_radius * outer_radius * second)
       return did;
   }
-  const Vector along = speed - dot(speed, n) * n;
-  const Real turning = math::fabs(momentum), sliding = length(along) * math::sqrt(area * second);
-  return turning > (did ? turns_until : turns_from) * sliding;
+  const Real turning = momentum * momentum / second, least = did ? turns_until : turns_from;
+  return turning > least * least * (motion - turning);
 }
 
 }  // namespace rockfold::contact

@@ -26,10 +26,14 @@ void read_contact(Draft& draft) {
 
 namespace {
 
-/// A surface by the name of its joint material, or of the solid whose free face it is; none where there is no such name.
-Index surface_named(Draft& draft, const std::string& name) {
-  if (const Index material = draft.joint_materials.find(name); material != none) return material;
-  const Index solid = draft.solids.find(name);
+/// A surface by the name of its joint material, or of the solid whose face it is; none where there is no such name.
+Index surface_named(Draft& draft, const std::string& name, TableReader& in) {
+  const Index material = draft.joint_materials.find(name), solid = draft.solids.find(name);
+  if (material != none && solid != none)
+    in.wrong("between", "\"" + name +
+                            "\" is the name of a joint material and of a solid: give them "
+                            "different names");
+  if (material != none) return material;
   if (solid == none) return none;
   std::vector<Index>& solids = draft.model.contact_solids;
   const auto found = std::find(solids.begin(), solids.end(), solid);
@@ -50,7 +54,7 @@ bool read_between(TableReader& in, Draft& draft, ContactPair& pair) {
   }
   for (int side = 0; side < 2; ++side) {
     const auto* name = std::get_if<std::string>(&(*list)[side].data);
-    pair.between[side] = name ? surface_named(draft, *name) : none;
+    pair.between[side] = name ? surface_named(draft, *name, in) : none;
     if (pair.between[side] != none) continue;
     if (!name || (draft.joint_materials.complete() && draft.solids.complete()))
       in.wrong("between", name ? "no joint material and no solid is called \"" + *name + "\""
@@ -68,8 +72,12 @@ void read_contact_pairs(Draft& draft) {
     const bool known = read_between(in, draft, pair);
     if (known && !in.has("material"))
       in.missing({"material"}, "the joint material that these two surfaces give");
-    if (in.read_reference("material", draft.joint_materials, pair.material) && known)
-      draft.model.contact_pairs.push_back(pair);
+    if (!in.read_reference("material", draft.joint_materials, pair.material) || !known) return;
+    for (const ContactPair& other : draft.model.contact_pairs)
+      if (std::minmax(pair.between[0], pair.between[1]) ==
+          std::minmax(other.between[0], other.between[1]))
+        in.wrong("between", "names two surfaces that an entry before names too");
+    draft.model.contact_pairs.push_back(pair);
   });
 }
 

@@ -159,6 +159,7 @@ void read_waters(Draft& draft) {
       default_given = true;
     }
     in.read("density", water.density, positive("kg/m3"), Need::optional);
+    in.read("factor", water.factor, between(0, 1, "of the pressure"), Need::optional);
     read_level(in, water);
     read_law(in, water);
     read_opening(in, water);

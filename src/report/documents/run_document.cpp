@@ -269,6 +269,11 @@ Json run_document(const DocumentHead& head, const RunReport& report, BlockList l
   document["contacts"] = contacts_json(report);
   document["contacts_history"] = contacts_history_json(report.run);
   if (report.run.rest) document["rest"] = rest_json(report);
+  if (const auto& water = report.run.water)
+    document["water"] = {{"area", water->area},
+                         {"largest_pressure", water->largest_pressure},
+                         {"force", water->force},
+                         {"whole_force", water->whole_force}};
   if (!report.run.gone.empty()) document["excavation"] = excavation_json(report);
   if (const auto& unbalanced = report.run.unbalanced)
     document["unbalanced"] = {

@@ -159,6 +159,7 @@ Json water_json(const Water& water) {
       rows.push_back({water.course.time[row], water.course.value[row][0]});
     json[std::holds_alternative<WaterHead>(water.level) ? "head_table" : "pressure_table"] = rows;
   }
+  if (water.factor != 1) json["factor"] = water.factor;
   if (water.drained_at) json["drained_at"] = *water.drained_at;
   return json;
 }

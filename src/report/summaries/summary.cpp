@@ -261,6 +261,19 @@ std::string excavation_facts(const RunReport& report) {
   return text;
 }
 
+std::string water_fact(const RunReport& report) {
+  const auto& water = report.run.water;
+  if (!water) return "";
+  const Real share = water->whole_force > 0 ? water->force / water->whole_force : 1;
+  return fact("water in joints",
+              fmt::format("up to {:.4g} kPa on {:.4g} m2, {:.4g} kN on either side{}",
+                          1e-3 * water->largest_pressure, water->area, 1e-3 * water->force,
+                          share > 0.999 ? ""
+                                        : fmt::format("; {:.3g} % of what it would be had nothing "
+                                                      "slid off or opened",
+                                                      100 * share)));
+}
+
 /// Of which law holds where that is not plain: faces of two materials, or of none.
 std::string met_facts(const RunReport& report) {
   std::string text;
@@ -287,7 +300,7 @@ std::string rest_facts(const RunReport& report) {
   if (const auto weaker = materials_that_lose_strength(report.model, report.blocks);
       !weaker.empty())
     text += fact("strength lost by slip", strength_loss_text(weaker));
-  text += met_facts(report);
+  text += water_fact(report) + met_facts(report);
   const ContactCount& c = report.run.contacts;
   return text + fact("contact points", fmt::format("{} stick, {} slide, {} open", grouped(c.stick),
                                                    grouped(c.slide), grouped(c.open)));
