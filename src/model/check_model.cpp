@@ -137,7 +137,7 @@ class Needs {
         found_.push_back(
             {{stage.place.file, stage.place.line, stage.place.column, stage.place.key + ".seismic"},
              "is true, but there is no support.seismic_coefficient to act"});
-    if (in_time && model_.analysis->stages.front().share_handed_on() == 0)
+    if (in_time && model_.analysis->stages.front().type == AnalysisType::quasi_static)
       for (const InitialVelocity& start : model_.initial_velocities)
         found_.push_back({start.place,
                           "is a velocity at t = 0, of which the first step, quasi-static, leaves "

@@ -117,7 +117,7 @@ std::string pegged(Real x) {
   }
   folder.write("two.obj", text);
   Model model = parse_model(
-      "[[material]]\ndensity = 1\n[[joint_material]]\nname = \"m\"\nfriction_angle = 30\n"
+      "[[material]]\ndensity = 2600\n[[joint_material]]\nname = \"m\"\nfriction_angle = 30\n"
       "[[solid]]\nshape = \"mesh\"\nfile = \"two.obj\"\nbodies = \"separate\"\ninterface = "
       "\"m\"\n",
       folder.path("m.toml"), {}, Purpose::cut, file_bodies);
