@@ -53,7 +53,7 @@
 
 namespace rockfold {
 
-/// Restitution is held to this share of the closing speed, and to this share of rebounds that are a tenth of it or more.
+/// Restitution is held to this share of the closing speed, and to half this share of rebounds that are a tenth of it or more: heights go by twice that, bounce by bounce.
 inline constexpr Real restitution_error = 0.01;
 
 /// Residual cohesion is no more than this times the pressure: all of it from a tenth of it on.

@@ -135,9 +135,9 @@ KOKKOS_INLINE_FUNCTION Pressure momentary_impact(Real k, const ImpactRule& rule,
   return p;
 }
 
-/// Of the closing speed, by how much a rebound may be too fast: that share of the rebound itself, which is no slower than a tenth.
+/// Of the closing speed, by how much a rebound may be too fast. Where nothing rebounds, the time in which a load relaxes goes with its inverse.
 KOKKOS_INLINE_FUNCTION Real rebound_error(const ImpactRule& rule) {
-  return restitution_error * (rule.restitution > 0 ? larger(rule.restitution, 0.1) : 1);
+  return restitution_error * (rule.restitution > 0 ? 0.5 * larger(rule.restitution, 0.1) : 1);
 }
 
 /// Of a point that has been open before; g: gap less dilation at both ends of the step (law.hpp, "Impact").
