@@ -190,7 +190,7 @@ def sink(kind, half, weight, stiffness):
 
 
 def random_rebounds(program, full):
-    """Boxes that fall on a face, an edge or a vertex come up to e² of their height, each time: up to six times, while a flight takes fifty steps and
+    """Boxes that fall on a face, an edge or a vertex come up to e² of their height, each time: up to six times, while a flight takes sixty steps and
     is many times as high as the box sinks into its joint at rest, and before it tumbles: what turns it a little, if by rounding, turns it a
     hundred times as much after the next impact."""
     found = Findings("random_rebounds", "Boxes that rebound")
@@ -209,7 +209,7 @@ def random_rebounds(program, full):
         lowest = min((corner + lift)[2] for corner in corners for lift in (0 * top, top))
         centre = np.array([0, 0, height - lowest])
         fall, tops = math.sqrt(2 * height / G), 6
-        low = max(G / 8 * (50 * step)**2, 20 * sink(kind, half, 2600 * 8 * half.prod() * G, stiffness))
+        low = max(G / 8 * (60 * step)**2, 20 * sink(kind, half, 2600 * 8 * half.prod() * G, stiffness))
         while tops > 1 and height * restitution**(2 * tops) < low:
             tops -= 1
         seconds = fall * (1 + 2 * sum(restitution**n for n in range(1, tops + 1)))
