@@ -13,7 +13,7 @@
 namespace rockfold {
 
 /// [[water]] and support.water_pressure on the areas that blocks share when the joints are cut. Both sides of an area have the same pressure: that of
-/// block theory on the smaller of the two faces, whose edges let the water out.
+/// block theory on the smaller of the two faces, whose edges let the water out; of two alike that of the smaller block.
 class JointWater {
  public:
   /// Covering::pieces must still be there; `blocks` and `model` must live as long.
