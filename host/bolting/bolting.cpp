@@ -201,36 +201,6 @@ bool is_less_safe_now(const Keyblock& key, const BlockSupport& support) {
          !(support.held.factor_of_safety >= (1 - rounding) * key.factor_of_safety);
 }
 
-void drill_pattern(const BlockArrays& blocks, const Model& model, const BoltPattern& pattern,
-                   BoltingReport& report) {
-  const std::vector<Wall> walls = walls_of(blocks, model, pattern);
-  auto bolts = pattern_collars(walls, blocks, pattern);
-  std::string names;
-  Real area = 0;
-  for (std::size_t w = 0; w < walls.size(); ++w) {
-    names += (w == 0 ? "" : ", ") + pattern.on[w].name;
-    area += walls[w].area();
-  }
-  if (bolts.empty())
-    refuse(pattern.place, pattern.place.key,
-           "lays no bolt on \"" + names +
-               "\": inclination or direction leave out all of its faces, or its spacing and offset "
-               "miss them");
-  for (Bolt& bolt : bolts) bolt.group = static_cast<Index>(report.groups.size());
-  report.groups.push_back(
-      {pattern.name, pattern.type, true, std::move(names), static_cast<Index>(bolts.size()), area});
-  report.bolts.insert(report.bolts.end(), bolts.begin(), bolts.end());
-}
-
-void require_rock(const Model& model, const BoltingReport& report) {
-  for (const Bolt& bolt : report.bolts) {
-    if (!bolt.rock.empty() || report.groups[bolt.group].is_pattern) continue;
-    const auto& spot = model.bolts[bolt.group];
-    refuse(spot.place, spot.place.key + ".collar",
-           "the bolt meets no rock from here over its length");
-  }
-}
-
 }  // namespace
 
 void leave_out_excavated(const BlockArrays& blocks, std::vector<Bolt>& bolts) {
@@ -300,21 +270,11 @@ void judge_support(const SupportedRock& rock, BoltingReport& report) {
 BoltingReport support_blocks(const BlockArrays& blocks, const KeyblockReport& keyblocks,
                              const Model& model) {
   BoltingReport report;
-  for (const SpotBolt& bolt : model.bolts) {
-    report.bolts.push_back({static_cast<Index>(report.groups.size()),
-                            1,
-                            bolt.collar,
-                            bolt.direction,
-                            bolt.length,
-                            {},
-                            {}});
-    report.groups.push_back({bolt.name, bolt.type, false, "", 1, 0});
-  }
-  for (const BoltPattern& pattern : model.bolt_patterns)
-    drill_pattern(blocks, model, pattern, report);
-  drill(RockLines(blocks, model.gravity), report.bolts);
-  leave_out_excavated(blocks, report.bolts);
-  require_rock(model, report);
+  DrilledBolts drilled = drill_model(blocks, model);
+  leave_out_excavated(blocks, drilled.bolts);
+  require_rock(model, drilled);
+  report.groups = std::move(drilled.groups);
+  report.bolts = std::move(drilled.bolts);
   for (const Bolt& bolt : report.bolts) report.length += bolt.length;
   judge_support({blocks, keyblocks, model.support.value_or(SupportSpec{}).target_factor_of_safety,
                  shotcrete_on(blocks, keyblocks, model)},

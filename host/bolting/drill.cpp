@@ -117,4 +117,57 @@ void drill(const RockLines& lines, std::vector<Bolt>& bolts) {
   });
 }
 
+namespace {
+
+void drill_pattern(const BlockArrays& blocks, const Model& model, const BoltPattern& pattern,
+                   DrilledBolts& drilled) {
+  const std::vector<Wall> walls = walls_of(blocks, model, pattern);
+  auto bolts = pattern_collars(walls, blocks, pattern);
+  std::string names;
+  Real area = 0;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    names += (w == 0 ? "" : ", ") + pattern.on[w].name;
+    area += walls[w].area();
+  }
+  if (bolts.empty())
+    refuse(pattern.place, pattern.place.key,
+           "lays no bolt on \"" + names +
+               "\": inclination or direction leave out all of its faces, or its spacing and offset "
+               "miss them");
+  for (Bolt& bolt : bolts) bolt.group = static_cast<Index>(drilled.groups.size());
+  drilled.groups.push_back({pattern.name, pattern.type, true, std::move(names),
+                            static_cast<Index>(bolts.size()), area, pattern.install});
+  drilled.bolts.insert(drilled.bolts.end(), bolts.begin(), bolts.end());
+}
+
+}  // namespace
+
+DrilledBolts drill_model(const BlockArrays& blocks, const Model& model) {
+  DrilledBolts drilled;
+  for (const SpotBolt& bolt : model.bolts) {
+    drilled.bolts.push_back({static_cast<Index>(drilled.groups.size()),
+                             1,
+                             bolt.collar,
+                             bolt.direction,
+                             bolt.length,
+                             {},
+                             {}});
+    drilled.groups.push_back({bolt.name, bolt.type, false, "", 1, 0, bolt.install});
+  }
+  for (const BoltPattern& pattern : model.bolt_patterns)
+    drill_pattern(blocks, model, pattern, drilled);
+  const Vec3 down = norm(model.gravity) > 0 ? model.gravity : Vec3{0, 0, -1};
+  drill(RockLines(blocks, down), drilled.bolts);
+  return drilled;
+}
+
+void require_rock(const Model& model, const DrilledBolts& drilled) {
+  for (const Bolt& bolt : drilled.bolts) {
+    if (!bolt.rock.empty() || drilled.groups[bolt.group].is_pattern) continue;
+    const auto& spot = model.bolts[bolt.group];
+    refuse(spot.place, spot.place.key + ".collar",
+           "the bolt meets no rock from here over its length");
+  }
+}
+
 }  // namespace rockfold

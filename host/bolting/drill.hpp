@@ -28,6 +28,7 @@ struct BoltGroup {
   std::string on;  ///< the walls' names; patterns only
   Index bolts = 0;
   Real wall_area = 0;  ///< m² of free face on the walls, all of it; patterns only
+  Index install = 0;   ///< SpotBolt::install
 };
 
 /// Collars at the nodes of a pattern's grid that lie on free faces, in rows. Rows of a panel that goes round an axis run
@@ -46,5 +47,14 @@ std::vector<Bolt> pattern_collars(const std::vector<Wall>& walls, const BlockArr
 
 /// Fills `rock` of each bolt, in parallel.
 void drill(const RockLines& lines, std::vector<Bolt>& bolts);
+
+/// The model's bolts, in all rock that there is before any is excavated. Throws Error(model) for a wall that is not there.
+struct DrilledBolts {
+  std::vector<BoltGroup> groups;
+  std::vector<Bolt> bolts;
+};
+DrilledBolts drill_model(const BlockArrays& blocks, const Model& model);
+/// Throws Error(model) for a single bolt that meets no rock.
+void require_rock(const Model& model, const DrilledBolts& drilled);
 
 }  // namespace rockfold

@@ -19,6 +19,32 @@ void append_points(MaterialPoints& to, const MaterialPoints& from) {
   for (std::size_t n = 0; n < from.size(); ++n) to.begin.push_back(before + from.begin[n + 1]);
 }
 
+namespace {
+
+/// force += factor · (−a_k Σ W_kl a_l · x_l) over l ≠ k of each group.
+void add_couplings(const PointTerms& terms, const Field& x) {
+  const PointTerms t = terms;
+  const Couplings c = t.couplings;
+  device::for_each(
+      "rockfold::solve::couplings", c.groups, KOKKOS_LAMBDA(const Index g) {
+        const Index begin = c.begin(g), count = c.begin(g + 1) - begin;
+        for (Index l = 0; l < count; ++l) {
+          Real u[3];
+          interpolate_all(t.points, c.first + begin + l, x, u);
+          Real along = 0;
+          for (int i = 0; i < 3; ++i) along += c.lead(begin + l, i) * u[i];
+          for (Index k = 0; k < count; ++k) {
+            if (k == l) continue;
+            const Real by = c.factor * c.value(c.matrix(g) + k * count + l) * along;
+            for (int i = 0; i < 3; ++i)
+              t.force(c.first + begin + k, i) -= by * c.lead(begin + k, i);
+          }
+        }
+      });
+}
+
+}  // namespace
+
 void apply_terms(const PointTerms& terms, const Field& x, const Field& y, Index first) {
   if (terms.points.count <= first) return;
   const PointTerms t = terms;
@@ -34,6 +60,7 @@ void apply_terms(const PointTerms& terms, const Field& x, const Field& y, Index 
           t.force(n, i) = sum;
         }
       });
+  if (t.couplings.any()) add_couplings(t, x);
   scatter(terms, 1, terms.force, y);
 }
 

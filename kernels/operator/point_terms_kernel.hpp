@@ -11,10 +11,25 @@ namespace rockfold::solve {
 /// (n, c): 3×3 row-major.
 using Tangents = Kokkos::View<Real* [9], Kokkos::LayoutLeft, device::Memory>;
 
+/// Points of a group act on each other too: point k of it by −a_k W_kl (a_l · x_l), factor times. Products alone know that, preconditioners the
+/// points' own tangents, which hold −a_k W_kk a_kᵀ.
+struct Couplings {
+  Index first = 0, points = 0;  ///< of the list
+  Real factor = 0;
+  Array<Index> begin;  ///< [groups+1] the first point of each, from `first`
+  Index groups = 0;
+  Array<Index> matrix;  ///< [groups+1] where W of each begins, row-major
+  Array<Real> value;    ///< W
+  Field lead;           ///< [points] a
+
+  bool any() const { return groups > 0; }
+};
+
 struct PointTerms : PointRows {
   Blocks tangent;  ///< [N] N/m: D as xx yy zz xy yz zx …
   Tangents
       whole;  ///< … or, where D need not be symmetric (products take it, preconditioners a `tangent` like it); else empty
+  Couplings couplings;
   Field force;  ///< [N] work space
 };
 /// Without tangents yet.

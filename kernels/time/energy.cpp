@@ -65,6 +65,16 @@ void count_wall_work(Motion::Data& m, Real before, Real after) {
       0.5 * (before + after) * solve::dot(m.system.work, m.now.wall, m.increment);
 }
 
+void count_bolt_work(Motion::Data& m, bool middle) {
+  if (!m.bolts.any()) return;
+  const Field of_end = m.work;
+  Kokkos::deep_copy(of_end, 0.0);
+  bolts::add_forces(m.bolts, -1, of_end);
+  const Real by_end = solve::dot(m.system.work, of_end, m.increment);
+  m.now.work.bolts +=
+      middle ? by_end : 0.5 * (by_end - solve::dot(m.system.work, m.bolts_before, m.increment));
+}
+
 void count_following_work(Motion::Data& m) {
   if (!m.following.any()) return;
   Kokkos::deep_copy(m.work, m.following_before);
@@ -111,8 +121,10 @@ Energy Motion::energy() const {
   e.quiet = work.quiet;
   e.ratio = work.ratio;
   e.excavated = work.excavated;
+  e.bolts = work.bolts;
   e.dissipated = m.now.initial_energy + e.loads + e.supports - e.excavated -
                  (e.kinetic + e.strain + e.potential + e.contact - m.now.substep_energy);
+  e.dissipated -= e.bolts;
   e.numerical = e.dissipated - (e.damping + e.quiet + e.ratio + e.friction + e.impact);
   return e;
 }

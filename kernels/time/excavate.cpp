@@ -69,6 +69,7 @@ void Motion::leave_out(const GoneRock& gone) {
   m.gone_element = gone.element;
   motion::let_go(m);
   contact::set_gone(m.contact->contacts, gone.block);
+  bolts::leave_out(m.bolts, gone.element);
 }
 
 void Motion::begin_release() {

@@ -38,11 +38,22 @@ std::vector<Vec3> uniform_field(Index unknowns, Index covers, const Vec3& v) {
 
 namespace {
 
+/// Points of terms beside those of the supports: dashpots, then the links of bolts.
+MaterialPoints other_terms(const MotionSetup& setup) {
+  MaterialPoints points = setup.quiet.points;
+  if (setup.bolts) solve::append_points(points, bolts::link_points(*setup.bolts));
+  return points;
+}
+
 void make_system(Motion::Data& m, const MotionSetup& setup) {
   m.system = solve::make_constrained_system(
       setup.covers,
       solve::build_operator(setup.covers, setup.moments, setup.materials, !setup.large),
-      setup.fixed, setup.preconditioner, setup.direct, setup.quiet.points);
+      setup.fixed, setup.preconditioner, setup.direct, other_terms(setup));
+  m.first_link = m.system.springs.points.count + static_cast<Index>(setup.quiet.points.size());
+  if (setup.bolts)
+    m.bolts = bolts::make_bolts(*setup.bolts, setup.covers, setup.moments, setup.materials);
+  if (m.bolts.any()) m.bolts_before = device::make_field("motion::bolts_before", m.unknowns);
   if (setup.surfaces) {
     m.contact = std::make_unique<contact::ContactTerm>(
         contact::make_contact_term(*setup.surfaces, setup.surface_points, setup.contact));
@@ -209,12 +220,16 @@ void Motion::save() {
   motion::copy_state(m.now, m.saved);
   if (m.contact) contact::keep(m.contact->contacts, m.saved_contacts);
   m.saved_water = m.following.water;
+  if (!m.bolts.any()) return;
+  if (m.saved_bolts.slip.extent(0) == 0) m.saved_bolts = bolts::make_state(m.bolts);
+  bolts::copy_state(m.bolts.now, m.saved_bolts);
 }
 
 void Motion::restore() {
   motion::copy_state(data_->saved, data_->now);
   if (data_->contact) contact::restore(data_->contact->contacts, data_->saved_contacts);
   data_->following.water = data_->following.water_at_end = data_->saved_water;
+  if (data_->bolts.any()) bolts::copy_state(data_->saved_bolts, data_->bolts.now);
   motion::set_time(*data_, data_->now.time);  // loads and supports too stand where they stood
 }
 
@@ -227,6 +242,13 @@ void Motion::set_water_now(const CoverArrays& covers, const LoadPoints& water) {
 }
 void Motion::set_water_shares(const std::vector<Real>& share) {
   data_->following.share = device::to_device("motion::water_share", share);
+}
+
+void Motion::install_bolts(Index stage) {
+  bolts::install(data_->bolts, stage, data_->now.displacement);
+}
+BoltForces Motion::bolt_forces() const {
+  return bolts::forces(data_->bolts, data_->now.displacement);
 }
 
 std::vector<ContactPoint> Motion::contact_points() const {

@@ -31,6 +31,7 @@
 #include "kernels/constraints/cover_system.hpp"
 #include "kernels/contact/contact.hpp"
 #include "kernels/time/tracked_points.hpp"
+#include "src/arrays/bolt_arrays.hpp"
 #include "src/arrays/load_arrays.hpp"
 
 namespace rockfold {
@@ -79,7 +80,8 @@ struct MotionSetup {
   MakeDirectSolver direct{};  ///< empty: conjugate gradients do without factors
   /// Where blocks touch each other: large kinematics, no statics, and in dynamics average acceleration. Null: they do not.
   const SurfaceArrays* surfaces = nullptr;
-  MaterialPoints surface_points{};  ///< [V] the vertices of the surfaces
+  MaterialPoints surface_points{};    ///< [V] the vertices of the surfaces
+  const BoltArrays* bolts = nullptr;  ///< large kinematics; null: none
   ContactOptions contact{};
   int contact_iterations = 40;  ///< of Newton's method in a step
 };
@@ -119,6 +121,9 @@ class Motion {
   void set_water_now(const CoverArrays& covers, const LoadPoints& water);
   /// [sides of joints] Share of the water's pressure that acts.
   void set_water_shares(const std::vector<Real>& share);
+
+  /// Bolts with this stage act from here on.
+  void install_bolts(Index stage);
 
   /// The velocity that goes with the points held, and, for schemes that need one, the acceleration at t = 0: fixed points are held against
   /// accelerating as steps of length dt will hold them.
@@ -167,6 +172,8 @@ class Motion {
   /// As they are after the last step; none where blocks do not touch each other.
   std::vector<ContactPoint> contact_points() const;
   ContactCount contact_count() const;
+  /// As they are now.
+  BoltForces bolt_forces() const;
   /// As ContactOptions::law_of_pair: 1: such faces, which no joint joined, have touched so far.
   std::vector<std::uint8_t> surfaces_that_met() const;
   /// s, spent in finding contact points so far.

@@ -8,6 +8,7 @@
 #include "kernels/constraints/constrained_system_kernel.hpp"
 #include "kernels/contact/term_kernel.hpp"
 #include "kernels/time/block_forces_kernel.hpp"
+#include "kernels/time/bolts/bolts_kernel.hpp"
 #include "kernels/time/explicit/scheme_kernel.hpp"
 #include "kernels/time/forces/deformation_kernel.hpp"
 #include "kernels/time/forces/following_kernel.hpp"
@@ -21,7 +22,7 @@ namespace motion {
 /// J since the motion was given; see Energy.
 struct Work {
   Real supports = 0, loads = 0, damping = 0, quiet = 0, ratio = 0, friction = 0, impact = 0,
-       excavated = 0;
+       excavated = 0, bolts = 0;
 };
 
 /// The numbers of a state.
@@ -62,6 +63,9 @@ struct Motion::Data {
   motion::FollowingPressures following;  ///< large kinematics
   motion::Dashpots dashpots;
   motion::MovingSupports supports;
+  bolts::DeviceBolts bolts;  ///< large kinematics
+  bolts::BoltState saved_bolts;
+  Index first_link = 0;  ///< of bolts, among the terms of the system
   motion::MovingState now, saved;
   std::unique_ptr<contact::ContactTerm> contact;  ///< null: blocks do not touch each other
   motion::BlockForces of_blocks;                  ///< then
@@ -75,11 +79,12 @@ struct Motion::Data {
   device::Field varying;         ///< loads that change, at the time of `now` …
   device::Field varying_before;  ///< … and at the start of the step; empty where no load changes
   device::Field velocity_before, acceleration_before, stretch_before,
-      following_before;      ///< at the start of the step; large kinematics
-  device::Field increment;   ///< Δd of the step
-  device::Field correction;  ///< of the prediction: what is solved for
-  device::Field right;       ///< right-hand side
-  device::Field held;        ///< the same, for a correction that holds some contacts
+      following_before;        ///< at the start of the step; large kinematics
+  device::Field bolts_before;  ///< N, of bolts on the rock, likewise
+  device::Field increment;     ///< Δd of the step
+  device::Field correction;    ///< of the prediction: what is solved for
+  device::Field right;         ///< right-hand side
+  device::Field held;          ///< the same, for a correction that holds some contacts
   device::Field work;
   device::Field left;         ///< of forces, once supports have taken theirs
   device::Field prescribed;   ///< of the fixed points, for the unknown being solved for
@@ -154,6 +159,9 @@ void update_reactions(Motion::Data& m, bool middle);
 void count_work(Motion::Data& m, Real dt);
 /// Of what is left of the forces on walls, at the step's start and its end: excavated rock takes it along.
 void count_wall_work(Motion::Data& m, Real before, Real after);
+/// Of bolts, whose forces are those found last, over the step: they act all through it where forces are balanced in its middle, else
+/// they grow with the way.
+void count_bolt_work(Motion::Data& m, bool middle);
 /// Of pressures that follow their faces, over the step.
 void count_following_work(Motion::Data& m);
 /// Work of changing loads and of pressures that follow, put on at once where nothing has moved yet: `increment` is the way.

@@ -65,6 +65,19 @@ void follow(Motion::Data& m, const Step& step) {
       });
 }
 
+/// right += what bolts do to the rock where it is now. Returns the norm, N.
+Real add_bolt_forces(Motion::Data& m, const Step& step) {
+  bolts::find_forces(m.bolts, m.now.displacement, true);
+  Kokkos::deep_copy(m.work, 0.0);
+  bolts::add_forces(m.bolts, step.middle ? 2 : 1, m.work);
+  const Field forces = m.work, right = m.right;
+  device::for_each(
+      "rockfold::motion::add_bolt_forces", m.unknowns, KOKKOS_LAMBDA(const Index p) {
+        for (int i = 0; i < 3; ++i) right(p, i) += forces(p, i);
+      });
+  return std::sqrt(solve::dot(m.system.work, forces, forces));
+}
+
 /// stretch_before = what springs are stretched by at the step's start; at that of the first they pull as they did before it, which at the
 /// very start is not at all: supports that are moved at once would else swing about their places for ever.
 void keep_stretch(Motion::Data& m) {
@@ -133,6 +146,7 @@ Forces find_residual(Motion::Data& m, const Step& step) {
       });
   const std::vector<Real> squares = device::to_host(m.sums);
   if (m.contact) forces.reference = std::max(forces.reference, add_contact_forces(m, step));
+  if (m.bolts.any()) forces.reference = std::max(forces.reference, add_bolt_forces(m, step));
   forces.loads = std::sqrt(squares[0]);
   forces.inertia = std::sqrt(squares[1]);
   forces.internal = std::sqrt(squares[2]);
@@ -157,6 +171,13 @@ void find_prescribed(const Motion::Data& m, const Step& step) {
           if (middle && !(s.held(n, i) > 0)) prescribed(n, i) += before(n, i);
         }
       });
+}
+
+void keep_bolts(Motion::Data& m) {
+  if (!m.bolts.any()) return;
+  bolts::find_forces(m.bolts, m.now.displacement, false);
+  Kokkos::deep_copy(m.bolts_before, 0.0);
+  bolts::add_forces(m.bolts, 1, m.bolts_before);
 }
 
 void keep_start(Motion::Data& m) {

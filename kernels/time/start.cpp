@@ -61,6 +61,7 @@ SolveReport solve_initial_acceleration(Motion::Data& m, Real dt) {
     m.system.symmetric = contact::clear_tangents(m.system.contacts);
   }
   set_time(m, m.now.time);
+  bolts::clear_tangents(m.bolts, m.system.terms, m.first_link);
   m.rock->begin_step(m.now.displacement, {});
   m.rock->drop_geometric_stiffness();  // the stiffness, without the part of the stress
   return set_in_motion(m, dt);

@@ -9,16 +9,17 @@ namespace rockfold {
 namespace {
 
 /// Of the layout below: changed with it.
-constexpr std::uint64_t format = 0x0009'5441'5453'4652;  // "RFSTAT", 9
+constexpr std::uint64_t format = 0x000a'5441'5453'4652;  // "RFSTAT", 10
 
 /// Everything but the fields.
 struct Plain {
   std::uint64_t format;
   std::int64_t unknowns, fixed;
   motion::StateNumbers numbers;
-  std::int64_t contact;  ///< bytes of contacts behind the fields
+  std::int64_t contact;  ///< bytes of contacts behind the fields …
+  std::int64_t bolts;    ///< … and of bolts behind those
 };
-static_assert(std::is_trivially_copyable_v<Plain> && sizeof(Plain) == 20 * 8);
+static_assert(std::is_trivially_copyable_v<Plain> && sizeof(Plain) == 22 * 8);
 
 std::size_t length_of(const device::Field& field) {
   return field.extent(0) * sizeof(Vec3);
@@ -33,9 +34,10 @@ std::vector<std::byte> Motion::bytes() const {
   plain.unknowns = m.unknowns;
   plain.fixed = m.system.springs.points.count;
   plain.numbers = m.now;
-  std::vector<std::byte> contacts;
+  std::vector<std::byte> contacts, of_bolts = bolts::bytes(m.bolts);
   if (m.contact) contacts = contact::bytes(m.contact->contacts);
   plain.contact = static_cast<std::int64_t>(contacts.size());
+  plain.bolts = static_cast<std::int64_t>(of_bolts.size());
   std::vector<std::byte> bytes(sizeof plain);
   std::memcpy(bytes.data(), &plain, sizeof plain);
   for (const device::Field& field : m.now.fields()) {
@@ -44,6 +46,7 @@ std::vector<std::byte> Motion::bytes() const {
     bytes.insert(bytes.end(), first, first + values.size() * sizeof(Vec3));
   }
   bytes.insert(bytes.end(), contacts.begin(), contacts.end());
+  bytes.insert(bytes.end(), of_bolts.begin(), of_bolts.end());
   return bytes;
 }
 
@@ -51,7 +54,7 @@ void Motion::restore(std::span<const std::byte> bytes) {
   Data& m = *data_;
   Plain plain{};
   if (bytes.size() >= sizeof plain) std::memcpy(&plain, bytes.data(), sizeof plain);
-  std::size_t length = sizeof plain + static_cast<std::size_t>(plain.contact);
+  std::size_t length = sizeof plain + static_cast<std::size_t>(plain.contact + plain.bolts);
   for (const device::Field& field : m.now.fields()) length += length_of(field);
   if (plain.format != format || plain.unknowns != m.unknowns ||
       plain.fixed != m.system.springs.points.count || bytes.size() != length ||
@@ -65,7 +68,9 @@ void Motion::restore(std::span<const std::byte> bytes) {
     device::copy_to_device(values, field);
     at += length_of(field);
   }
-  if (m.contact) contact::restore(m.contact->contacts, bytes.subspan(at));
+  const auto of_contacts = static_cast<std::size_t>(plain.contact);
+  if (m.contact) contact::restore(m.contact->contacts, bytes.subspan(at, of_contacts));
+  bolts::restore(m.bolts, bytes.subspan(at + of_contacts));
   motion::set_time(m, m.now.time);
 }
 

@@ -65,6 +65,7 @@ void set_tangent(Motion::Data& m, const Step& step) {
   if (m.contact)
     m.system.symmetric =
         contact::write_tangents(*m.contact, step.middle ? 2 : 1, m.system.contacts);
+  bolts::write_tangents(m.bolts, step.middle ? 2 : 1, m.system.terms, m.first_link);
   const Real of_mass = step.dt > 0 ? 1 / (m.beta * step.dt * step.dt) : 0,
              of_damping = step.dt > 0 ? m.gamma / (m.beta * step.dt) : 0;
   set_matrix(m,
@@ -104,6 +105,7 @@ void begin(Motion::Data& m, const Step& step, bool time_stands) {
   }
   if (!linear) carry_rate(m, step);
   if (!linear || step.middle) keep_start(m);
+  keep_bolts(m);
   m.following.water = m.following.water_at_end;
   if (m.varying_loads.any()) varying_load(m.varying_loads, m.now.time, m.varying_before);
   if (step.stabilised) stabilise_supports(m, step.dt, step.middle);
@@ -309,10 +311,12 @@ SolveReport take_step(Motion::Data& m, Real dt, const StepCourse& course) {
   SolveReport report = m.contact ? balance_with_contact(m, step) : balance_forces(m, step);
   count_supports(m, step.middle);
   count_following_work(m);
+  count_bolt_work(m, step.middle);
   count_work(m, dt);
   count_wall_work(m, m.now.walls, course.walls);
   m.now.walls = course.walls;
   if (m.contact && report.converged) end_contact(m, step);
+  if (report.converged) bolts::accept(m.bolts);
   if (step.middle) take_mean_acceleration(m, step);
   m.mean_over = step.middle ? dt : 0;
   m.now.begins_with_factors = m.system.begins_with_factors ? 1 : 0;
@@ -326,6 +330,7 @@ SolveReport solve_equilibrium(Motion::Data& m) {
   set_time(m, m.now.time);
   m.system.begins_with_factors = m.system.steady = false;
   m.rock->begin_step(m.now.displacement, {});
+  keep_bolts(m);
   Kokkos::deep_copy(m.system.springs.multiplier, 0.0);
   Kokkos::deep_copy(m.increment, 0.0);
   const Field start = device::make_field("motion::start", m.unknowns);
@@ -361,6 +366,8 @@ SolveReport solve_equilibrium(Motion::Data& m) {
         for (int i = 0; i < 3; ++i) way(p, i) = d(p, i) - start(p, i);
       });
   count_supports(m, false);
+  count_bolt_work(m, false);
+  bolts::accept(m.bolts);
   count_loads_at_once(m);
   return total;
 }

@@ -64,6 +64,8 @@ Forces find_residual(Motion::Data& m, const Step& step);
 void find_prescribed(const Motion::Data& m, const Step& step);
 /// What the start of a step gives to the mean: velocity, acceleration, stretched springs, pressures that follow.
 void keep_start(Motion::Data& m);
+/// bolts_before = those of the step's start.
+void keep_bolts(Motion::Data& m);
 /// ‖right + forces of the supports‖, N. `reference` becomes the norm of the latter, if that is larger.
 Real find_imbalance(Motion::Data& m, Real& reference);
 /// Supports' largest distance from their places over the largest displacement, or over what forces of the size `reference` would

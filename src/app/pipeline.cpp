@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "host/bolting/bolt_elements.hpp"
 #include "host/contact/lattice_surfaces.hpp"
 #include "host/cover/cover.hpp"
 #include "host/cover/points/joint_water.hpp"
@@ -72,6 +73,7 @@ struct CoveredRock {
   ElementMesh mesh;
   std::optional<ContactSurfaces> contact;
   std::unique_ptr<JointWater> water;  ///< in the joints between blocks
+  BoltElements bolts;
 };
 
 CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockArrays& blocks,
@@ -92,6 +94,7 @@ CoveredRock cover_rock(const Cutting& cutting, const Model& model, const BlockAr
     auto water = std::make_unique<JointWater>(cutting, rock.covering, blocks, model);
     if (water->any()) rock.water = std::move(water);
   }
+  rock.bolts = bolt_elements(cutting, rock.covering, blocks, model);
   rock.mesh = make_element_mesh(rock.covering.arrays);
   require_in_rock(model, rock.monitors);
   rock.covering.pieces.reset();  // all points are located
@@ -128,7 +131,8 @@ Analysed analyse(const CoveredRock& rock, const Model& model, const BlockArrays&
                     rock.block_vertices,
                     &rock.mesh,
                     rock.contact ? &*rock.contact : nullptr,
-                    rock.water.get()};
+                    rock.water.get(),
+                    rock.bolts.any() ? &rock.bolts : nullptr};
   };
   const DeviceScope device(options.threads);
   std::optional<Reduction> reduction;

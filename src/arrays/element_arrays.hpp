@@ -63,6 +63,8 @@ struct Energy {
   Real impact = 0;     ///< of joints: by what closes, or lets go, within a step
   Real numerical = 0;  ///< by the scheme itself: rounding alone for average acceleration
 
+  Real bolts = 0;  ///< done on bolts and other support: what they store and have taken
+
   Real excavated =
       0;  ///< what rock had when it was excavated on the way, and what was stored in its joints
 

@@ -47,6 +47,14 @@ struct BoltType {
   BoltAction action = BoltAction::passive;  ///< default active for dmfc
   BoltEfficiency efficiency = BoltEfficiency::full;
   std::optional<Real> mass_per_metre;  ///< kg/m, > 0
+
+  // As elements of an analysis (host/bolting/bolt_law.hpp says what stands for those that are not given):
+  std::optional<Real> young_modulus;   ///< Pa, > 0, of the steel
+  std::optional<Real> diameter;        ///< m, > 0
+  std::optional<Real> yield;           ///< Pa, > 0; at most force_capacity over the section
+  std::optional<Real> rupture;         ///< > 0, strain
+  std::optional<Real> bond_stiffness;  ///< N/m per m of bolt, > 0
+  std::optional<Real> pretension;      ///< N, ≥ 0; at most force_capacity
 };
 
 /// Faces that bolts are drilled from: walls of an excavation or faces of a solid.
@@ -74,6 +82,7 @@ struct SpotBolt {
   Vec3 direction{};  ///< unit, into the rock
   Real length = 0;   ///< m, > 0
   BoltType type;
+  Index install = 0;  ///< into Analysis::stages: it acts from the start of that one
   Place place = {};
 };
 
@@ -89,6 +98,7 @@ struct BoltPattern {
   /// deg above the horizontal of the normal into the rock: a face out of this range gets no bolts
   std::array<Real, 2> inclination{-90, 90};
   BoltType type;
+  Index install = 0;  ///< as SpotBolt
   Place place = {};
 };
 
@@ -99,6 +109,7 @@ struct Shotcrete {
   Real shear_strength = 0;                ///< Pa, > 0
   std::optional<Real> adhesion_strength;  ///< Pa, > 0; none = the bond to the rock is not looked at
   Real bond_width = 0.03;                 ///< m along the edge that the adhesion acts on
+  Index install = 0;                      ///< as SpotBolt
   Place place = {};
 };
 

@@ -4,6 +4,7 @@
 #include "host/keyblock/keyblock.hpp"
 #include "host/measure/block_shapes.hpp"
 #include "src/arrays/block_arrays.hpp"
+#include "src/arrays/bolt_arrays.hpp"
 #include "src/arrays/contact_arrays.hpp"
 #include "src/arrays/element_arrays.hpp"
 #include "src/base/error.hpp"
@@ -46,6 +47,21 @@ constexpr const char* contact_name(Contact state) {
       return "stick";
     case Contact::slide:
       return "slide";
+  }
+  return "";
+}
+
+/// Of steel, or of the bond about it.
+constexpr const char* bolt_status_name(BoltStatus status) {
+  switch (status) {
+    case BoltStatus::elastic:
+      return "elastic";
+    case BoltStatus::yields:
+      return "yields";
+    case BoltStatus::slides:
+      return "slides";
+    case BoltStatus::broken:
+      return "broken";
   }
   return "";
 }

@@ -75,7 +75,7 @@ class TrialProgress : public Progress {
 RunInput with_model(const RunInput& input, const Model& model) {
   return {model,         input.covers, input.blocks,     input.fixed,          input.monitors,
           input.loads,   input.quiet,  input.velocities, input.block_vertices, input.mesh,
-          input.contact, input.water};
+          input.contact, input.water,  input.bolts};
 }
 
 /// The search under way.

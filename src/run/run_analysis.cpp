@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "host/bolting/bolt_elements.hpp"
 #include "host/cover/points/joint_water.hpp"
 #include "host/direct/multifrontal.hpp"
 #include "kernels/integrate/moments.hpp"
@@ -64,6 +65,7 @@ MotionSetup make_setup(const RunInput& input, const PieceMoments& moments,
   setup.solver.max_iterations = input.model.solver.max_iterations;
   setup.preconditioner = input.model.solver.preconditioner;
   setup.direct = [] { return host::make_direct_solver(); };
+  if (input.bolts) setup.bolts = &input.bolts->arrays;
   if (input.contact) {
     setup.surfaces = &input.contact->surfaces;
     setup.surface_points = input.contact->points;
@@ -375,6 +377,7 @@ void Run::begin(const AnalysisStage& stage, Progress& progress) {
       at_.walls_before *= motion_.walls();
       motion_.begin_release();
     }
+    motion_.install_bolts(at_.stage);
     at_.by_substeps = 0;
     at_.work = {};
     if (stage.reset_displacement) recorder_.count_from(motion_.state().displacement);
@@ -583,6 +586,7 @@ void Run::summarise() {
   result.block_stress = average_block_stress(input_.covers, moments_, stress, blocks);
   result.strength = find_strength(input_.covers, moments_, stress, model.materials);
   find_imbalance();
+  result.bolts = recorder_.bolts(motion_);
   if (input_.contact) {
     result.met = met_surfaces(model, motion_.surfaces_that_met());
     result.water = water_.at_end(motion_);
@@ -606,6 +610,9 @@ StageKeys keys_of_analysis(const Model& model) {
                  {"gravity", "material", "cover", "fixed", "traction", "point_load",
                   "quiet_boundary", "initial_velocity", "initial_stress", "base_acceleration",
                   "monitor", "analysis", "step", "solver", "output"}};
+  if (has_bolts(model))
+    for (const char* section : {"bolt_type", "bolt", "bolt_pattern"})
+      keys.keys.emplace_back(section);
   if (has_contact(model))
     for (const char* section : {"joint_material", "contact", "contact_pair", "reduction", "water"})
       keys.keys.emplace_back(section);

@@ -16,6 +16,7 @@
 namespace rockfold {
 
 class JointWater;
+struct BoltElements;
 
 StageKeys keys_of_analysis(const Model& model);
 
@@ -38,8 +39,9 @@ struct RunInput {
   const MaterialPoints& block_vertices;          ///< in the order of BlockArrays::vertex
   const ElementMesh* mesh = nullptr;             ///< at whose points stress is averaged, if any
   const ContactSurfaces* contact =
-      nullptr;                        ///< where blocks touch each other (has_contact), else null
-  const JointWater* water = nullptr;  ///< in their joints, if there is any
+      nullptr;                          ///< where blocks touch each other (has_contact), else null
+  const JointWater* water = nullptr;    ///< in their joints, if there is any
+  const BoltElements* bolts = nullptr;  ///< that hold it, if there are any
 };
 
 /// Called for each state to be stored, in time order, so that the result file is written as the run goes.

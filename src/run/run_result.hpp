@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "src/arrays/bolt_arrays.hpp"
 #include "src/arrays/contact_arrays.hpp"
 #include "src/arrays/element_arrays.hpp"
 #include "src/base/types.hpp"
@@ -194,6 +195,21 @@ struct BySubsteps {
   Index failed = 0;  ///< 1: an implicit step did not come to balance
 };
 
+/// A bolt at the end.
+struct BoltResult {
+  std::string name;      ///< of its [[bolt]] or [[bolt_pattern]]
+  Index number = 1;      ///< within that
+  Vec3 collar{}, toe{};  ///< m, before the motion
+  bool installed = false;
+  BoltStatus status = BoltStatus::elastic;
+  Real force = 0, shear = 0;      ///< N, the largest along it and across it
+  Real plate = 0;                 ///< N, of the rock on its plate
+  Real peak = 0;                  ///< N, the largest along it after any step
+  Real mobilisation = 0;          ///< of what the steel bears
+  std::optional<Real> broken_at;  ///< s
+  std::vector<Real> at, along;    ///< m from the collar, and N there
+};
+
 struct RunResult {
   Index steps = 0;           ///< steps done
   Real time = 0;             ///< s reached
@@ -214,6 +230,7 @@ struct RunResult {
   std::optional<Rest> rest;          ///< with contact
   std::vector<MetSurfaces> met;      ///< likewise: in all steps
   std::optional<WaterInJoints> water;
+  std::vector<BoltResult> bolts;         ///< that act on the rock, at the end
   std::optional<Unbalanced> unbalanced;  ///< of the last step, where that is quasi-static
   std::vector<BlockCourse> courses;      ///< [B] with contact
   std::vector<std::uint8_t> gone;        ///< [B] 1: excavated on the way; empty where nothing goes

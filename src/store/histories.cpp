@@ -43,13 +43,21 @@ History joint_history(const JointHistory& m) {
 }
 
 constexpr std::pair<const char*, Real Energy::*> energy_parts[] = {
-    {"kinetic", &Energy::kinetic},       {"strain", &Energy::strain},
-    {"potential", &Energy::potential},   {"contact", &Energy::contact},
-    {"dissipated", &Energy::dissipated}, {"damping", &Energy::damping},
-    {"quiet", &Energy::quiet},           {"friction", &Energy::friction},
-    {"impact", &Energy::impact},         {"numerical", &Energy::numerical},
-    {"ratio", &Energy::ratio},           {"loads", &Energy::loads},
-    {"supports", &Energy::supports},     {"excavated", &Energy::excavated}};
+    {"kinetic", &Energy::kinetic},
+    {"strain", &Energy::strain},
+    {"potential", &Energy::potential},
+    {"contact", &Energy::contact},
+    {"dissipated", &Energy::dissipated},
+    {"damping", &Energy::damping},
+    {"quiet", &Energy::quiet},
+    {"friction", &Energy::friction},
+    {"impact", &Energy::impact},
+    {"numerical", &Energy::numerical},
+    {"ratio", &Energy::ratio},
+    {"loads", &Energy::loads},
+    {"supports", &Energy::supports},
+    {"excavated", &Energy::excavated},
+    {"bolts", &Energy::bolts}};
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "host/bolting/bolt_elements.hpp"
 #include "host/contact/lattice_surfaces.hpp"
 #include "host/cover/cover.hpp"
 #include "host/cover/points/joint_water.hpp"
@@ -62,6 +63,8 @@ inline void run_model(const std::string& text, ModelAnswer& answer,
   }
   const JointWater water(cutting, covering, blocks, model);
   if (input.contact && water.any()) input.water = &water;
+  const BoltElements bolts = bolt_elements(cutting, covering, blocks, model);
+  if (bolts.any()) input.bolts = &bolts;
   answer.result =
       run_analysis(input, store, hooks.progress ? *hooks.progress : silent, hooks.checkpoints);
 }

@@ -155,8 +155,9 @@ void find_block_steps(Motion::Data& m) {
   find_turns(m);
   set_tangents(m.dashpots, 0, m.system.terms, m.system.springs.points.count);
   write_spring_tangents(m);
+  constexpr Real both_sides = 2;
+  bolts::write_stiffest(m.bolts, both_sides, m.system.terms, m.first_link);
   if (m.contact) {
-    constexpr Real both_sides = 2;
     contact::write_stiffest(m.contact->contacts, both_sides, m.system.contacts.tangent);
   }
   m.step_length = 0;  // the terms' tangents are no matrix of a step

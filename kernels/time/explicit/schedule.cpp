@@ -35,6 +35,7 @@ std::vector<std::uint8_t> find_pulled(const Motion::Data& m) {
         for (Index i = begin[n]; i < begin[n + 1]; ++i) pulled[unknown[i] % m.covers] = 1;
   };
   if (m.dashpots.any()) add(m.dashpots.points.points, [](Index) { return true; });
+  if (m.bolts.any()) add(m.bolts.rows.points, [](Index) { return true; });
   const solve::Springs& springs = m.system.springs;
   if (!springs.any()) return pulled;
   const std::vector<Vec3> held = device::copy_to_host(springs.held),

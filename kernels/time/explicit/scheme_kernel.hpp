@@ -73,6 +73,7 @@ struct ExplicitScheme {
   Field start;                        ///< displacements at the start of the step
   Field period_start;                 ///< and of the period, where something acts from outside
   Field outside;        ///< N, what acts from outside beside constant loads: at the end of a period
+  Field bolts;          ///< N, what bolts do to the rock
   Field target_before;  ///< of supports, at the start of the period
   Field pull;           ///< [points of supports] N s, of springs
   Array<Real>

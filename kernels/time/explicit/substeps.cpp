@@ -72,10 +72,11 @@ struct ExplicitStep {
     Kokkos::deep_copy(s.ahead, 0.0);  // of blocks that are gone too
     Kokkos::deep_copy(s.pull, 0.0);
     acts = m.varying_loads.any() || m.following.any() || m.dashpots.any() ||
-           m.system.springs.any() || m.now.walls > 0 || course.walls > 0;
+           m.system.springs.any() || m.bolts.any() || m.now.walls > 0 || course.walls > 0;
     if (!acts || s.outside.extent(0) > 0) return;
     s.outside = device::make_field("motion::outside", m.unknowns);
     s.period_start = device::make_field("motion::period_start", m.unknowns);
+    if (m.bolts.any()) s.bolts = device::make_field("motion::of_bolts", m.unknowns);
   }
 
   /// The points at the places of now, where those there do not serve on; and who ticks how often.
@@ -218,7 +219,22 @@ struct ExplicitStep {
     if (m.following.any())
       add_following_pressures(m.following, m.now.time, m.now.displacement, 1, f);
     if (m.dashpots.any()) add_dashpots(m.dashpots, -1, m.now.velocity, f);
+    add_bolts(f);
     add_springs(share * s.schedule.period, f);
+  }
+
+  /// f += what bolts do to the rock, which is then what their states come to.
+  void add_bolts(const Field& f) {
+    if (!m.bolts.any()) return;
+    bolts::find_forces(m.bolts, m.now.displacement, false);
+    Kokkos::deep_copy(s.bolts, 0.0);
+    bolts::add_forces(m.bolts, 1, s.bolts);
+    bolts::accept(m.bolts);
+    const Field by = s.bolts;
+    device::for_each(
+        "rockfold::motion::add_bolts", m.unknowns, KOKKOS_LAMBDA(const Index u) {
+          for (int i = 0; i < 3; ++i) f(u, i) += by(u, i);
+        });
   }
 
   /// f += what springs pull with; their impulse over h.
@@ -247,7 +263,7 @@ struct ExplicitStep {
     if (m.damping.mass > 0)
       work.damping += 2 * s.schedule.period * m.damping.mass * kinetic_energy(m);
     const bool varies = m.varying_loads.any(), follows = m.following.any();
-    if (!varies && !follows && !m.dashpots.any()) return;
+    if (!varies && !follows && !m.dashpots.any() && !m.bolts.any()) return;
     const auto way = m.increment, d = m.now.displacement, start = s.period_start;
     device::for_each(
         "rockfold::motion::way_of_period", m.unknowns, KOKKOS_LAMBDA(const Index u) {
@@ -266,6 +282,10 @@ struct ExplicitStep {
       keep_following();
       work.loads += 0.5 * along(m.following_before);
     }
+    if (m.bolts.any()) {
+      work.bolts -= 0.5 * (along(m.bolts_before) + along(s.bolts));
+      Kokkos::deep_copy(m.bolts_before, s.bolts);
+    }
     if (!m.dashpots.any()) return;
     Kokkos::deep_copy(m.work, 0.0);
     add_dashpots(m.dashpots, 1, m.increment, m.work);
@@ -283,6 +303,7 @@ struct ExplicitStep {
     Kokkos::deep_copy(s.period_start, m.now.displacement);
     if (m.varying_loads.any()) varying_load(m.varying_loads, m.now.time, m.varying_before);
     if (m.following.any()) keep_following();
+    keep_bolts(m);
   }
 
   /// Places and velocities are of one time; what the step has done.

@@ -1,11 +1,13 @@
 // [[bolt_type]], [[bolt]], [[bolt_pattern]], [shotcrete] and [pattern_search].
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "src/base/vector.hpp"
 #include "src/model/read/draft.hpp"
 #include "src/model/read/read_value.hpp"
 #include "src/model/read/read_walls.hpp"
+#include "src/model/text/nearest.hpp"
 #include "src/model/text/value.hpp"
 
 namespace rockfold {
@@ -19,9 +21,12 @@ Range bolt_length() {
 }
 
 const std::vector<std::string> capacity_keys{
-    "coupling",      "force_capacity", "displacement_capacity", "plate_capacity",
-    "bond_strength", "anchor_length",  "shear_capacity",        "stiffness",
-    "action",        "efficiency",     "mass_per_metre"};
+    "coupling",       "force_capacity", "displacement_capacity",
+    "plate_capacity", "bond_strength",  "anchor_length",
+    "shear_capacity", "stiffness",      "action",
+    "efficiency",     "mass_per_metre", "young_modulus",
+    "diameter",       "yield",          "rupture",
+    "bond_stiffness", "pretension"};
 
 void read_coupling(TableReader& in, BoltType& type) {
   const auto coupling = in.choose("coupling", {{"CMC", "CFC", "DMFC"}, {}}, Need::optional);
@@ -37,6 +42,30 @@ void read_coupling(TableReader& in, BoltType& type) {
   type.action = action     ? static_cast<BoltAction>(*action)
                 : discrete ? BoltAction::active
                            : BoltAction::passive;
+}
+
+/// What makes it an element of an analysis.
+void read_element(TableReader& in, BoltType& type) {
+  in.read("young_modulus", type.young_modulus, positive("Pa"));
+  in.read("diameter", type.diameter, length());
+  in.read("yield", type.yield, positive("Pa"));
+  in.read("rupture", type.rupture, Range{.low = 0, .high = 1, .low_open = true, .unit = ""});
+  in.read("bond_stiffness", type.bond_stiffness, positive("N/m per m"));
+  in.read("pretension", type.pretension, not_negative("N"));
+  if (type.force_capacity > 0 && type.pretension.value_or(0) > type.force_capacity)
+    in.wrong("pretension", "found " + number_text(*type.pretension) +
+                               " N, more than the force_capacity of " +
+                               number_text(type.force_capacity) + " N");
+  if (!type.yield) return;
+  if (!type.diameter) {
+    in.missing({"diameter"}, "is missing: with a yield stress it is needed, " + length().text());
+    return;
+  }
+  const Real force = *type.yield * std::numbers::pi / 4 * *type.diameter * *type.diameter;
+  if (type.force_capacity > 0 && force > (1 + 1e-9) * type.force_capacity)
+    in.wrong("yield", "over the section it is " + number_text(force) +
+                          " N, more than the force_capacity of " +
+                          number_text(type.force_capacity) + " N");
 }
 
 BoltType read_capacities(TableReader& in) {
@@ -55,7 +84,47 @@ BoltType read_capacities(TableReader& in) {
   if (efficiency) type.efficiency = static_cast<BoltEfficiency>(*efficiency);
   in.read("mass_per_metre", type.mass_per_metre, positive("kg/m"));
   read_coupling(in, type);
+  read_element(in, type);
   return type;
+}
+
+/// Into Analysis::stages: the one at whose start rock of this stage of excavation goes; before all of them where no step takes it.
+Index stage_of_excavation(const Model& model, Index stage) {
+  if (!model.analysis) return 0;
+  const auto& stages = model.analysis->stages;
+  const auto takes = std::find_if(stages.begin(), stages.end(),
+                                  [&](const auto& s) { return s.excavate == stage; });
+  return takes == stages.end() ? 0 : static_cast<Index>(takes - stages.begin());
+}
+
+/// "install" names a stage of excavation or a step: into Analysis::stages. Without one it is `otherwise`.
+void read_install(TableReader& in, const Draft& draft, Index& target, Index otherwise = 0) {
+  target = otherwise;
+  const Value* value = in.find("install");
+  if (!value) return;
+  const auto text = text_from(*value, in.path_of("install"), in.out());
+  if (!text) return;
+  static const std::vector<AnalysisStage> no_stages;
+  const auto& stages = draft.model.analysis ? draft.model.analysis->stages : no_stages;
+  for (std::size_t s = 0; s < stages.size(); ++s)
+    if (!stages[s].name.empty() && stages[s].name == *text) {
+      target = static_cast<Index>(s);
+      return;
+    }
+  for (const Excavation& e : draft.model.excavations)
+    if (*text == "stage " + std::to_string(e.stage)) {
+      target = stage_of_excavation(draft.model, e.stage);
+      return;
+    }
+  std::vector<std::string> names;
+  for (const AnalysisStage& stage : stages)
+    if (!stage.name.empty()) names.push_back(stage.name);
+  for (const Excavation& e : draft.model.excavations)
+    names.push_back("stage " + std::to_string(e.stage));
+  in.wrong("install", "found \"" + *text +
+                          "\", which is neither the name of a [[step]] nor "
+                          "\"stage N\" of an [[excavation]]" +
+                          suggestion(*text, names, "there are"));
 }
 
 /// "type" names a [[bolt_type]]; without it the capacities stand here.
@@ -67,6 +136,15 @@ BoltType read_type(TableReader& in, const Draft& draft) {
   if (in.read_reference("type", draft.bolt_types, type) && type != none)
     return draft.model.bolt_types[type];
   return {};
+}
+
+/// Into Analysis::stages: that of walls, when the last of them is there.
+Index when_made(const Model& model, const std::vector<WallFaces>& walls) {
+  Index last = 0;
+  for (const WallFaces& wall : walls)
+    if (wall.excavation && wall.owner != none)
+      last = std::max(last, stage_of_excavation(model, model.excavations[wall.owner].stage));
+  return last;
 }
 
 /// Whether a bolt is shorter than its anchor, beyond rounding.
@@ -244,6 +322,7 @@ void read_bolts(Draft& draft) {
     }
     bolt.type = read_type(in, draft);
     check_anchor(in, bolt.type, bolt.length);
+    read_install(in, draft, bolt.install);
     draft.model.bolts.push_back(std::move(bolt));
   });
 }
@@ -258,6 +337,7 @@ void read_bolt_patterns(Draft& draft) {
     in.read("length", pattern.length, bolt_length());
     pattern.type = read_type(in, draft);
     check_anchor(in, pattern.type, pattern.length);
+    read_install(in, draft, pattern.install, when_made(draft.model, pattern.on));
     draft.model.bolt_patterns.push_back(std::move(pattern));
   });
 }
@@ -275,6 +355,7 @@ void read_shotcrete(Draft& draft) {
     in.read("bond_width", shotcrete.bond_width, length(), Need::optional);
     if (in.has("bond_width") && !in.has("adhesion_strength"))
       in.wrong("bond_width", "belongs to the adhesion, but there is no adhesion_strength");
+    read_install(in, draft, shotcrete.install, when_made(draft.model, shotcrete.on));
     draft.model.shotcrete = std::move(shotcrete);
   });
 }

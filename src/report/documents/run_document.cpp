@@ -135,7 +135,7 @@ Json energy_json(const Energy& e) {
           {"contact", e.contact},   {"dissipated", e.dissipated}, {"damping", e.damping},
           {"quiet", e.quiet},       {"ratio", e.ratio},           {"friction", e.friction},
           {"impact", e.impact},     {"numerical", e.numerical},   {"loads", e.loads},
-          {"supports", e.supports}, {"excavated", e.excavated}};
+          {"supports", e.supports}, {"excavated", e.excavated},   {"bolts", e.bolts}};
 }
 
 /// Rock that steps take away: how what it had pressed its walls with was let go before they went on.
@@ -247,6 +247,24 @@ Json substeps_json(const RunReport& report) {
   return list;
 }
 
+Json bolts_json(const std::vector<BoltResult>& bolts) {
+  Json list = Json::array();
+  for (const BoltResult& bolt : bolts)
+    list.push_back({{"name", bolt.name},
+                    {"number", bolt.number},
+                    {"collar", bolt.collar},
+                    {"toe", bolt.toe},
+                    {"state", bolt.installed ? bolt_status_name(bolt.status) : "not installed"},
+                    {"force", bolt.force},
+                    {"shear", bolt.shear},
+                    {"plate", bolt.plate},
+                    {"peak", bolt.peak},
+                    {"mobilisation", bolt.mobilisation},
+                    {"broken_at", bolt.broken_at ? Json(*bolt.broken_at) : Json()},
+                    {"along", {{"at", bolt.at}, {"force", bolt.along}}}});
+  return list;
+}
+
 }  // namespace
 
 Index mathematical_covers(const CoverArrays& covers) {
@@ -274,6 +292,7 @@ Json run_document(const DocumentHead& head, const RunReport& report, BlockList l
                          {"largest_pressure", water->largest_pressure},
                          {"force", water->force},
                          {"whole_force", water->whole_force}};
+  if (!report.run.bolts.empty()) document["bolts"] = bolts_json(report.run.bolts);
   if (!report.run.gone.empty()) document["excavation"] = excavation_json(report);
   if (const auto& unbalanced = report.run.unbalanced)
     document["unbalanced"] = {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -274,6 +275,24 @@ std::string water_fact(const RunReport& report) {
                                                       100 * share)));
 }
 
+std::string bolts_fact(const RunReport& report) {
+  const std::vector<BoltResult>& bolts = report.run.bolts;
+  if (bolts.empty()) return "";
+  std::map<std::string, Index> states;
+  const BoltResult* most = &bolts.front();
+  for (const BoltResult& bolt : bolts) {
+    ++states[bolt.installed ? bolt_status_name(bolt.status) : "not in yet"];
+    if (bolt.force > most->force) most = &bolt;
+  }
+  std::string text;
+  for (const auto& [state, count] : states)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, state);
+  return fact("bolts", text) +
+         fact("",
+              fmt::format("largest force {:.4g} kN in {} {}, {:.3g} % of what it bears",
+                          1e-3 * most->force, most->name, most->number, 100 * most->mobilisation));
+}
+
 /// Of which law holds where that is not plain: faces of two materials, or of none.
 std::string met_facts(const RunReport& report) {
   std::string text;
@@ -300,7 +319,7 @@ std::string rest_facts(const RunReport& report) {
   if (const auto weaker = materials_that_lose_strength(report.model, report.blocks);
       !weaker.empty())
     text += fact("strength lost by slip", strength_loss_text(weaker));
-  text += water_fact(report) + met_facts(report);
+  text += water_fact(report) + bolts_fact(report) + met_facts(report);
   const ContactCount& c = report.run.contacts;
   return text + fact("contact points", fmt::format("{} stick, {} slide, {} open", grouped(c.stick),
                                                    grouped(c.slide), grouped(c.open)));
@@ -336,12 +355,17 @@ Vec3 sum_of_forces(const std::vector<Reaction>& conditions) {
 
 /// Without what is nothing but rounding and the solver's tolerance.
 std::string energy_text(const Energy& energy) {
-  const std::pair<const char*, Real> parts[] = {
-      {"kinetic", energy.kinetic},           {"strain", energy.strain},
-      {"potential", energy.potential},       {"contact", energy.contact},
-      {"friction", energy.friction},         {"impact", energy.impact},
-      {"dissipated", energy.dissipated},     {"work of loads", energy.loads},
-      {"work of supports", energy.supports}, {"excavated", energy.excavated}};
+  const std::pair<const char*, Real> parts[] = {{"kinetic", energy.kinetic},
+                                                {"strain", energy.strain},
+                                                {"potential", energy.potential},
+                                                {"contact", energy.contact},
+                                                {"friction", energy.friction},
+                                                {"impact", energy.impact},
+                                                {"dissipated", energy.dissipated},
+                                                {"work of loads", energy.loads},
+                                                {"work of supports", energy.supports},
+                                                {"excavated", energy.excavated},
+                                                {"bolts", energy.bolts}};
   Real largest = 0;
   for (const auto& [name, value] : parts) largest = std::max(largest, std::abs(value));
   std::string text;

@@ -27,6 +27,7 @@ Recorder::Recorder(const RunInput& input, const PieceMoments& moments, const Sto
     history.material = material_of(input.covers, input.monitors.element[n]);
   }
   if (excavates_on_the_way(input.model)) gone_.resize(input.blocks.block_count());
+  if (input.bolts) bolts_.emplace(*input.bolts);
   if (!input.contact) return;
   laws_ = contact_options(input.model, input.blocks).laws;
   joints_.emplace(input, laws_, result.joint_monitors);
@@ -58,10 +59,15 @@ void Recorder::record(const Motion& motion, Index step, bool last) {
   record_monitors(motion);
   if (joints_) joints_->record(motion);
   if (courses_) courses_->look(motion);
+  if (bolts_) bolts_->look(motion);
   result_.energy_time.push_back(motion.time());
   result_.energies.push_back(motion.energy());
   result_.seconds.output += timer.seconds();
   if (step == 0 || last || (every_ > 0 && step % every_ == 0)) store(motion, step);
+}
+
+std::vector<BoltResult> Recorder::bolts(const Motion& motion) const {
+  return bolts_ ? bolts_->at_end(motion) : std::vector<BoltResult>{};
 }
 
 std::vector<ContactSample> Recorder::contacts(const Motion& motion) const {
@@ -92,6 +98,7 @@ void Recorder::pass(Archive& archive) {
   if (!archive.packs() && !zero_.empty()) count_from(std::move(zero_));
   if (joints_) joints_->pass(archive);
   if (courses_) courses_->pass(archive);
+  if (bolts_) bolts_->pass(archive);
 }
 
 BaseMotion Recorder::base_motion(const Motion& motion) {

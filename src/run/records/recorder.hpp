@@ -8,6 +8,7 @@
 #include "src/base/timer.hpp"
 #include "src/run/base_motion.hpp"
 #include "src/run/records/block_courses.hpp"
+#include "src/run/records/bolt_record.hpp"
 #include "src/run/records/joint_monitors.hpp"
 #include "src/run/run_analysis.hpp"
 
@@ -30,6 +31,8 @@ class Recorder {
   std::vector<Vec3> counted(std::vector<Vec3> displacement) const;
   /// BlockCourses::at_rest_since(); only with contact.
   Real at_rest_since() const { return courses_->at_rest_since(); }
+  /// Of the end.
+  std::vector<BoltResult> bolts(const Motion& motion) const;
   /// Contact points as they are now; only with contact.
   std::vector<ContactSample> contacts(const Motion& motion) const;
   /// Stores the state unless that has been done.
@@ -52,6 +55,7 @@ class Recorder {
   std::vector<JointLaw> laws_;           ///< with contact
   std::optional<JointMonitors> joints_;  ///< likewise
   std::optional<BlockCourses> courses_;  ///< likewise
+  std::optional<BoltRecord> bolts_;      ///< with bolts
   BaseRecord base_;
   Index every_;
   Index stored_ = none;                 ///< step stored last

@@ -1,0 +1,30 @@
+// What bolts bear as a run goes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kernels/time/motion.hpp"
+#include "src/base/archive.hpp"
+#include "src/run/run_analysis.hpp"
+
+namespace rockfold {
+
+class BoltRecord {
+ public:
+  explicit BoltRecord(const BoltElements& bolts) : bolts_(bolts) {}
+
+  /// After a step.
+  void look(const Motion& motion);
+  /// As they are at the end: [bolts that meet rock].
+  std::vector<BoltResult> at_end(const Motion& motion) const;
+  void pass(Archive& archive) { archive.all(peak_, broken_at_); }
+
+ private:
+  const BoltElements& bolts_;
+  std::vector<Real> peak_;                      ///< [B] N
+  std::vector<std::optional<Real>> broken_at_;  ///< [B] s
+};
+
+}  // namespace rockfold
