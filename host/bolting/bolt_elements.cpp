@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "host/bolting/bolt_law.hpp"
+#include "host/bolting/shotcrete.hpp"
 #include "host/cover/points/locate.hpp"
 #include "host/cut/cells/complex.hpp"
 #include "src/base/vector.hpp"
@@ -30,10 +32,13 @@ class Builder {
   }
 
   void add(const Bolt& bolt, const BoltGroup& group);
+  /// A bar across a joint at x, normal to the wall.
+  void bridge(const ShotcreteTrace& trace, const Vec3& x, const BoltLaw& law, Index install);
 
  private:
   void begin(const Bolt& bolt, const BoltGroup& group);
-  void add_point(Real at, Index block);
+  void add_point(Real at, Index block) { add_point(bolt_->collar + at * bolt_->direction, block); }
+  void add_point(const Vec3& x, Index block);
   void add_node(Real at, Index element);
   void add_piece(Real from, Real to, Index block);
   void add_gap(Real from, Real to, const Dowel* dowel);
@@ -64,8 +69,7 @@ void Builder::begin(const Bolt& bolt, const BoltGroup& group) {
     bond_begins_ = bolt.length - group.type.anchor_length.value_or(0);
 }
 
-void Builder::add_point(Real at, Index block) {
-  const Vec3 x = bolt_->collar + at * bolt_->direction;
+void Builder::add_point(const Vec3& x, Index block) {
   Holder holder = locator_.find_firm(x, block);
   if (!holder.found()) holder = locator_.nearest_of(x, block);
   locator_.add(x, holder, all_.points);
@@ -166,41 +170,134 @@ void Builder::add(const Bolt& bolt, const BoltGroup& group) {
   all_.node_begin.push_back(static_cast<Index>(all_.node_place.size()));
 }
 
-/// Blocks that are not there when the bolt comes in are air.
-void leave_out_gone(const Model& model, const BlockArrays& blocks,
-                    const std::vector<std::uint8_t>& analysed, DrilledBolts& drilled) {
-  const auto& stages = model.analysis->stages;
-  for (Bolt& bolt : drilled.bolts) {
-    const Index install = drilled.groups[bolt.group].install;
-    const auto is_gone = [&](const RockSegment& segment) {
-      const Index stage = blocks.stage.empty() ? 0 : blocks.stage[segment.block];
-      if (analysed[segment.block] == 0) return true;
-      for (Index s = 0; stage > 0 && s <= install; ++s)
-        if (stages[s].excavate == stage) return true;
-      return false;
-    };
-    std::erase_if(bolt.rock, is_gone);
+void Builder::bridge(const ShotcreteTrace& trace, const Vec3& x, const BoltLaw& law,
+                     Index install) {
+  all_.law.push_back(law);
+  all_.direction.push_back(trace.into_rock);
+  all_.install.push_back(install);
+  all_.toe.push_back(1);
+  for (const Index block : trace.block) {
+    add_point(x, block);
+    add_node(0, element_);
+    all_.bond_to.back() = 1;
+  }
+  all_.link.push_back(BoltLink::crossing);
+  all_.link_length.push_back(1);
+  all_.dowel.push_back(0);
+  all_.steel_begin.push_back(all_.steel_begin.back() + 1);
+  all_.point_begin.push_back(static_cast<Index>(all_.place.size()));
+  all_.node_begin.push_back(static_cast<Index>(all_.node_place.size()));
+}
+
+/// Whether a block is not there any more when support of a stage comes in.
+class GoneBlocks {
+ public:
+  GoneBlocks(const Model& model, const BlockArrays& blocks,
+             const std::vector<std::uint8_t>& analysed)
+      : stages_(model.analysis->stages), blocks_(blocks), analysed_(analysed) {}
+
+  bool are_gone(Index block, Index install) const {
+    if (analysed_[block] == 0) return true;
+    const Index stage = blocks_.stage.empty() ? 0 : blocks_.stage[block];
+    for (Index s = 0; stage > 0 && s <= install; ++s)
+      if (stages_[s].excavate == stage) return true;
+    return false;
+  }
+
+ private:
+  const std::vector<AnalysisStage>& stages_;
+  const BlockArrays& blocks_;
+  const std::vector<std::uint8_t>& analysed_;
+};
+
+/// Of a strip of shotcrete, one metre of joint: a band as wide as it is thick, sheared by the block that comes out.
+BoltLaw law_of_shotcrete(const Shotcrete& shotcrete, Real strength) {
+  constexpr Real concrete = 20e9, poisson_ratio = 0.2, rigid = 1e6;
+  BoltLaw law;
+  law.section = concrete / (2 * (1 + poisson_ratio));
+  law.yield = law.strength = strength;
+  law.stiffness = law.section;
+  law.reach = shotcrete.thickness;
+  law.bond_stiffness = rigid * law.section;
+  law.bond_strength = std::numeric_limits<Real>::infinity();
+  law.pushed = 1;
+  return law;
+}
+
+/// Shares of a length that two points stand for exactly where what they bear is linear.
+constexpr Real gauss[2] = {0.21132486540518711775, 0.78867513459481288225};
+/// m, at most between ends of what two points stand for.
+constexpr Real longest_bridge = 1;
+
+void add_shotcrete(const Model& model, const BlockArrays& blocks, const GoneBlocks& gone,
+                   Builder& builder, std::vector<Real>& bridged) {
+  const Shotcrete& shotcrete = *model.shotcrete;
+  for (const WallFaces& wall : shotcrete.on)
+    Wall(blocks, model, wall, shotcrete.place);  // refuses walls that are not there
+  const ShotcreteCover cover(blocks, shotcrete);
+  for (const ShotcreteTrace& trace : cover.traces()) {
+    if (gone.are_gone(trace.block[0], shotcrete.install) ||
+        gone.are_gone(trace.block[1], shotcrete.install))
+      continue;
+    const Real length = norm(trace.to - trace.from);
+    const auto parts = static_cast<Index>(std::ceil(length / longest_bridge));
+    const Real share = 0.5 * length / static_cast<Real>(parts);
+    BoltLaw law = law_of_shotcrete(shotcrete, cover.strength());
+    for (Real* of_metre :
+         {&law.section, &law.yield, &law.strength, &law.stiffness, &law.bond_stiffness})
+      *of_metre *= share;
+    for (Index k = 0; k < parts; ++k)
+      for (const Real at : gauss) {
+        const Real along = (static_cast<Real>(k) + at) / static_cast<Real>(parts);
+        builder.bridge(trace, trace.from + along * (trace.to - trace.from), law, shotcrete.install);
+        bridged.push_back(share);
+      }
   }
 }
 
 }  // namespace
+
+BoltLines BoltElements::lines() const {
+  BoltLines lines;
+  for (Index b = 0; b < bolts(); ++b) {
+    const Bolt& bolt = drilled.bolts[b];
+    for (Index n = arrays.node_begin[b]; n < arrays.node_begin[b + 1]; ++n) {
+      lines.node.push_back(bolt.collar + arrays.node_place[n] * bolt.direction);
+      if (n == arrays.node_begin[b]) continue;
+      lines.steel.push_back({n - 1, n});
+      lines.bolt.push_back(b);
+    }
+  }
+  return lines;
+}
 
 bool has_bolts(const Model& model) {
   return model.analysis && model.analysis->large() &&
          (!model.bolts.empty() || !model.bolt_patterns.empty());
 }
 
+bool has_shotcrete(const Model& model) {
+  return model.analysis && model.analysis->large() && model.shotcrete.has_value();
+}
+
 BoltElements bolt_elements(const Cutting& cutting, const Covering& covering,
                            const BlockArrays& blocks, const Model& model) {
   BoltElements elements;
-  if (!has_bolts(model)) return elements;
-  elements.drilled = drill_model(blocks, model);
-  leave_out_gone(model, blocks, cutting.complex->block_is_analysed, elements.drilled);
-  require_rock(model, elements.drilled);
-  std::erase_if(elements.drilled.bolts, [](const Bolt& bolt) { return bolt.rock.empty(); });
+  if (!has_bolts(model) && !has_shotcrete(model)) return elements;
+  const GoneBlocks gone(model, blocks, cutting.complex->block_is_analysed);
   Builder builder(model, blocks, covering, elements.arrays);
-  for (const Bolt& bolt : elements.drilled.bolts)
-    builder.add(bolt, elements.drilled.groups[bolt.group]);
+  if (has_bolts(model)) {
+    DrilledBolts& drilled = elements.drilled;
+    drilled = drill_model(blocks, model);
+    for (Bolt& bolt : drilled.bolts)
+      std::erase_if(bolt.rock, [&](const RockSegment& segment) {
+        return gone.are_gone(segment.block, drilled.groups[bolt.group].install);
+      });
+    require_rock(model, drilled);
+    std::erase_if(drilled.bolts, [](const Bolt& bolt) { return bolt.rock.empty(); });
+    for (const Bolt& bolt : drilled.bolts) builder.add(bolt, drilled.groups[bolt.group]);
+  }
+  if (has_shotcrete(model)) add_shotcrete(model, blocks, gone, builder, elements.bridged);
   return elements;
 }
 

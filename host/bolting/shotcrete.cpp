@@ -59,6 +59,53 @@ void ShotcreteCover::add(Index block, const std::vector<Index>& members, Shotcre
   }
 }
 
+std::vector<ShotcreteCover::Edge> ShotcreteCover::edges_of(Index block) const {
+  std::vector<Edge> edges;
+  for (Index f = blocks_.face_begin[block]; f < blocks_.face_begin[block + 1]; ++f) {
+    if (!sprayed_[blocks_.face_origin[f]]) continue;
+    for (Index loop = blocks_.loop_begin[f]; loop < blocks_.loop_begin[f + 1]; ++loop) {
+      const Index first = blocks_.corner_begin[loop], end = blocks_.corner_begin[loop + 1];
+      for (Index c = first, before = end - 1; c < end; before = c++)
+        edges.push_back({blocks_.vertex[blocks_.corner_vertex[before]],
+                         blocks_.vertex[blocks_.corner_vertex[c]], f});
+    }
+  }
+  return edges;
+}
+
+void ShotcreteCover::add_traces(Index block, std::vector<ShotcreteTrace>& traces) const {
+  constexpr Real rounding = 1e-9;  // of an edge's length
+  std::vector<Index> neighbours;
+  for (Index f = blocks_.face_begin[block]; f < blocks_.face_begin[block + 1]; ++f)
+    for (const FaceInterfaces::Neighbour& n : interfaces_.of_face(f))
+      if (n.block > block) neighbours.push_back(n.block);
+  std::sort(neighbours.begin(), neighbours.end());
+  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  const std::vector<Edge> own = edges_of(block);
+  for (const Index other : neighbours)
+    for (const Edge& theirs : edges_of(other))
+      for (const Edge& edge : own) {
+        const Real length = norm(edge.to - edge.from);
+        const Vec3 along = (1 / length) * (edge.to - edge.from);
+        const auto off = [&](const Vec3& x) { return norm(cross(x - edge.from, along)); };
+        if (off(theirs.from) > rounding * length || off(theirs.to) > rounding * length) continue;
+        const auto [low, high] =
+            std::minmax({dot(theirs.from - edge.from, along), dot(theirs.to - edge.from, along)});
+        const Real from = std::max(low, Real{0}), to = std::min(high, length);
+        if (to - from <= rounding * length) continue;
+        const Vec3 inward = -(blocks_.face_normal[edge.face] + blocks_.face_normal[theirs.face]);
+        if (!(norm(inward) > rounding)) continue;  // the edge of a plate, sprayed on both faces
+        traces.push_back(
+            {edge.from + from * along, edge.from + to * along, {block, other}, normalized(inward)});
+      }
+}
+
+std::vector<ShotcreteTrace> ShotcreteCover::traces() const {
+  std::vector<ShotcreteTrace> traces;
+  for (Index b = 0; b < blocks_.block_count(); ++b) add_traces(b, traces);
+  return traces;
+}
+
 ShotcreteHold ShotcreteCover::hold(const std::vector<Index>& members) const {
   ShotcreteHold sum;
   for (const Index block : members) add(block, members, sum);

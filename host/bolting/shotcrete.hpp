@@ -16,6 +16,13 @@ struct ShotcreteHold {
   Vec3 point{};   ///< m, the middle of the edge, where the force acts
 };
 
+/// Where shotcrete bridges the joint between two blocks at the wall: on both sides of it there are sprayed faces.
+struct ShotcreteTrace {
+  Vec3 from{}, to{};  ///< m
+  Index block[2] = {none, none};
+  Vec3 into_rock{};  ///< unit, the mean of the two faces'
+};
+
 /// Which faces of the model are under shotcrete.
 class ShotcreteCover {
  public:
@@ -26,10 +33,21 @@ class ShotcreteCover {
   /// joint between blocks that move together.
   ShotcreteHold hold(const std::vector<Index>& members) const;
 
+  /// All of them: each once, by blocks.
+  std::vector<ShotcreteTrace> traces() const;
+  /// N/m, along an edge.
+  Real strength() const { return strength_; }
+
  private:
   /// Whether a face touches another of the members.
   bool is_inside(Index face, const std::vector<Index>& members) const;
   void add(Index block, const std::vector<Index>& members, ShotcreteHold& sum) const;
+  struct Edge {
+    Vec3 from{}, to{};
+    Index face = none;  ///< sprayed, of the block
+  };
+  std::vector<Edge> edges_of(Index block) const;
+  void add_traces(Index block, std::vector<ShotcreteTrace>& traces) const;
 
   const BlockArrays& blocks_;
   FaceInterfaces interfaces_;

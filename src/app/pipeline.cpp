@@ -338,8 +338,10 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
   std::unique_ptr<RunJournal> journal;
   if (rock) {
     if (writer)
-      clock.measure("output", "writing elements",
-                    [&] { writer->write_elements(rock->covering.arrays, rock->mesh); });
+      clock.measure("output", "writing elements", [&] {
+        writer->write_elements(rock->covering.arrays, rock->mesh);
+        writer->write_bolts(rock->bolts.lines());
+      });
     auto analysed = analyse(*rock, model, blocks, writer ? &*writer : nullptr, options, resumption,
                             probe, terminal);
     analysis_is_over();

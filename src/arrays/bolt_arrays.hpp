@@ -6,6 +6,7 @@
 // blocks. At each node the steel is bonded to the rock that it would move with if nothing slipped.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -77,6 +78,21 @@ struct BoltForces {
   std::vector<Real> plate;              ///< [B] N
 
   bool any() const { return !installed.empty(); }
+};
+
+/// Bolts as lines: of each piece of steel one between two of its nodes.
+struct BoltLines {
+  std::vector<Vec3> node;                   ///< [M] m
+  std::vector<std::array<Index, 2>> steel;  ///< [P] into node
+  std::vector<Index> bolt;                  ///< [P] from 0
+};
+
+/// What a state stores of them.
+struct BoltLineState {
+  std::vector<Vec3> displacement;  ///< [M] m, of the steel
+  std::vector<Real> force;         ///< [P] N along it
+  std::vector<Real> mobilisation;  ///< [P] of what it bears along and across
+  std::vector<BoltStatus> status;  ///< [P] of the steel
 };
 
 }  // namespace rockfold

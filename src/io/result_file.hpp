@@ -5,6 +5,7 @@
 //     Blocks, Joints           polygons of the blocks' faces and of the joints (PolyData)
 //     DeadEnds                 polygons of the joints that end inside blocks (PolyData)
 //     Elements                 the manifold elements as tetrahedra (UnstructuredGrid)
+//     Bolts                    the pieces of steel of an analysis' bolts as lines (PolyData)
 //     */PointData, */CellData  fields; those of the states are appended state by state, the mesh stands once
 //     */Steps                  time of each state and where its values begin; absent without states
 //   /xdmf                      what NAME.xdmf refers to, for ParaView 5.11, 5.12: a virtual data set a state and field
@@ -35,6 +36,7 @@
 #include <vector>
 
 #include "src/arrays/block_arrays.hpp"
+#include "src/arrays/bolt_arrays.hpp"
 #include "src/arrays/contact_arrays.hpp"
 #include "src/arrays/cover_arrays.hpp"
 #include "src/arrays/element_arrays.hpp"
@@ -85,6 +87,7 @@ struct ResultState {
   std::uint64_t hash = 0;                                ///< of step, time and motion
   /// [B] 1: excavated on the way; empty where nothing goes in any state.
   std::span<const std::uint8_t> gone = {};
+  const BoltLineState* bolts = nullptr;  ///< null without write_bolts
 };
 
 /// Writes one result file: the constructor, write_blocks, then for a `run` write_elements and
@@ -115,6 +118,9 @@ class ResultWriter {
 
   /// Lattice, covers and elements. `mesh` is that of the covers and must live as long as states are added.
   void write_elements(const CoverArrays& covers, const ElementMesh& mesh);
+
+  /// Bolts of an analysis, as they are before it, once; before states.
+  void write_bolts(const BoltLines& lines);
 
   /// Appends a state. Times must not decrease. After write_elements; all states have stress or none
   /// has.

@@ -113,6 +113,7 @@ struct ResultWriter::Implementation {
   }
   std::int64_t bytes_of(const ResultState& state) const;
   void append_grids(File& file, const ResultState& state, std::int64_t number);
+  void append_bolts(File& file, Grid& grid, const BoltLineState& bolts, std::int64_t number);
   void append_element_stress(File& file, Grid& grid, const ResultState& state, std::int64_t number);
   void write_block_grid(File& file, const BlockArrays& blocks, const BlockFields& fields,
                         const std::vector<std::uint8_t>& flags, const PolygonMesh& mesh);
@@ -274,6 +275,18 @@ void ResultWriter::write_elements(const CoverArrays& covers, const ElementMesh& 
     for (const Index k : mesh.tetrahedron[t]) my.point_material[k] = mesh.material[t];
 }
 
+void ResultWriter::write_bolts(const BoltLines& lines) {
+  auto& my = *implementation_;
+  expect(!my.finished && my.times.empty(), "write_bolts comes before states");
+  if (lines.steel.empty()) return;
+  File file = my.extend();
+  Grid grid = vtkhdf::write_lines(file, "Bolts", static_cast<int>(my.grids.size()), lines.node,
+                                  lines.steel);
+  vtkhdf::write_cell_field(file, grid, "bolt", from_one(lines.bolt));
+  my.grids.push_back(std::move(grid));
+  file.close();
+}
+
 /// All that a state adds to the file, with room for the entries in HDF5's own tables.
 std::int64_t ResultWriter::Implementation::bytes_of(const ResultState& state) const {
   const auto points = 2 * (block_vertices + joint_vertex.size() + mesh->point_count());
@@ -286,7 +299,10 @@ std::int64_t ResultWriter::Implementation::bytes_of(const ResultState& state) co
   return native + vtkhdf::state_bytes(points, 3) + stress(state.stress, mesh->element.size()) +
          stress(state.nodal_stress, mesh->point_count()) +
          stress(state.block_stress, polygon_block.size()) +
-         (state.gone.empty() ? 0 : std::ssize(polygon_block) + std::ssize(joint_block));
+         (state.gone.empty() ? 0 : std::ssize(polygon_block) + std::ssize(joint_block)) +
+         (state.bolts ? vtkhdf::state_bytes(state.bolts->displacement.size(), 3) +
+                            vtkhdf::state_bytes(state.bolts->force.size(), 3)
+                      : 0);
 }
 
 /// Stress of the elements, and its mean at their points.
@@ -297,6 +313,20 @@ void ResultWriter::Implementation::append_element_stress(File& file, Grid& grid,
     stresses.append(file, grid, {false, "", state.stress, mesh->element, mesh->material}, number);
   if (!state.nodal_stress.empty())
     stresses.append(file, grid, {true, "nodal_", state.nodal_stress, {}, point_material}, number);
+}
+
+void ResultWriter::Implementation::append_bolts(File& file, Grid& grid, const BoltLineState& bolts,
+                                                std::int64_t number) {
+  const auto to_float = [](const std::vector<Real>& values) {
+    return std::vector<float>(values.begin(), values.end());
+  };
+  std::vector<std::uint8_t> status;
+  for (const BoltStatus s : bolts.status) status.push_back(static_cast<std::uint8_t>(s));
+  vtkhdf::append_point_field(file, grid, "displacement", number,
+                             single(std::span<const Vec3>(bolts.displacement)));
+  vtkhdf::append_cell_field(file, grid, "force", number, to_float(bolts.force));
+  vtkhdf::append_cell_field(file, grid, "mobilisation", number, to_float(bolts.mobilisation));
+  vtkhdf::append_cell_field(file, grid, "status", number, status);
 }
 
 void ResultWriter::Implementation::append_grids(File& file, const ResultState& state,
@@ -313,6 +343,10 @@ void ResultWriter::Implementation::append_grids(File& file, const ResultState& s
       continue;
     }
     if (grid.name == "DeadEnds") continue;
+    if (grid.name == "Bolts") {
+      append_bolts(file, grid, *state.bolts, number);
+      continue;
+    }
     if (grid.name == "Blocks" && !state.block_stress.empty())
       stresses.append(file, grid, {false, "", state.block_stress, polygon_block, polygon_material},
                       number);
@@ -354,6 +388,12 @@ void ResultWriter::add_state(const ResultState& state) {
              (state.covers.time >= my.times.back() && my.with_stress == !state.stress.empty() &&
               my.with_nodal_stress == !state.nodal_stress.empty()),
          "time runs backwards, or stress comes and goes");
+  const auto lines = std::find_if(my.grids.begin(), my.grids.end(),
+                                  [](const Grid& grid) { return grid.name == "Bolts"; });
+  expect(lines == my.grids.end() ||
+             (state.bolts && std::ssize(state.bolts->displacement) == lines->points &&
+              std::ssize(state.bolts->force) == lines->cells),
+         "bolts are not those of write_bolts");
   if (my.damaged) fail(my.target.path(), "cannot write: an earlier state was written in part");
   const SignalsWait until_it_is_written;
   File file = my.extend();

@@ -33,7 +33,7 @@ struct Slip {
 
 /// Bounds: soft clay has some MPa, the strongest rock 150 GPa; pumice 500 kg/m3, steel 7,850; a thin rod of glass fibre holds 50 kN.
 /// Joints filled with soft clay have 10 MPa/m, tight ones in granite 100 GPa/m (manual of UDEC). A cohesion of 100 Pa carries 4 mm of
-/// rock; soil has some kPa, intact rock MPa. Friction bolts hold some 10 kN/m; yielding bolts give way by some 0.3 m.
+/// rock; soil has some kPa, intact rock MPa.
 constexpr Slip slips[] = {
     {"material", "young_modulus", "Pa", 0, 1e3, 1e9, "GPa", false},
     {"material", "young_modulus", "Pa", 1e3, 1e6, 1e6, "MPa", false},
@@ -47,21 +47,22 @@ constexpr Slip slips[] = {
     {"joint_material", "normal_stiffness", "Pa/m", 1e3, 1e6, 1e6, "MPa/m", false},
     {"joint_material", "shear_stiffness", "Pa/m", 0, 1e3, 1e9, "GPa/m", false},
     {"joint_material", "shear_stiffness", "Pa/m", 1e3, 1e6, 1e6, "MPa/m", false},
-    {"bolt_type", "force_capacity", "N", 0, 1e3, 1e3, "kN"},
-    {"bolt_type", "plate_capacity", "N", 0, 1e3, 1e3, "kN"},
-    {"bolt_type", "shear_capacity", "N", 0, 1e3, 1e3, "kN"},
-    {"bolt", "force_capacity", "N", 0, 1e3, 1e3, "kN"},
-    {"bolt", "plate_capacity", "N", 0, 1e3, 1e3, "kN"},
-    {"bolt", "shear_capacity", "N", 0, 1e3, 1e3, "kN"},
-    {"bolt_pattern", "force_capacity", "N", 0, 1e3, 1e3, "kN"},
-    {"bolt_pattern", "plate_capacity", "N", 0, 1e3, 1e3, "kN"},
-    {"bolt_pattern", "shear_capacity", "N", 0, 1e3, 1e3, "kN"},
-    {"bolt_type", "bond_strength", "N/m", 0, 1e3, 1e3, "kN/m"},
-    {"bolt", "bond_strength", "N/m", 0, 1e3, 1e3, "kN/m"},
-    {"bolt_pattern", "bond_strength", "N/m", 0, 1e3, 1e3, "kN/m"},
-    {"bolt_type", "displacement_capacity", "m", 1, infinity, 1e-3, "mm"},
-    {"bolt", "displacement_capacity", "m", 1, infinity, 1e-3, "mm"},
-    {"bolt_pattern", "displacement_capacity", "m", 1, infinity, 1e-3, "mm"},
+};
+
+/// Of bolts, wherever their keys stand. Friction bolts hold some 10 kN/m; yielding bolts give way by some 0.3 m; diameters are of some 10 to 60 mm, steel has 200 GPa and yields at some hundred MPa, grout holds by 1 MN/m and more for each
+/// metre and metre of slip.
+constexpr Slip bolt_slips[] = {
+    {"", "force_capacity", "N", 0, 1e3, 1e3, "kN"},
+    {"", "plate_capacity", "N", 0, 1e3, 1e3, "kN"},
+    {"", "shear_capacity", "N", 0, 1e3, 1e3, "kN"},
+    {"", "pretension", "N", 0, 1e3, 1e3, "kN"},
+    {"", "bond_strength", "N/m", 0, 1e3, 1e3, "kN/m"},
+    {"", "bond_stiffness", "N/m per m", 0, 1e4, 1e6, "MN/m per m"},
+    {"", "displacement_capacity", "m", 1, infinity, 1e-3, "mm"},
+    {"", "diameter", "m", 1, infinity, 1e-3, "mm"},
+    {"", "young_modulus", "Pa", 0, 1e3, 1e9, "GPa"},
+    {"", "young_modulus", "Pa", 1e3, 1e6, 1e6, "MPa"},
+    {"", "yield", "Pa", 0, 1e4, 1e6, "MPa"},
 };
 
 /// Of friction alone: no surface has under 1 deg, and 1 rad is more than most have. 0 is a smooth joint.
@@ -114,6 +115,11 @@ class Plausibility {
   std::vector<Diagnostic> find() {
     for (const Slip& slip : slips)
       if (slip.of_weightless || model_.gravity != Vec3{}) look_for(slip);
+    for (const char* section : {"bolt_type", "bolt", "bolt_pattern"})
+      for (Slip slip : bolt_slips) {
+        slip.section = section;
+        look_for(slip);
+      }
     look_for_radians();
     look_at_gravity();
     look_at_loads();

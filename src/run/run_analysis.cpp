@@ -586,7 +586,7 @@ void Run::summarise() {
   result.block_stress = average_block_stress(input_.covers, moments_, stress, blocks);
   result.strength = find_strength(input_.covers, moments_, stress, model.materials);
   find_imbalance();
-  result.bolts = recorder_.bolts(motion_);
+  recorder_.find_support(motion_, result);
   if (input_.contact) {
     result.met = met_surfaces(model, motion_.surfaces_that_met());
     result.water = water_.at_end(motion_);
@@ -613,6 +613,7 @@ StageKeys keys_of_analysis(const Model& model) {
   if (has_bolts(model))
     for (const char* section : {"bolt_type", "bolt", "bolt_pattern"})
       keys.keys.emplace_back(section);
+  if (has_shotcrete(model)) keys.keys.emplace_back("shotcrete");
   if (has_contact(model))
     for (const char* section : {"joint_material", "contact", "contact_pair", "reduction", "water"})
       keys.keys.emplace_back(section);

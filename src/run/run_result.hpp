@@ -30,6 +30,7 @@ struct StoredState {
   std::vector<Stress> nodal_stress;    ///< [K] at RunInput::mesh's points; empty without one
   std::optional<std::vector<ContactSample>> contacts;  ///< where blocks touch each other
   std::vector<std::uint8_t> gone;  ///< [B] 1: excavated on the way; empty where nothing goes in any
+  BoltLineState bolts;             ///< empty without bolts
 };
 
 /// One material point over time; every vector has one entry for t = 0 and one for each step done.
@@ -197,9 +198,10 @@ struct BySubsteps {
 
 /// A bolt at the end.
 struct BoltResult {
-  std::string name;      ///< of its [[bolt]] or [[bolt_pattern]]
-  Index number = 1;      ///< within that
-  Vec3 collar{}, toe{};  ///< m, before the motion
+  std::string name;  ///< of its [[bolt]], or of its [[bolt_pattern]] with its number: "pattern1.3"
+  Vec3 collar{};     ///< m, before the motion
+  Vec3 direction{};  ///< unit, into the rock
+  Real length = 0;   ///< m
   bool installed = false;
   BoltStatus status = BoltStatus::elastic;
   Real force = 0, shear = 0;      ///< N, the largest along it and across it
@@ -208,6 +210,14 @@ struct BoltResult {
   Real mobilisation = 0;          ///< of what the steel bears
   std::optional<Real> broken_at;  ///< s
   std::vector<Real> at, along;    ///< m from the collar, and N there
+};
+
+/// Shotcrete at the end, where it bridges joints.
+struct ShotcreteResult {
+  Real length = 0;                ///< m of joint
+  Real yielding = 0, broken = 0;  ///< m of it
+  Real force = 0;                 ///< N, the sum of what it bears, normal to the wall
+  Real mobilisation = 0;          ///< the largest
 };
 
 struct RunResult {
@@ -230,7 +240,8 @@ struct RunResult {
   std::optional<Rest> rest;          ///< with contact
   std::vector<MetSurfaces> met;      ///< likewise: in all steps
   std::optional<WaterInJoints> water;
-  std::vector<BoltResult> bolts;         ///< that act on the rock, at the end
+  std::vector<BoltResult> bolts;  ///< that act on the rock, at the end
+  std::optional<ShotcreteResult> shotcrete;
   std::optional<Unbalanced> unbalanced;  ///< of the last step, where that is quasi-static
   std::vector<BlockCourse> courses;      ///< [B] with contact
   std::vector<std::uint8_t> gone;        ///< [B] 1: excavated on the way; empty where nothing goes

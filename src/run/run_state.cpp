@@ -9,7 +9,7 @@ namespace rockfold {
 namespace {
 
 /// Of what follows: changed with it.
-constexpr std::uint64_t format = 0x0006'504b'4843'4652;  // "RFCHKP", 6
+constexpr std::uint64_t format = 0x0007'504b'4843'4652;  // "RFCHKP", 7
 
 struct StageLength {
   std::int64_t steps = 0;
@@ -29,7 +29,8 @@ StageLength length_of(const AnalysisStage& stage) {
 void pass(Archive& archive, StoredState& state) {
   archive.all(state.step, state.motion.time, state.motion.displacement, state.motion.velocity,
               state.motion.acceleration, state.element_stress, state.block_stress,
-              state.nodal_stress, state.contacts, state.gone);
+              state.nodal_stress, state.contacts, state.gone, state.bolts.displacement,
+              state.bolts.force, state.bolts.mobilisation, state.bolts.status);
 }
 
 }  // namespace

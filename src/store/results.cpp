@@ -60,7 +60,8 @@ void add_stored_state(ResultWriter& writer, const MaterialPoints& block_vertices
   const auto velocity = interpolated(block_vertices, state.motion.velocity);
   writer.add_state({state.step, state.motion, displacement, velocity, state.element_stress,
                     state.block_stress, state.nodal_stress,
-                    state.contacts ? &*state.contacts : nullptr, hash_of(state), state.gone});
+                    state.contacts ? &*state.contacts : nullptr, hash_of(state), state.gone,
+                    &state.bolts});
 }
 
 }  // namespace rockfold

@@ -79,7 +79,7 @@ export class App implements Context {
     this.marks = new Marks(data.document.answer?.marks ?? [], data.document.origin);
     const marks = data.document.answer?.marks ?? [];
     this.waterLevel = waterLevels(marks, data.document.origin, this.scene.radius);
-    this.scene.extras.add(boltRods(this.support.bolts ?? [], data.document.origin, this.scene.radius), this.waterLevel, this.marks.object);
+    this.scene.extras.add(boltRods(data.document.answer?.bolts ?? this.support.bolts ?? [], data.document.origin, this.scene.radius), this.waterLevel, this.marks.object);
     this.scene.add(this.dots.object);
     this.deadEnds = new DeadEnds(data, this.surface);
     this.scene.add(this.deadEnds.object);

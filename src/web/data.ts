@@ -55,6 +55,9 @@ export interface Bolt {
   collar: [number, number, number];
   direction: [number, number, number];
   length: number;
+  state?: string; // of a run, at its end: "elastic", "yields", "slides", "broken", "not installed" …
+  force?: number; // N, the largest along it
+  mobilisation?: number; // of what its steel bears
 }
 
 export interface Monitor {

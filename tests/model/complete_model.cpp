@@ -375,6 +375,12 @@ stiffness = 12e6
 action = "active"
 efficiency = "cosine"
 mass_per_metre = 3.9
+young_modulus = 205e9
+diameter = 0.025
+yield = 300e6
+rupture = 0.05
+bond_stiffness = 1e8
+pretension = 50e3
 
 [[bolt_type]]
 name = "anchor"
@@ -391,6 +397,7 @@ collar = [5, 5, 30]
 direction = [0, 0, -2]
 length = 6
 type = "anchor"
+install = "stage 1"
 
 [[bolt]]
 collar = [5, 5, 30]

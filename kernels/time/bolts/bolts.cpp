@@ -201,7 +201,7 @@ KOKKOS_INLINE_FUNCTION void break_steel(const DeviceBolts& all, const Chain& cha
       if (last + 1 == end || all.bond_to(far) > all.bond_from(far)) break;
     }
     if (flow > before && all.next.broken(most) == 0) {
-      const Real moved = flow + all.work.axial(most) / law.stiffness + cut;
+      const Real moved = flow + math::fabs(all.work.axial(most)) / law.stiffness + cut;
       const bool breaks =
           law.rupture > 0 ? flow > law.rupture * length : moved >= (1 - 1e-9) * law.reach;
       if (breaks) all.next.broken(most) = 1;

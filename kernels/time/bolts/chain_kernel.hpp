@@ -190,7 +190,7 @@ KOKKOS_INLINE_FUNCTION void solve_chain(const DeviceBolts& all, const Chain& cha
 
 /// The slips that bring the chain into balance, from those of the last step on.
 KOKKOS_INLINE_FUNCTION void balance_chain(const DeviceBolts& all, const Chain& chain) {
-  constexpr int most = 200, trials = 8;
+  constexpr int most = 200, trials = 60;
   constexpr Real enough = 1e-12, within = 0.5;
   const ChainWork& w = all.work;
   const Index first = chain.node, end = chain.node + chain.nodes;
@@ -211,15 +211,16 @@ KOKKOS_INLINE_FUNCTION void balance_chain(const DeviceBolts& all, const Chain& c
     const Real start = slope();  // < 0
     if (!(start < 0)) break;
     go(1);
+    // Beyond the least by much: back to it. Where a stiff plate lets go the slope has a sharp bend, so every second trial halves.
     Real at = 1, here = slope(), low = 0, of_low = start, high = 1, of_high = here;
-    for (int t = 0; t < trials && here > -within * start; ++t) {
-      const Real to = low + (high - low) * of_low / (of_low - of_high);
+    for (int t = 0; t < trials && (t > 0 || here > 0) && math::fabs(here) > -within * start; ++t) {
+      const Real to =
+          t % 2 == 1 ? 0.5 * (low + high) : low + (high - low) * of_low / (of_low - of_high);
       go(to - at);
       at = to;
       here = slope();
       (here > 0 ? high : low) = at;
       (here > 0 ? of_high : of_low) = here;
-      if (here < 0) break;
     }
   }
 }

@@ -8,7 +8,7 @@ namespace {
 using hdf5::File;
 
 constexpr std::uint8_t vtk_tetra = 10;
-constexpr Index xdmf_polygon = 3;
+constexpr Index xdmf_polyline = 2, xdmf_polygon = 3;
 
 void write_header(File& file, const std::string& path, const std::string& type) {
   file.make_group(path);
@@ -39,13 +39,13 @@ void write_cell_array(File& file, const std::string& path, const std::vector<Ind
   file.write(path + "/Connectivity", connectivity);
 }
 
-/// XDMF's mixed connectivity: for each polygon its type, its number of corners, its corners.
-std::vector<Index> mixed_connectivity(const std::vector<Index>& offsets,
+/// XDMF's mixed connectivity: for each cell its type, its number of corners, its corners.
+std::vector<Index> mixed_connectivity(Index type, const std::vector<Index>& offsets,
                                       const std::vector<Index>& connectivity) {
   std::vector<Index> mixed;
   mixed.reserve(connectivity.size() + 2 * offsets.size());
   for (std::size_t p = 0; p + 1 < offsets.size(); ++p) {
-    mixed.push_back(xdmf_polygon);
+    mixed.push_back(type);
     mixed.push_back(offsets[p + 1] - offsets[p]);
     mixed.insert(mixed.end(), connectivity.begin() + offsets[p],
                  connectivity.begin() + offsets[p + 1]);
@@ -99,8 +99,12 @@ void write_root(File& file) {
   file.make_group("/VTKHDF/Assembly");
 }
 
-Grid write_polygons(File& file, const std::string& name, int index, const std::vector<Vec3>& points,
-                    const std::vector<Index>& offsets, const std::vector<Index>& connectivity) {
+namespace {
+
+/// Cells of one kind: "/Lines" or "/Polygons".
+Grid write_poly_data(File& file, const std::string& name, int index,
+                     const std::vector<Vec3>& points, const std::string& kind, Index type,
+                     const std::vector<Index>& offsets, const std::vector<Index>& connectivity) {
   Grid grid{name,
             true,
             static_cast<std::int64_t>(points.size()),
@@ -110,13 +114,32 @@ Grid write_polygons(File& file, const std::string& name, int index, const std::v
   write_block_header(file, grid, "PolyData", index);
   write_count(file, grid.path() + "/NumberOfPoints", grid.points);
   file.write(grid.path() + "/Points", points);
-  for (const char* empty : {"/Vertices", "/Lines", "/Strips"})
-    write_cell_array(file, grid.path() + empty, {0}, {});
-  write_cell_array(file, grid.path() + "/Polygons", offsets, connectivity);
-  const std::vector<Index> mixed = mixed_connectivity(offsets, connectivity);
+  for (const std::string cells : {"/Vertices", "/Lines", "/Strips", "/Polygons"})
+    if (cells != kind) write_cell_array(file, grid.path() + cells, {0}, {});
+  write_cell_array(file, grid.path() + kind, offsets, connectivity);
+  const std::vector<Index> mixed = mixed_connectivity(type, offsets, connectivity);
   grid.mixed_length = static_cast<std::int64_t>(mixed.size());
   file.write(mixed_path(grid), mixed);
   return grid;
+}
+
+}  // namespace
+
+Grid write_polygons(File& file, const std::string& name, int index, const std::vector<Vec3>& points,
+                    const std::vector<Index>& offsets, const std::vector<Index>& connectivity) {
+  return write_poly_data(file, name, index, points, "/Polygons", xdmf_polygon, offsets,
+                         connectivity);
+}
+
+Grid write_lines(File& file, const std::string& name, int index, const std::vector<Vec3>& points,
+                 const std::vector<std::array<Index, 2>>& lines) {
+  std::vector<Index> offsets{0}, connectivity;
+  for (const auto& [from, to] : lines) {
+    connectivity.push_back(from);
+    connectivity.push_back(to);
+    offsets.push_back(static_cast<Index>(connectivity.size()));
+  }
+  return write_poly_data(file, name, index, points, "/Lines", xdmf_polyline, offsets, connectivity);
 }
 
 Grid write_tetrahedra(File& file, const std::string& name, int index, const ElementMesh& mesh) {

@@ -4,6 +4,7 @@
 // https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html#vtkhdf-file-format
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,7 +26,7 @@ struct Field {
 /// One block of the MultiBlockDataSet: what was written of it.
 struct Grid {
   std::string name;      ///< "Blocks", "Joints", "Elements"
-  bool polygons = true;  ///< else tetrahedra
+  bool polygons = true;  ///< or lines, else tetrahedra
   std::int64_t points = 0, cells = 0;
   std::int64_t mixed_length = 0;  ///< of XDMF's own connectivity of polygons
   std::vector<Field> fields;
@@ -40,6 +41,9 @@ void write_root(hdf5::File& file);
 Grid write_polygons(hdf5::File& file, const std::string& name, int index,
                     const std::vector<Vec3>& points, const std::vector<Index>& offsets,
                     const std::vector<Index>& connectivity);
+/// Lines between two points each.
+Grid write_lines(hdf5::File& file, const std::string& name, int index,
+                 const std::vector<Vec3>& points, const std::vector<std::array<Index, 2>>& lines);
 Grid write_tetrahedra(hdf5::File& file, const std::string& name, int index,
                       const ElementMesh& mesh);
 

@@ -251,9 +251,9 @@ Json bolts_json(const std::vector<BoltResult>& bolts) {
   Json list = Json::array();
   for (const BoltResult& bolt : bolts)
     list.push_back({{"name", bolt.name},
-                    {"number", bolt.number},
                     {"collar", bolt.collar},
-                    {"toe", bolt.toe},
+                    {"direction", bolt.direction},
+                    {"length", bolt.length},
                     {"state", bolt.installed ? bolt_status_name(bolt.status) : "not installed"},
                     {"force", bolt.force},
                     {"shear", bolt.shear},
@@ -293,6 +293,12 @@ Json run_document(const DocumentHead& head, const RunReport& report, BlockList l
                          {"force", water->force},
                          {"whole_force", water->whole_force}};
   if (!report.run.bolts.empty()) document["bolts"] = bolts_json(report.run.bolts);
+  if (const auto& shotcrete = report.run.shotcrete)
+    document["shotcrete"] = {{"length", shotcrete->length},
+                             {"yielding", shotcrete->yielding},
+                             {"broken", shotcrete->broken},
+                             {"force", shotcrete->force},
+                             {"mobilisation", shotcrete->mobilisation}};
   if (!report.run.gone.empty()) document["excavation"] = excavation_json(report);
   if (const auto& unbalanced = report.run.unbalanced)
     document["unbalanced"] = {

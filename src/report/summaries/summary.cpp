@@ -275,6 +275,17 @@ std::string water_fact(const RunReport& report) {
                                                       100 * share)));
 }
 
+std::string shotcrete_fact(const RunReport& report) {
+  const auto& shotcrete = report.run.shotcrete;
+  if (!shotcrete) return "";
+  std::string text = fmt::format("over {:.4g} m of joints, bears {:.4g} kN", shotcrete->length,
+                                 1e-3 * shotcrete->force);
+  if (shotcrete->yielding > 0)
+    text += fmt::format("; all that it can along {:.4g} m", shotcrete->yielding);
+  if (shotcrete->broken > 0) text += fmt::format("; broken along {:.4g} m", shotcrete->broken);
+  return fact("shotcrete", text);
+}
+
 std::string bolts_fact(const RunReport& report) {
   const std::vector<BoltResult>& bolts = report.run.bolts;
   if (bolts.empty()) return "";
@@ -288,9 +299,8 @@ std::string bolts_fact(const RunReport& report) {
   for (const auto& [state, count] : states)
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, state);
   return fact("bolts", text) +
-         fact("",
-              fmt::format("largest force {:.4g} kN in {} {}, {:.3g} % of what it bears",
-                          1e-3 * most->force, most->name, most->number, 100 * most->mobilisation));
+         fact("", fmt::format("largest force {:.4g} kN in {}, {:.3g} % of what it bears",
+                              1e-3 * most->force, most->name, 100 * most->mobilisation));
 }
 
 /// Of which law holds where that is not plain: faces of two materials, or of none.
@@ -319,7 +329,7 @@ std::string rest_facts(const RunReport& report) {
   if (const auto weaker = materials_that_lose_strength(report.model, report.blocks);
       !weaker.empty())
     text += fact("strength lost by slip", strength_loss_text(weaker));
-  text += water_fact(report) + bolts_fact(report) + met_facts(report);
+  text += water_fact(report) + bolts_fact(report) + shotcrete_fact(report) + met_facts(report);
   const ContactCount& c = report.run.contacts;
   return text + fact("contact points", fmt::format("{} stick, {} slide, {} open", grouped(c.stick),
                                                    grouped(c.slide), grouped(c.open)));

@@ -5,6 +5,7 @@
 
 #include "host/bolting/bolt_elements.hpp"
 #include "src/base/vector.hpp"
+#include "src/space/shape_functions.hpp"
 
 namespace rockfold {
 namespace {
@@ -35,15 +36,41 @@ BoltStatus status_of(const BoltForces& forces, const Range& of) {
   return slides ? BoltStatus::slides : BoltStatus::elastic;
 }
 
-/// Of what the steel bears, on the ellipse of its law.
+/// Of what a piece of steel bears, on the ellipse of its law.
+Real mobilisation(const BoltForces& forces, const BoltLaw& law, Index piece) {
+  const Real along = std::max(forces.axial[piece], Real{0}) / law.strength;
+  const Real across = law.shear_strength > 0 ? forces.shear[piece] / law.shear_strength : 0;
+  return std::hypot(along, across);
+}
+
 Real mobilisation(const BoltForces& forces, const BoltLaw& law, const Range& of) {
   Real most = 0;
-  for (Index p = of.steel; p < of.steel + of.steels; ++p) {
-    const Real along = std::max(forces.axial[p], Real{0}) / law.strength;
-    const Real across = law.shear_strength > 0 ? forces.shear[p] / law.shear_strength : 0;
-    most = std::max(most, std::hypot(along, across));
-  }
+  for (Index p = of.steel; p < of.steel + of.steels; ++p)
+    most = std::max(most, mobilisation(forces, law, p));
   return most;
+}
+
+/// [M] m: nodes move with the rock between the points of their links, and slip along it.
+std::vector<Vec3> steel_displacement(const BoltElements& bolts, const BoltForces& forces,
+                                     const std::vector<Vec3>& displacement) {
+  const BoltArrays& all = bolts.arrays;
+  std::vector<Vec3> moved;
+  for (Index b = 0; b < bolts.bolts(); ++b) {
+    const Vec3& along = all.direction[b];
+    Index node = all.node_begin[b];
+    const auto add = [&](const Vec3& u) { moved.push_back(u + forces.slip[node++] * along); };
+    Index point = all.point_begin[b];
+    Vec3 before = interpolate(all.points, point, displacement);
+    add(before);
+    for (; point + 1 < all.point_begin[b + 1]; ++point) {
+      const Vec3 after = interpolate(all.points, point + 1, displacement);
+      const Index link = point - b, pieces = all.steel_begin[link + 1] - all.steel_begin[link];
+      for (Index k = 1; k <= pieces; ++k)
+        add(before + (static_cast<Real>(k) / static_cast<Real>(pieces)) * (after - before));
+      before = after;
+    }
+  }
+  return moved;
 }
 
 }  // namespace
@@ -51,9 +78,9 @@ Real mobilisation(const BoltForces& forces, const BoltLaw& law, const Range& of)
 void BoltRecord::look(const Motion& motion) {
   const BoltForces forces = motion.bolt_forces();
   const BoltArrays& all = bolts_.arrays;
-  peak_.resize(all.count());
-  broken_at_.resize(all.count());
-  for (Index b = 0; b < all.count(); ++b) {
+  peak_.resize(bolts_.bolts());
+  broken_at_.resize(bolts_.bolts());
+  for (Index b = 0; b < bolts_.bolts(); ++b) {
     const Range of = range_of(all, b);
     peak_[b] = std::max(peak_[b], largest(forces.axial, of));
     if (!broken_at_[b] && status_of(forces, of) == BoltStatus::broken)
@@ -65,14 +92,15 @@ std::vector<BoltResult> BoltRecord::at_end(const Motion& motion) const {
   const BoltForces forces = motion.bolt_forces();
   const BoltArrays& all = bolts_.arrays;
   std::vector<BoltResult> results;
-  for (Index b = 0; b < all.count(); ++b) {
+  for (Index b = 0; b < bolts_.bolts(); ++b) {
     const Bolt& bolt = bolts_.drilled.bolts[b];
     const Range of = range_of(all, b);
     BoltResult result;
-    result.name = bolts_.drilled.groups[bolt.group].name;
-    result.number = bolt.number;
+    const BoltGroup& group = bolts_.drilled.groups[bolt.group];
+    result.name = group.is_pattern ? group.name + "." + std::to_string(bolt.number) : group.name;
     result.collar = bolt.collar;
-    result.toe = bolt.collar + bolt.length * bolt.direction;
+    result.direction = bolt.direction;
+    result.length = bolt.length;
     result.installed = forces.installed[b] != 0;
     result.status = status_of(forces, of);
     result.force = largest(forces.axial, of);
@@ -89,6 +117,38 @@ std::vector<BoltResult> BoltRecord::at_end(const Motion& motion) const {
     results.push_back(std::move(result));
   }
   return results;
+}
+
+BoltLineState BoltRecord::lines(const Motion& motion, const std::vector<Vec3>& displacement) const {
+  const BoltForces forces = motion.bolt_forces();
+  BoltLineState state;
+  state.displacement = steel_displacement(bolts_, forces, displacement);
+  for (Index b = 0; b < bolts_.bolts(); ++b) {
+    const Range of = range_of(bolts_.arrays, b);
+    for (Index p = of.steel; p < of.steel + of.steels; ++p) {
+      state.force.push_back(forces.axial[p]);
+      state.mobilisation.push_back(mobilisation(forces, bolts_.arrays.law[b], p));
+      state.status.push_back(forces.steel[p]);
+    }
+  }
+  return state;
+}
+
+std::optional<ShotcreteResult> BoltRecord::shotcrete_at_end(const Motion& motion) const {
+  if (bolts_.bridged.empty()) return {};
+  const BoltForces forces = motion.bolt_forces();
+  ShotcreteResult result;
+  for (std::size_t k = 0; k < bolts_.bridged.size(); ++k) {
+    const Index b = bolts_.bolts() + static_cast<Index>(k);
+    const Range of = range_of(bolts_.arrays, b);
+    const Real force = std::abs(forces.axial[of.steel]);
+    result.length += bolts_.bridged[k];
+    if (forces.steel[of.steel] == BoltStatus::broken) result.broken += bolts_.bridged[k];
+    if (forces.steel[of.steel] == BoltStatus::yields) result.yielding += bolts_.bridged[k];
+    result.force += force;
+    result.mobilisation = std::max(result.mobilisation, force / bolts_.arrays.law[b].strength);
+  }
+  return result;
 }
 
 }  // namespace rockfold

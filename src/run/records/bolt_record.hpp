@@ -19,6 +19,10 @@ class BoltRecord {
   void look(const Motion& motion);
   /// As they are at the end: [bolts that meet rock].
   std::vector<BoltResult> at_end(const Motion& motion) const;
+  /// Likewise; none where it bridges no joint.
+  std::optional<ShotcreteResult> shotcrete_at_end(const Motion& motion) const;
+  /// To store; the displacements count as `displacement` of the covers does.
+  BoltLineState lines(const Motion& motion, const std::vector<Vec3>& displacement) const;
   void pass(Archive& archive) { archive.all(peak_, broken_at_); }
 
  private:

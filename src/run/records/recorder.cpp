@@ -66,8 +66,10 @@ void Recorder::record(const Motion& motion, Index step, bool last) {
   if (step == 0 || last || (every_ > 0 && step % every_ == 0)) store(motion, step);
 }
 
-std::vector<BoltResult> Recorder::bolts(const Motion& motion) const {
-  return bolts_ ? bolts_->at_end(motion) : std::vector<BoltResult>{};
+void Recorder::find_support(const Motion& motion, RunResult& result) const {
+  if (!bolts_) return;
+  result.bolts = bolts_->at_end(motion);
+  result.shotcrete = bolts_->shotcrete_at_end(motion);
 }
 
 std::vector<ContactSample> Recorder::contacts(const Motion& motion) const {
@@ -77,9 +79,10 @@ std::vector<ContactSample> Recorder::contacts(const Motion& motion) const {
 void Recorder::store(const Motion& motion, Index step) {
   if (stored_ == step || !store_) return;
   const Timer timer;
-  StoredState state{step, motion.state(), motion.element_stress(), {}, {}, {}, gone_};
+  StoredState state{step, motion.state(), motion.element_stress(), {}, {}, {}, gone_, {}};
   state.motion.displacement = counted(std::move(state.motion.displacement));
   if (input_.contact) state.contacts = contacts(motion);
+  if (bolts_) state.bolts = bolts_->lines(motion, state.motion.displacement);
   state.block_stress = average_block_stress(input_.covers, moments_, state.element_stress,
                                             input_.blocks.block_count());
   if (input_.mesh)

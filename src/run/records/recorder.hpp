@@ -32,7 +32,7 @@ class Recorder {
   /// BlockCourses::at_rest_since(); only with contact.
   Real at_rest_since() const { return courses_->at_rest_since(); }
   /// Of the end.
-  std::vector<BoltResult> bolts(const Motion& motion) const;
+  void find_support(const Motion& motion, RunResult& result) const;
   /// Contact points as they are now; only with contact.
   std::vector<ContactSample> contacts(const Motion& motion) const;
   /// Stores the state unless that has been done.

@@ -1,5 +1,6 @@
 // Bolts as rods, and marks (monitors, loads, fixings, water) as points and arrows that keep their size on the screen.
 import * as THREE from 'three';
+import { mapColour } from '../colour';
 import type { Bolt, Mark } from '../data';
 import type { ClipPlane } from './section';
 
@@ -11,6 +12,13 @@ const kinds: Record<Mark['kind'], { shape: number; colour: string }> = {
   water: { shape: 4, colour: '#2a8fd0' },
 };
 
+/// As much as is used of what its steel bears, from blue over grey to rust; black where it has broken. Blue before any motion.
+export function boltColour(bolt: Bolt): THREE.Color {
+  if (bolt.mobilisation === undefined) return new THREE.Color().setStyle('#1f5fd0', THREE.LinearSRGBColorSpace);
+  if (bolt.state === 'broken') return new THREE.Color(0, 0, 0);
+  return new THREE.Color(...mapColour('diverging', 1 - Math.min(1, bolt.mobilisation)));
+}
+
 /// Rods from collar to toe, seen through the rock too, faintly.
 export function boltRods(bolts: Bolt[], origin: number[], radius: number): THREE.Object3D {
   const group = new THREE.Group();
@@ -20,7 +28,7 @@ export function boltRods(bolts: Bolt[], origin: number[], radius: number): THREE
   geometry.translate(0, 0.5, 0);
   const place = new THREE.Object3D();
   for (const hidden of [false, true]) {
-    const material = new THREE.MeshBasicMaterial({ color: new THREE.Color().setStyle('#1f5fd0', THREE.LinearSRGBColorSpace),
+    const material = new THREE.MeshBasicMaterial({
       depthTest: !hidden, transparent: hidden, opacity: hidden ? 0.3 : 1, depthWrite: !hidden });
     const mesh = new THREE.InstancedMesh(geometry, material, bolts.length);
     bolts.forEach((bolt, i) => {
@@ -29,6 +37,7 @@ export function boltRods(bolts: Bolt[], origin: number[], radius: number): THREE
       place.scale.set(1, bolt.length, 1);
       place.updateMatrix();
       mesh.setMatrixAt(i, place.matrix);
+      mesh.setColorAt(i, boltColour(bolt));
     });
     mesh.frustumCulled = false;
     mesh.renderOrder = hidden ? 4 : 3;
