@@ -76,6 +76,7 @@ struct BoltForces {
   std::vector<Real> slip;               ///< [M] m, of the steel against the rock, towards the toe
   std::vector<BoltStatus> bond;         ///< [M]
   std::vector<Real> plate;              ///< [B] N
+  std::vector<Real> peak;               ///< [B] N, the largest along it at the end of any step, before what breaks then is broken
 
   bool any() const { return !installed.empty(); }
 };

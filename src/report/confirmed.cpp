@@ -5,8 +5,10 @@
 #include <limits>
 #include <numbers>
 
+#include "host/bolting/bolt_elements.hpp"
 #include "src/base/vector.hpp"
 #include "src/report/confirmed_reasons.hpp"
+#include "src/report/design_names.hpp"
 #include "src/report/documents/document_parts.hpp"
 #include "src/report/names.hpp"
 
@@ -74,13 +76,16 @@ SeenMode mode_predicted(const Keyblock& key) {
 /// A chord of the arc that a point goes as it turns by θ is off the arc's beginning by θ/2.
 bool agrees(const Confirmed& c, const Beginning& first) {
   const Real bend = c.seen == SeenMode::rotation ? 0.5 * first.rotation : 0;
-  return c.key && c.seen == mode_predicted(*c.key) && c.off <= near + bend;
+  if (!c.key || c.is_held()) return false;
+  return c.seen == mode_predicted(*c.key) && c.off <= near + bend;
 }
 
-Confirmed confirm(const Keyblock* key, std::vector<Index> members, const RunReport& report) {
+Confirmed confirm(const Keyblock* key, const BlockSupport* support, std::vector<Index> members,
+                  const RunReport& report) {
   const BlockArrays& blocks = report.blocks;
   Confirmed c;
   c.key = key;
+  c.support = support;
   c.members = std::move(members);
   c.began = c.off = nan;
   Beginning first;
@@ -102,6 +107,7 @@ Confirmed confirm(const Keyblock* key, std::vector<Index> members, const RunRepo
   c.displacement = (1 / volume) * c.displacement;
   if (!has_moved(c.displacement, volume) || !(first.volume > 0.5 * volume)) {
     c.began = nan;
+    c.agrees = c.is_held();
     return c;
   }
   first.displacement = (1 / first.volume) * first.displacement;
@@ -118,14 +124,20 @@ std::vector<Confirmed> confirmed_motion(const RunReport& report) {
   std::vector<Confirmed> list;
   std::vector<std::uint8_t> told(report.blocks.volume.size(), 0);
   const auto is_gone = [&](Index b) { return !report.run.gone.empty() && report.run.gone[b] != 0; };
-  for (const Keyblock& key : report.keyblocks->keyblocks) {
+  const auto& keys = report.keyblocks->keyblocks;
+  const bool acts = has_bolts(report.model) || has_shotcrete(report.model);
+  const BoltingReport* bolting =
+      acts && report.design && report.design->bolting ? &*report.design->bolting : nullptr;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const Keyblock& key = keys[i];
     if (std::any_of(key.members.begin(), key.members.end(), is_gone)) continue;
-    list.push_back(confirm(&key, key.members, report));
+    list.push_back(
+        confirm(&key, bolting ? &bolting->keyblocks[i] : nullptr, key.members, report));
     for (const Index b : key.members) told[b] = 1;
   }
   for (Index b = 0; b < report.blocks.block_count(); ++b) {
     if (told[b] || !report.blocks.finite[b]) continue;
-    Confirmed other = confirm(nullptr, {b}, report);
+    Confirmed other = confirm(nullptr, nullptr, {b}, report);
     if (other.seen != SeenMode::stays) list.push_back(std::move(other));
   }
   const Reasons reasons(report);
@@ -135,6 +147,26 @@ std::vector<Confirmed> confirmed_motion(const RunReport& report) {
   for (Confirmed& c : list) c.other_loads = other_loads;
   return list;
 }
+
+namespace {
+
+/// The bolts that hold a block: what each was predicted to bear, and bears at the end.
+Json held_by_json(const Confirmed& c, const RunReport& report) {
+  Json list = Json::array();
+  for (const BoltCrossing& crossing : c.support->crossings) {
+    const std::string name = bolt_name(*report.design->bolting, crossing.bolt);
+    const auto& bolts = report.run.bolts;
+    const auto seen = std::find_if(bolts.begin(), bolts.end(),
+                                   [&](const BoltResult& bolt) { return bolt.name == name; });
+    list.push_back({{"bolt", name},
+                    {"predicted", crossing.load},
+                    {"capacity", crossing.capacity},
+                    {"seen", seen == bolts.end() ? Json() : Json(seen->force)}});
+  }
+  return list;
+}
+
+}  // namespace
 
 Json confirmed_json(const RunReport& report) {
   Json list = Json::array();
@@ -147,6 +179,11 @@ Json confirmed_json(const RunReport& report) {
                             {"direction", c.key->direction},
                             {"factor_of_safety", c.key->factor_of_safety},
                             {"residual_factor_of_safety", c.key->residual_factor_of_safety}};
+    if (c.support) {
+      entry["predicted"]["supported_factor_of_safety"] = c.support->held.factor_of_safety;
+      entry["predicted"]["held"] = c.is_held();
+      entry["bolts"] = held_by_json(c, report);
+    }
     entry["seen"] = {{"mode", seen_name(c.seen)}, {"moved", norm(c.displacement)},
                      {"direction", c.direction},  {"displacement", c.displacement},
                      {"rotation", c.rotation},    {"began", c.began},

@@ -14,6 +14,7 @@ enum class SeenMode { stays, sliding, falling, rotation };
 /// A key block, a group that fails together, or a finite block that moved without being one.
 struct Confirmed {
   const Keyblock* key = nullptr;  ///< what was predicted; null: that it stays
+  const BlockSupport* support = nullptr;  ///< of a key block, where bolts or shotcrete hold it in the analysis too
   std::vector<Index> members;     ///< ascending
   Vec3 displacement{};            ///< m, from t = 0 to the end, mean of the volume
   Real rotation = 0;              ///< deg, likewise, of the member that has turned most
@@ -25,6 +26,9 @@ struct Confirmed {
   /// What was predicted counts loads that do not act in the analysis (water, seismic_coefficient).
   bool other_loads = false;
   bool agrees = false;  ///< as predicted: the mode, and the direction within 5°
+
+  /// Predicted to stay, though it is a key block.
+  bool is_held() const { return support && support->held.factor_of_safety >= 1; }
 };
 
 /// Key blocks in their order, then the others that moved, by id. The whole run counts, whatever displacements are reset.

@@ -70,6 +70,7 @@ Reason Reasons::of_stay(const Confirmed& c) const {
 Reason Reasons::of_motion(const Confirmed& c) const {
   const auto beside = [&](Index b) { return beside_loose_rock_[b] != 0; };
   if (std::any_of(c.members.begin(), c.members.end(), beside)) return Reason::rock;
+  if (c.is_held()) return Reason::support;
   const Index first = c.members.front();
   if (c.key ? c.key->batch > 1
             : report_.keyblocks->groups_left ||

@@ -7,7 +7,7 @@
 
 namespace rockfold {
 
-enum class Reason { held, batch, time, rock, loads, in_situ_stress, strength, neighbours };
+enum class Reason { held, batch, time, rock, loads, in_situ_stress, strength, neighbours, support };
 
 /// Whether block theory, of a model with [support], counts what acts in none of its steps.
 bool has_other_loads(const Model& model);
@@ -47,6 +47,8 @@ constexpr const char* reason_name(Reason reason) {
       return "strength";
     case Reason::neighbours:
       return "neighbours";
+    case Reason::support:
+      return "support";
   }
   return "";
 }

@@ -164,6 +164,7 @@ KOKKOS_INLINE_FUNCTION void accept_link(const DeviceBolts& all, const Chain& cha
 KOKKOS_INLINE_FUNCTION void keep_chain(const DeviceBolts& all, const Chain& chain) {
   const BoltState &now = all.now, &next = all.next;
   next.plate(chain.bolt) = now.plate(chain.bolt);
+  next.peak(chain.bolt) = now.peak(chain.bolt);
   for (Index n = chain.node; n < chain.node + chain.nodes; ++n) {
     next.slip(n) = now.slip(n);
     next.slid(n) = now.slid(n);
@@ -250,6 +251,7 @@ BoltState make_state(const DeviceBolts& bolts) {
   state.cut = numbers(bolts.links);
   state.broken = numbers(bolts.steels);
   state.installed = numbers(bolts.bolts);
+  state.peak = numbers(bolts.bolts);
   state.sheared = device::make_field("bolts::sheared", bolts.links);
   state.axis = device::make_field("bolts::axis", bolts.links);
   return state;
@@ -416,6 +418,10 @@ void accept(DeviceBolts& bolts) {
           if (i == 0) all.next.plate(b) = hold.plate_lost;
         }
         for (Index l = 0; l < chain.links; ++l) accept_link(all, chain, l);
+        Real peak = all.now.peak(b);
+        for (Index p = chain.steel; p + 1 < chain.steel + chain.nodes; ++p)
+          peak = math::fmax(peak, all.work.axial(p));
+        all.next.peak(b) = peak;
         break_steel(all, chain);
       });
   std::swap(bolts.now, bolts.next);
@@ -547,6 +553,7 @@ BoltForces forces(const DeviceBolts& bolts, const Field& d) {
   result.slip = device::to_host(all.next.slip);
   result.bond = status(bond);
   result.plate = device::to_host(plate);
+  result.peak = device::to_host(all.now.peak);
   const std::vector<Index> begin = device::to_host(all.node_begin);
   for (Index b = 0; b < all.bolts; ++b)
     if (result.installed[b] == 0)

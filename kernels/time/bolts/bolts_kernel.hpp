@@ -36,11 +36,12 @@ struct BoltState {
   Array<Real> cut;        ///< [L] m, way across bolts that bear nothing so
   Array<Real> broken;     ///< [P] 1: broken
   Array<Real> installed;  ///< [B] 1: it acts
+  Array<Real> peak;       ///< [B] N, BoltForces::peak
   Field sheared;          ///< [L] m, plastic, across …
   Field axis;             ///< [L] … this direction
 
   std::vector<Array<Real>> arrays() const {
-    return {slip, slid, plate, plastic, used, cut, broken, installed};
+    return {slip, slid, plate, plastic, used, cut, broken, installed, peak};
   }
   std::vector<Field> fields() const { return {sheared, axis}; }
 };

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
+
 #include "src/base/vector.hpp"
 #include "src/model/read/draft.hpp"
 #include "src/model/read/read_value.hpp"
@@ -63,9 +65,10 @@ void read_element(TableReader& in, BoltType& type) {
   }
   const Real force = *type.yield * std::numbers::pi / 4 * *type.diameter * *type.diameter;
   if (type.force_capacity > 0 && force > (1 + 1e-9) * type.force_capacity)
-    in.wrong("yield", "over the section it is " + number_text(force) +
-                          " N, more than the force_capacity of " +
-                          number_text(type.force_capacity) + " N");
+    in.wrong("yield",
+             fmt::format("over the section it is {:.4g} N, more than the force_capacity of "
+                         "{:.4g} N",
+                         force, type.force_capacity));
 }
 
 BoltType read_capacities(TableReader& in) {

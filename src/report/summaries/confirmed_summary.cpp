@@ -34,11 +34,16 @@ const char* seen_words(SeenMode mode) {
 /// The factor of joints that have slipped stands behind that of joints that have not.
 constexpr std::ptrdiff_t residual_column = 5;
 
-std::vector<std::string> keyblock_row(const Confirmed& c, bool residual) {
+/// Columns that not every table has.
+struct Shown {
+  bool residual = false, support = false;
+};
+
+std::vector<std::string> keyblock_row(const Confirmed& c, const Shown& shown) {
   const bool moved = c.seen != SeenMode::stays;
   std::vector<std::string> row{block_ids(c.members),
                                std::to_string(c.key->batch),
-                               mode_words(*c.key),
+                               c.is_held() ? "stays, held" : mode_words(*c.key),
                                joined_names(c.key->planes),
                                number_or_dash(c.key->factor_of_safety, 2),
                                seen_words(c.seen),
@@ -48,12 +53,17 @@ std::vector<std::string> keyblock_row(const Confirmed& c, bool residual) {
                                !c.agrees       ? "no: " + c.reason
                                : c.other_loads ? "yes, under other loads"
                                                : "yes"};
-  if (residual)
+  if (shown.support)
+    row.insert(row.begin() + residual_column,
+               c.support ? number_or_dash(c.support->held.factor_of_safety, 2) : "-");
+  if (shown.residual)
     row.insert(row.begin() + residual_column, number_or_dash(c.key->residual_factor_of_safety, 2));
   return row;
 }
 
 std::string keyblock_table(std::vector<Confirmed> keys, std::size_t most, bool residual) {
+  const Shown shown{residual, std::any_of(keys.begin(), keys.end(),
+                                          [](const Confirmed& c) { return c.support != nullptr; })};
   const auto rank = [](const Confirmed& c) {
     const Real safety = c.key->factor_of_safety;
     return std::pair(std::isfinite(safety) ? safety : 0, -c.key->weight);
@@ -62,13 +72,14 @@ std::string keyblock_table(std::vector<Confirmed> keys, std::size_t most, bool r
                    [&](const Confirmed& a, const Confirmed& b) { return rank(a) < rank(b); });
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < std::min(keys.size(), most); ++i)
-    rows.push_back(keyblock_row(keys[i], residual));
+    rows.push_back(keyblock_row(keys[i], shown));
   std::vector<Column> columns{{"block", ""},           {"batch", ""},
                               {"predicted", "", true}, {"on", "", true},
                               {"safety", ""},          {"seen", "", true},
                               {"moved", "m"},          {"off the way", "deg"},
                               {"turned", "deg"},       {"as predicted", "", true}};
-  if (residual) columns.insert(columns.begin() + residual_column, {"slipped", ""});
+  if (shown.support) columns.insert(columns.begin() + residual_column, {"supported", ""});
+  if (shown.residual) columns.insert(columns.begin() + residual_column, {"slipped", ""});
   return table_text(columns, rows);
 }
 

@@ -293,14 +293,17 @@ std::string bolts_fact(const RunReport& report) {
   const BoltResult* most = &bolts.front();
   for (const BoltResult& bolt : bolts) {
     ++states[bolt.installed ? bolt_status_name(bolt.status) : "not in yet"];
-    if (bolt.force > most->force) most = &bolt;
+    if (bolt.mobilisation > most->mobilisation) most = &bolt;
   }
   std::string text;
   for (const auto& [state, count] : states)
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, state);
   return fact("bolts", text) +
-         fact("", fmt::format("largest force {:.4g} kN in {}, {:.3g} % of what it bears",
-                              1e-3 * most->force, most->name, 100 * most->mobilisation));
+         fact("", fmt::format("most used {}, {:.3g} % of what it bears: {:.4g} kN along it{}",
+                              most->name, 100 * most->mobilisation, 1e-3 * most->force,
+                              most->shear > 0
+                                  ? fmt::format(", {:.4g} kN across", 1e-3 * most->shear)
+                                  : ""));
 }
 
 /// Of which law holds where that is not plain: faces of two materials, or of none.

@@ -78,11 +78,9 @@ std::vector<Vec3> steel_displacement(const BoltElements& bolts, const BoltForces
 void BoltRecord::look(const Motion& motion) {
   const BoltForces forces = motion.bolt_forces();
   const BoltArrays& all = bolts_.arrays;
-  peak_.resize(bolts_.bolts());
   broken_at_.resize(bolts_.bolts());
   for (Index b = 0; b < bolts_.bolts(); ++b) {
     const Range of = range_of(all, b);
-    peak_[b] = std::max(peak_[b], largest(forces.axial, of));
     if (!broken_at_[b] && status_of(forces, of) == BoltStatus::broken)
       broken_at_[b] = motion.time();
   }
@@ -106,7 +104,7 @@ std::vector<BoltResult> BoltRecord::at_end(const Motion& motion) const {
     result.force = largest(forces.axial, of);
     result.shear = largest(forces.shear, of);
     result.plate = forces.plate[b];
-    result.peak = b < std::ssize(peak_) ? peak_[b] : result.force;
+    result.peak = forces.peak[b];
     result.mobilisation = mobilisation(forces, all.law[b], of);
     if (b < std::ssize(broken_at_)) result.broken_at = broken_at_[b];
     for (Index i = 0; i < of.steels; ++i) {

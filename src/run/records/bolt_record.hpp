@@ -23,11 +23,10 @@ class BoltRecord {
   std::optional<ShotcreteResult> shotcrete_at_end(const Motion& motion) const;
   /// To store; the displacements count as `displacement` of the covers does.
   BoltLineState lines(const Motion& motion, const std::vector<Vec3>& displacement) const;
-  void pass(Archive& archive) { archive.all(peak_, broken_at_); }
+  void pass(Archive& archive) { archive.pass(broken_at_); }
 
  private:
   const BoltElements& bolts_;
-  std::vector<Real> peak_;                      ///< [B] N
   std::vector<std::optional<Real>> broken_at_;  ///< [B] s
 };
 
