@@ -17,6 +17,8 @@ namespace {
 constexpr Real resolution = 0.2;
 /// Nodes in one link, at most: stiffer bonds are resolved no better.
 constexpr Index most_pieces = 2000;
+/// Of the length over which load builds up: what of a bolt stretches at a joint, which is none.
+constexpr Real next_to_nothing = 0.01;
 /// Of a cell of the lattice: how far points of a bolt are apart in it.
 constexpr Real of_cell = 0.5;
 
@@ -109,6 +111,7 @@ void Builder::add_piece(Real from, Real to, Index block) {
   }
   all_.link.push_back(BoltLink::piece);
   all_.link_length.push_back(to - from);
+  all_.elastic_length.push_back(to - from);
   all_.dowel.push_back(0);
   all_.steel_begin.push_back(all_.steel_begin.back() + pieces);
 }
@@ -118,6 +121,11 @@ void Builder::add_gap(Real from, Real to, const Dowel* dowel) {
   add_node(to, element_);
   all_.link.push_back(dowel ? BoltLink::crossing : BoltLink::piece);
   all_.link_length.push_back(to - from + (dowel ? dowel->length : 0));
+  const BoltLaw& law = all_.law.back();
+  const bool stiff = type_->coupling == Coupling::dmfc;
+  const Real builds_up = stiff ? 0.1 * bolt_->length : std::sqrt(law.section / law.bond_stiffness);
+  all_.elastic_length.push_back(
+      to - from + (dowel ? std::min(dowel->length, next_to_nothing * builds_up) : 0));
   all_.dowel.push_back(dowel && type_->shear_capacity > 0 ? dowel->stiffness : 0);
   all_.steel_begin.push_back(all_.steel_begin.back() + 1);
 }
@@ -183,6 +191,7 @@ void Builder::bridge(const ShotcreteTrace& trace, const Vec3& x, const BoltLaw& 
   }
   all_.link.push_back(BoltLink::crossing);
   all_.link_length.push_back(1);
+  all_.elastic_length.push_back(1);
   all_.dowel.push_back(0);
   all_.steel_begin.push_back(all_.steel_begin.back() + 1);
   all_.point_begin.push_back(static_cast<Index>(all_.place.size()));

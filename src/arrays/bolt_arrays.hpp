@@ -50,8 +50,10 @@ struct BoltArrays {
 
   std::vector<BoltLink> link;  ///< [N−B]
   std::vector<Real>
-      link_length;          ///< [N−B] m of steel: of a crossing, what of it is not held by rock
-  std::vector<Real> dowel;  ///< [N−B] N/m across the bolt, of crossings
+      link_length;  ///< [N−B] m of steel: of a crossing, what of it is not held by rock
+  std::vector<Real>
+      elastic_length;  ///< [N−B] m of steel that stretches: of a crossing next to nothing, as rock holds it to the joint until it is crushed there
+  std::vector<Real> dowel;            ///< [N−B] N/m across the bolt, of crossings
   std::vector<Index> steel_begin{0};  ///< [N−B+1] pieces of steel of each link
 
   std::vector<Index> node_begin{0};  ///< [B+1]
@@ -76,7 +78,8 @@ struct BoltForces {
   std::vector<Real> slip;               ///< [M] m, of the steel against the rock, towards the toe
   std::vector<BoltStatus> bond;         ///< [M]
   std::vector<Real> plate;              ///< [B] N
-  std::vector<Real> peak;               ///< [B] N, the largest along it at the end of any step, before what breaks then is broken
+  std::vector<Real>
+      peak;  ///< [B] N, the largest along it at the end of any step, before what breaks then is broken
 
   bool any() const { return !installed.empty(); }
 };

@@ -308,6 +308,7 @@ DeviceBolts make_bolts(const BoltArrays& arrays, const CoverArrays& covers,
   bolts.apart = field("bolts::apart", apart);
   bolts.crossing = device::to_device("bolts::crossing", crossing);
   bolts.length = device::to_device("bolts::length", arrays.link_length);
+  bolts.elastic_length = device::to_device("bolts::elastic_length", arrays.elastic_length);
   bolts.steel_length = device::to_device("bolts::steel_length", steel_length);
   bolts.dowel = device::to_device("bolts::dowel", arrays.dowel);
   bolts.toe = device::to_device("bolts::toe", arrays.toe);
@@ -387,7 +388,11 @@ void write_stiffest(const DeviceBolts& bolts, Real factor, const solve::PointTer
         const Chain chain = chain_of(all, b);
         for (Index l = 0; l < chain.links; ++l) {
           const Index link = chain.link + l;
-          const Real stiff = math::fmax(all.law(b).section / all.length(link), all.dowel(link));
+          const BoltLaw& law = all.law(b);
+          const Real bond = math::sqrt(law.section * law.bond_stiffness);
+          const Real along = math::fmin(law.section / all.elastic_length(link),
+                                        math::fmax(law.section / all.length(link), bond));
+          const Real stiff = math::fmax(along, all.dowel(link));
           for (int i = 0; i < 6; ++i) tangent(first + link, i) = i < 3 ? factor * stiff : 0;
         }
       });

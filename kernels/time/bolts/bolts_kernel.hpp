@@ -65,10 +65,10 @@ struct DeviceBolts {
   Field direction;                                   ///< [B] at first
   Field apart;                   ///< [L] m, from the near point to the far one at first
   Array<std::uint8_t> crossing;  ///< [L]
-  Array<Real> length, dowel;     ///< [L]
-  Array<Real> steel_length;      ///< [P] m
-  Array<BoltLaw> law;            ///< [B]
-  Array<Real> toe;               ///< [B] m
+  Array<Real> length, elastic_length, dowel;   ///< [L]
+  Array<Real> steel_length;                    ///< [P] m
+  Array<BoltLaw> law;                          ///< [B]
+  Array<Real> toe;                             ///< [B] m
   Array<Real> node_place, bond_from, bond_to;  ///< [M]
   std::vector<Index> install, node_element;    ///< as BoltArrays
   BoltState now, next;                         ///< accepted, and of the trial motion

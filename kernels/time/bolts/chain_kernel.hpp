@@ -69,7 +69,7 @@ KOKKOS_INLINE_FUNCTION Steel steel_of(const DeviceBolts& all, const Chain& chain
   const Real share = 1 / static_cast<Real>(all.steel_begin(link + 1) - all.steel_begin(link));
   const Real length = all.length(link) * share;
   Steel steel;
-  steel.along = law.section / length;
+  steel.along = law.section / (all.elastic_length(link) * share);
   steel.strength = law.strength;
   steel.pushed = law.pushed;
   steel.hardening = law.rupture > 0 ? (law.strength - law.yield) / (law.rupture * length) : 0;
@@ -94,6 +94,10 @@ KOKKOS_INLINE_FUNCTION Real bond_left(const DeviceBolts& all, const Chain& chain
   return math::fmax(Real{0}, math::fmin(all.bond_to(n), far) - math::fmax(all.bond_from(n), near));
 }
 
+/// Of its stiffness, what a bond that slides keeps in Newton's steps: without it a length that slides as a whole would be taken metres along. It is
+/// little beside the steel's stiffness, so that where one length slides among others iterations hardly notice.
+constexpr Real sliding_tangent = 1e-3;
+
 /// What holds a node of the steel back.
 struct Hold {
   Real force = 0, tangent = 0;
@@ -116,7 +120,7 @@ KOKKOS_INLINE_FUNCTION Hold hold_of(const DeviceBolts& all, const Chain& chain, 
     if (math::fabs(hold.force) > most) {
       hold.force = hold.force > 0 ? most : -most;
       hold.lost = slip - hold.force / k;
-      hold.tangent = least_tangent * k;
+      hold.tangent = sliding_tangent * k;
       hold.slides = true;
     }
   }
@@ -190,8 +194,8 @@ KOKKOS_INLINE_FUNCTION void solve_chain(const DeviceBolts& all, const Chain& cha
 
 /// The slips that bring the chain into balance, from those of the last step on.
 KOKKOS_INLINE_FUNCTION void balance_chain(const DeviceBolts& all, const Chain& chain) {
-  constexpr int most = 200, trials = 60;
-  constexpr Real enough = 1e-12, within = 0.5;
+  constexpr int most = 200, trials = 100;
+  constexpr Real enough = 1e-12, rounding = 1e-16, within = 0.5, beyond = 1e-3, lost = 0.5;
   const ChainWork& w = all.work;
   const Index first = chain.node, end = chain.node + chain.nodes;
   const Real least = enough * all.law(chain.bolt).strength;
@@ -209,11 +213,20 @@ KOKKOS_INLINE_FUNCTION void balance_chain(const DeviceBolts& all, const Chain& c
       balance = find_residual(all, chain);
     };
     const Real start = slope();  // < 0
+    Real longest = 0;
+    for (Index n = first; n < end; ++n) longest = math::fmax(longest, math::fabs(w.step(n)));
+    if (longest <= rounding * all.toe(chain.bolt)) break;
     if (!(start < 0)) break;
     go(1);
-    // Beyond the least by much: back to it. Where a stiff plate lets go the slope has a sharp bend, so every second trial halves.
+    // Beyond the least by much: back to it. Where a stiff part lets go the slope has a sharp bend, so every second trial halves. The end of the
+    // interval that lies beyond has the tangent that leads there; it serves once less has been lost on the way to it than had been won.
     Real at = 1, here = slope(), low = 0, of_low = start, high = 1, of_high = here;
-    for (int t = 0; t < trials && (t > 0 || here > 0) && math::fabs(here) > -within * start; ++t) {
+    for (int t = 0; t < trials && (here > -beyond * start || (t > 0 && here < within * start));
+         ++t) {
+      if (of_high * (high - low) <= -lost * of_low * low) {
+        go(high - at);
+        break;
+      }
       const Real to =
           t % 2 == 1 ? 0.5 * (low + high) : low + (high - low) * of_low / (of_low - of_high);
       go(to - at);
