@@ -234,7 +234,8 @@ std::optional<Wall::Hit> Wall::face_of(const WallPanel& panel, Index s, const Ve
   std::optional<Hit> nearest;
   Real best = infinite;
   for (int attempt = 1; attempt <= attempts && !nearest; ++attempt) {
-    const Real step = attempt * aside * size_;
+    // To the right and up, as joints have it; next to the strip's end that leads off it, and back leads onto it.
+    const Real step = (attempt % 2 == 1 ? attempt : -attempt) * aside * size_;
     const Vec3 beside = point + (step * odd[0]) * strip.along_u + (step * odd[1]) * strip.along_v;
     for (const Index k : tree_.along(beside, strip.across, -strip.reach, strip.reach)) {
       if (strip.side == none ? strip_of_face_[k] != s : side_of_face_[k] != strip.side) continue;

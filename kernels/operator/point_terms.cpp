@@ -21,7 +21,7 @@ void append_points(MaterialPoints& to, const MaterialPoints& from) {
 
 namespace {
 
-/// force += factor · (−a_k Σ W_kl a_l · x_l) over l ≠ k of each group.
+/// force += (−a_k Σ W_kl a_l · x_l) over l ≠ k of each group.
 void add_couplings(const PointTerms& terms, const Field& x) {
   const PointTerms t = terms;
   const Couplings c = t.couplings;
@@ -35,7 +35,7 @@ void add_couplings(const PointTerms& terms, const Field& x) {
           for (int i = 0; i < 3; ++i) along += c.lead(begin + l, i) * u[i];
           for (Index k = 0; k < count; ++k) {
             if (k == l) continue;
-            const Real by = c.factor * c.value(c.matrix(g) + k * count + l) * along;
+            const Real by = c.value(c.matrix(g) + k * count + l) * along;
             for (int i = 0; i < 3; ++i)
               t.force(c.first + begin + k, i) -= by * c.lead(begin + k, i);
           }

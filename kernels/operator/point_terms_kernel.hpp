@@ -11,12 +11,11 @@ namespace rockfold::solve {
 /// (n, c): 3×3 row-major.
 using Tangents = Kokkos::View<Real* [9], Kokkos::LayoutLeft, device::Memory>;
 
-/// Points of a group act on each other too: point k of it by −a_k W_kl (a_l · x_l), factor times. Products alone know that, preconditioners the
+/// Points of a group act on each other too: point k of it by −a_k W_kl (a_l · x_l). Products alone know that, preconditioners the
 /// points' own tangents, which hold −a_k W_kk a_kᵀ.
 struct Couplings {
   Index first = 0, points = 0;  ///< of the list
-  Real factor = 0;
-  Array<Index> begin;  ///< [groups+1] the first point of each, from `first`
+  Array<Index> begin;           ///< [groups+1] the first point of each, from `first`
   Index groups = 0;
   Array<Index> matrix;  ///< [groups+1] where W of each begins, row-major
   Array<Real> value;    ///< W

@@ -65,14 +65,11 @@ void count_wall_work(Motion::Data& m, Real before, Real after) {
       0.5 * (before + after) * solve::dot(m.system.work, m.now.wall, m.increment);
 }
 
-void count_bolt_work(Motion::Data& m, bool middle) {
+void count_bolt_work(Motion::Data& m) {
   if (!m.bolts.any()) return;
-  const Field of_end = m.work;
-  Kokkos::deep_copy(of_end, 0.0);
-  bolts::add_forces(m.bolts, -1, of_end);
-  const Real by_end = solve::dot(m.system.work, of_end, m.increment);
-  m.now.work.bolts +=
-      middle ? by_end : 0.5 * (by_end - solve::dot(m.system.work, m.bolts_before, m.increment));
+  Kokkos::deep_copy(m.work, 0.0);
+  bolts::add_forces(m.bolts, 1, m.work);
+  m.now.work.bolts -= mean_work(m, m.bolts_before, m.work);
 }
 
 void count_following_work(Motion::Data& m) {

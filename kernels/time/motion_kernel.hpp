@@ -159,9 +159,8 @@ void update_reactions(Motion::Data& m, bool middle);
 void count_work(Motion::Data& m, Real dt);
 /// Of what is left of the forces on walls, at the step's start and its end: excavated rock takes it along.
 void count_wall_work(Motion::Data& m, Real before, Real after);
-/// Of bolts, whose forces are those found last, over the step: they act all through it where forces are balanced in its middle, else
-/// they grow with the way.
-void count_bolt_work(Motion::Data& m, bool middle);
+/// Of bolts, whose forces are those found last, over the step.
+void count_bolt_work(Motion::Data& m);
 /// Of pressures that follow their faces, over the step.
 void count_following_work(Motion::Data& m);
 /// Work of changing loads and of pressures that follow, put on at once where nothing has moved yet: `increment` is the way.

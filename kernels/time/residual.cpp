@@ -69,11 +69,12 @@ void follow(Motion::Data& m, const Step& step) {
 Real add_bolt_forces(Motion::Data& m, const Step& step) {
   bolts::find_forces(m.bolts, m.now.displacement, true);
   Kokkos::deep_copy(m.work, 0.0);
-  bolts::add_forces(m.bolts, step.middle ? 2 : 1, m.work);
-  const Field forces = m.work, right = m.right;
+  bolts::add_forces(m.bolts, 1, m.work);
+  const Field forces = m.work, right = m.right, before = m.bolts_before;
+  const Real of_start = step.middle ? 1 : 0;
   device::for_each(
       "rockfold::motion::add_bolt_forces", m.unknowns, KOKKOS_LAMBDA(const Index p) {
-        for (int i = 0; i < 3; ++i) right(p, i) += forces(p, i);
+        for (int i = 0; i < 3; ++i) right(p, i) += forces(p, i) + of_start * before(p, i);
       });
   return std::sqrt(solve::dot(m.system.work, forces, forces));
 }

@@ -65,7 +65,7 @@ void set_tangent(Motion::Data& m, const Step& step) {
   if (m.contact)
     m.system.symmetric =
         contact::write_tangents(*m.contact, step.middle ? 2 : 1, m.system.contacts);
-  bolts::write_tangents(m.bolts, step.middle ? 2 : 1, m.system.terms, m.first_link);
+  bolts::write_tangents(m.bolts, m.system.terms, m.first_link);
   const Real of_mass = step.dt > 0 ? 1 / (m.beta * step.dt * step.dt) : 0,
              of_damping = step.dt > 0 ? m.gamma / (m.beta * step.dt) : 0;
   set_matrix(m,
@@ -129,8 +129,8 @@ bool is_settled(Motion::Data& m, const Step& step, const Forces& forces, Newton&
   newton.left = find_imbalance(m, newton.reference);
   newton.reference = std::max(newton.reference, 1e-30);
   newton.gap = gap_of_supports(m, newton.reference);
-  const Real rounding =
-      m.rock->rounding(m.now.displacement) + (m.contact ? contact::rounding(*m.contact) : 0);
+  const Real rounding = m.rock->rounding(m.now.displacement) +
+                        (m.contact ? contact::rounding(*m.contact) : 0) + bolts::rounding(m.bolts);
   newton.wanted = std::max(newton.enough, m.solver.tolerance) * newton.reference;
   newton.wanted = std::max(newton.wanted, 2 * rounding);
   newton.least = newton.wanted;
@@ -311,7 +311,7 @@ SolveReport take_step(Motion::Data& m, Real dt, const StepCourse& course) {
   SolveReport report = m.contact ? balance_with_contact(m, step) : balance_forces(m, step);
   count_supports(m, step.middle);
   count_following_work(m);
-  count_bolt_work(m, step.middle);
+  count_bolt_work(m);
   count_work(m, dt);
   count_wall_work(m, m.now.walls, course.walls);
   m.now.walls = course.walls;
@@ -366,7 +366,7 @@ SolveReport solve_equilibrium(Motion::Data& m) {
         for (int i = 0; i < 3; ++i) way(p, i) = d(p, i) - start(p, i);
       });
   count_supports(m, false);
-  count_bolt_work(m, false);
+  count_bolt_work(m);
   bolts::accept(m.bolts);
   count_loads_at_once(m);
   return total;

@@ -317,6 +317,8 @@ DeviceBolts make_bolts(const BoltArrays& arrays, const CoverArrays& covers,
   bolts.bond_from = device::to_device("bolts::bond_from", arrays.bond_from);
   bolts.bond_to = device::to_device("bolts::bond_to", arrays.bond_to);
   bolts.install = arrays.install;
+  for (const BoltLaw& law : arrays.law)
+    bolts.largest_strength = std::max(bolts.largest_strength, law.strength);
   bolts.node_element = arrays.node_element;
   bolts.now = make_state(bolts);
   bolts.next = make_state(bolts);
@@ -356,7 +358,11 @@ void add_forces(const DeviceBolts& bolts, Real scale, const Field& f) {
   if (bolts.any()) solve::scatter(bolts.rows, -scale, bolts.force, f);
 }
 
-void write_tangents(const DeviceBolts& bolts, Real factor, solve::PointTerms& terms, Index first) {
+Real rounding(const DeviceBolts& bolts) {
+  return least_tangent * bolts.largest_strength;
+}
+
+void write_tangents(const DeviceBolts& bolts, solve::PointTerms& terms, Index first) {
   if (!bolts.any()) return;
   const DeviceBolts all = bolts;
   const auto tangent = terms.tangent;
@@ -370,12 +376,12 @@ void write_tangents(const DeviceBolts& bolts, Real factor, solve::PointTerms& te
             for (int j = i; j < 3; ++j) {
               const int at = solve::symmetric_entry(i, j);
               tangent(first + link, at) =
-                  factor * (all.tangent(link, at) - own * all.lead(link, i) * all.lead(link, j));
+                  all.tangent(link, at) - own * all.lead(link, i) * all.lead(link, j);
             }
         }
       });
-  terms.couplings = {first,     all.links,          factor,       all.link_begin,
-                     all.bolts, all.coupling_begin, all.coupling, all.lead};
+  terms.couplings = {first,        all.links, all.link_begin, all.bolts, all.coupling_begin,
+                     all.coupling, all.lead};
 }
 
 void write_stiffest(const DeviceBolts& bolts, Real factor, const solve::PointTerms& terms,
@@ -527,7 +533,9 @@ BoltForces forces(const DeviceBolts& bolts, const Field& d) {
         const bool acts = all.now.installed(b) != 0;
         for (Index i = 0; acts && i < chain.nodes; ++i) {
           const Hold hold = hold_of(all, chain, i, all.next.slip(chain.node + i));
-          if (hold.slides) bond(chain.node + i) = static_cast<std::uint8_t>(BoltStatus::slides);
+          const bool pulled_in = i == 0 && hold.plate_lost > 0;
+          if (hold.slides || all.now.slid(chain.node + i) != 0 || pulled_in)
+            bond(chain.node + i) = static_cast<std::uint8_t>(BoltStatus::slides);
           if (i == 0) plate(b) = hold.plate;
         }
         for (Index l = 0; acts && l < chain.links; ++l) {

@@ -71,6 +71,7 @@ struct DeviceBolts {
   Array<Real> toe;                             ///< [B] m
   Array<Real> node_place, bond_from, bond_to;  ///< [M]
   std::vector<Index> install, node_element;    ///< as BoltArrays
+  Real largest_strength = 0;                   ///< N
   BoltState now, next;                         ///< accepted, and of the trial motion
 
   Field axis;                   ///< [N] unit, of the trial motion
@@ -94,8 +95,10 @@ MaterialPoints link_points(const BoltArrays& arrays);
 void find_forces(const DeviceBolts& bolts, const Field& d, bool tangents);
 /// f += scale · what they do to the rock.
 void add_forces(const DeviceBolts& bolts, Real scale, const Field& f);
-/// factor · the tangents found last into those of `terms` from `first` on, with their couplings.
-void write_tangents(const DeviceBolts& bolts, Real factor, solve::PointTerms& terms, Index first);
+/// The tangents found last into those of `terms` from `first` on, with their couplings.
+void write_tangents(const DeviceBolts& bolts, solve::PointTerms& terms, Index first);
+/// N, below which forces of bolts are those of threads that stand for broken steel.
+Real rounding(const DeviceBolts& bolts);
 /// factor · bounds of them, whatever the bolts' states, without couplings.
 void write_stiffest(const DeviceBolts& bolts, Real factor, const solve::PointTerms& terms,
                     Index first);

@@ -86,17 +86,17 @@ KOKKOS_INLINE_FUNCTION Steel steel_of(const DeviceBolts& all, const Chain& chain
   return steel;
 }
 
-/// m of bond that is left about a node: from the places that the steel's ends have slipped past it is gone.
+/// m of bond that is left about a node: steel that has slipped there by s is what lay s nearer to the collar, and ends where that did.
 KOKKOS_INLINE_FUNCTION Real bond_left(const DeviceBolts& all, const Chain& chain, Index i) {
-  const Index first = chain.node, last = chain.node + chain.nodes - 1, n = chain.node + i;
-  const Real near = all.node_place(first) + all.now.slip(first),
-             far = all.toe(chain.bolt) + all.now.slip(last);
+  const Index n = chain.node + i;
+  const Real slip = all.now.slip(n), near = all.node_place(chain.node) + slip,
+             far = all.toe(chain.bolt) + slip;
   return math::fmax(Real{0}, math::fmin(all.bond_to(n), far) - math::fmax(all.bond_from(n), near));
 }
 
-/// Of its stiffness, what a bond that slides keeps in Newton's steps: without it a length that slides as a whole would be taken metres along. It is
-/// little beside the steel's stiffness, so that where one length slides among others iterations hardly notice.
-constexpr Real sliding_tangent = 1e-3;
+/// Of the bolt's stiffness, what a bond that slides keeps in Newton's steps: without it a length that slides as a whole would be taken metres along.
+/// It is little beside the steel's, so that where one length slides among others iterations hardly notice.
+constexpr Real sliding_tangent = 1e-4;
 
 /// What holds a node of the steel back.
 struct Hold {
@@ -112,15 +112,16 @@ KOKKOS_INLINE_FUNCTION Hold hold_of(const DeviceBolts& all, const Chain& chain, 
   const Index n = chain.node + i;
   Hold hold;
   hold.lost = all.now.slid(n);
+  hold.tangent = least_tangent * law.section / all.toe(chain.bolt);  // of steel that nothing holds
   const Real bonded = bond_left(all, chain, i), k = law.bond_stiffness * bonded;
   if (k > 0) {
     hold.force = k * (slip - hold.lost);
-    hold.tangent = k;
+    hold.tangent += k;
     const Real most = law.bond_strength * bonded;
     if (math::fabs(hold.force) > most) {
       hold.force = hold.force > 0 ? most : -most;
       hold.lost = slip - hold.force / k;
-      hold.tangent = sliding_tangent * k;
+      hold.tangent = math::fmin(k, sliding_tangent * law.section / all.toe(chain.bolt));
       hold.slides = true;
     }
   }
