@@ -85,6 +85,32 @@ TEST(Bolts, SlideWhereTheirBondIsUsedUp) {
     }
 }
 
+TEST(Bolts, ComeOutOfTheirHolesForGood) {
+  const RunResult run =
+      run_model(drawn("force_capacity = 500e3\nplate_capacity = 0\nbond_stiffness = 1e9\n"
+                      "bond_strength = 50e3\n",
+                      5, "[[step]]\ntype = 'quasi_static'\ntime_step = 0.01\nsteps = 100\n"))
+          .result;
+  // At the joint; where the bond had slid, what it had taken there is locked in.
+  const BoltResult& bolt = run.bolts[0];
+  for (std::size_t i = 0; i < bolt.at.size(); ++i)
+    if (std::abs(bolt.at[i] - 1) < 1e-9) {
+      EXPECT_NEAR(bolt.along[i], 0, 1);
+    }
+  EXPECT_EQ(run.bolts[0].status, BoltStatus::slides);
+  EXPECT_NEAR(run.energy.bolts, 0.5 * 50e3, 0.05 * 25e3);  // of the metre in the upper block
+}
+
+TEST(Bolts, SlideAtTheirAnchor) {
+  const BoltResult bolt =
+      run_model(drawn("coupling = 'DMFC'\naction = 'passive'\nforce_capacity = 500e3\n"
+                      "anchor_length = 0.5\nbond_strength = 15e3\n",
+                      0.1, ten_steps))
+          .result.bolts[0];
+  EXPECT_NEAR(bolt.force, 15e3 * (0.5 - 0.1), 0.01 * 7.5e3);
+  EXPECT_NEAR(bolt.peak, 7.5e3, 0.01 * 7.5e3);
+}
+
 TEST(Bolts, YieldHardenAndBreakAtTheStrainOfRupture) {
   const Real section = std::numbers::pi / 4 * 0.025 * 0.025, length = 2.8;
   const std::string steel =
