@@ -8,6 +8,7 @@
 #include "host/bolting/shotcrete.hpp"
 #include "host/cover/points/locate.hpp"
 #include "host/cut/cells/complex.hpp"
+#include "src/base/gauss.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -124,8 +125,8 @@ void Builder::add_gap(Real from, Real to, const Dowel* dowel) {
   const BoltLaw& law = all_.law.back();
   const bool stiff = type_->coupling == Coupling::dmfc;
   const Real builds_up = stiff ? 0.1 * bolt_->length : std::sqrt(law.section / law.bond_stiffness);
-  all_.elastic_length.push_back(
-      to - from + (dowel ? std::min(dowel->length, next_to_nothing * builds_up) : 0));
+  all_.elastic_length.push_back(to - from +
+                                (dowel ? std::min(dowel->length, next_to_nothing * builds_up) : 0));
   all_.dowel.push_back(dowel && type_->shear_capacity > 0 ? dowel->stiffness : 0);
   all_.steel_begin.push_back(all_.steel_begin.back() + 1);
 }
@@ -233,10 +234,9 @@ BoltLaw law_of_shotcrete(const Shotcrete& shotcrete, Real strength) {
   return law;
 }
 
-/// Shares of a length that two points stand for exactly where what they bear is linear.
-constexpr Real gauss[2] = {0.21132486540518711775, 0.78867513459481288225};
-/// m, at most between ends of what two points stand for.
-constexpr Real longest_bridge = 1;
+/// Bars for each part of a trace, as long as this at most, m: exact while what they bear is linear along it, and its moments.
+constexpr int bars_of_part = 2;
+constexpr Real longest_part = 1;
 
 void add_shotcrete(const Model& model, const BlockArrays& blocks, const GoneBlocks& gone,
                    Builder& builder, std::vector<Real>& bridged) {
@@ -249,15 +249,15 @@ void add_shotcrete(const Model& model, const BlockArrays& blocks, const GoneBloc
         gone.are_gone(trace.block[1], shotcrete.install))
       continue;
     const Real length = norm(trace.to - trace.from);
-    const auto parts = static_cast<Index>(std::ceil(length / longest_bridge));
-    const Real share = 0.5 * length / static_cast<Real>(parts);
+    const auto parts = static_cast<Index>(std::ceil(length / longest_part));
+    const Real share = length / static_cast<Real>(bars_of_part * parts);
     BoltLaw law = law_of_shotcrete(shotcrete, cover.strength());
     for (Real* of_metre :
          {&law.section, &law.yield, &law.strength, &law.stiffness, &law.bond_stiffness})
       *of_metre *= share;
     for (Index k = 0; k < parts; ++k)
-      for (const Real at : gauss) {
-        const Real along = (static_cast<Real>(k) + at) / static_cast<Real>(parts);
+      for (const GaussPoint& at : gauss_points(bars_of_part)) {
+        const Real along = (static_cast<Real>(k) + at.x) / static_cast<Real>(parts);
         builder.bridge(trace, trace.from + along * (trace.to - trace.from), law, shotcrete.install);
         bridged.push_back(share);
       }
