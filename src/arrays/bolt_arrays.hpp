@@ -73,15 +73,12 @@ struct BoltForces {
   std::vector<std::uint8_t> installed;  ///< [B]
   std::vector<Real> axial;              ///< [M−B] N, tension positive
   std::vector<Real> shear;              ///< [M−B] N, at crossings
-  std::vector<Real> stretched;          ///< [M−B] m, plastic
   std::vector<BoltStatus> steel;        ///< [M−B]
   std::vector<Real> slip;               ///< [M] m, of the steel against the rock, towards the toe
   std::vector<BoltStatus> bond;         ///< [M]
   std::vector<Real> plate;              ///< [B] N
   std::vector<Real>
       peak;  ///< [B] N, the largest along it at the end of any step, before what breaks then is broken
-
-  bool any() const { return !installed.empty(); }
 };
 
 /// Bolts as lines: of each piece of steel one between two of its nodes.

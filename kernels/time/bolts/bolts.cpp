@@ -561,7 +561,6 @@ BoltForces forces(const DeviceBolts& bolts, const Field& d) {
     result.installed.push_back(acts != 0 ? 1 : 0);
   result.axial = device::to_host(all.work.axial);
   result.shear = device::to_host(shear);
-  result.stretched = device::to_host(all.now.used);
   result.steel = status(steel);
   result.slip = device::to_host(all.next.slip);
   result.bond = status(bond);
