@@ -50,11 +50,12 @@ struct Beginning {
 };
 
 /// What turns about an edge or a corner of its own moves by at most 2 R sin(θ/2); half of that tells turning from sliding.
-SeenMode mode_of(const Beginning& first, Real reach, const Vec3& gravity) {
+/// Support that yields presses a block that falls against the rock beside it, so that the way alone tells.
+SeenMode mode_of(const Beginning& first, Real reach, const Vec3& gravity, bool supported) {
   const Real way = norm(first.displacement);
   if (4 * reach * std::sin(0.5 * first.rotation / degrees) > way) return SeenMode::rotation;
   const bool falls = angle_between(first.displacement, gravity) <= near &&
-                     first.pressing < free_share * first.mass * norm(gravity);
+                     (supported || first.pressing < free_share * first.mass * norm(gravity));
   return falls ? SeenMode::falling : SeenMode::sliding;
 }
 
@@ -111,7 +112,7 @@ Confirmed confirm(const Keyblock* key, const BlockSupport* support, std::vector<
     return c;
   }
   first.displacement = (1 / first.volume) * first.displacement;
-  c.seen = mode_of(first, reach(c.members, blocks), report.model.gravity);
+  c.seen = mode_of(first, reach(c.members, blocks), report.model.gravity, support != nullptr);
   c.direction = normalized(first.displacement);
   if (key) c.off = angle_between(key->direction, c.direction);
   c.agrees = agrees(c, first);
@@ -131,8 +132,7 @@ std::vector<Confirmed> confirmed_motion(const RunReport& report) {
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const Keyblock& key = keys[i];
     if (std::any_of(key.members.begin(), key.members.end(), is_gone)) continue;
-    list.push_back(
-        confirm(&key, bolting ? &bolting->keyblocks[i] : nullptr, key.members, report));
+    list.push_back(confirm(&key, bolting ? &bolting->keyblocks[i] : nullptr, key.members, report));
     for (const Index b : key.members) told[b] = 1;
   }
   for (Index b = 0; b < report.blocks.block_count(); ++b) {

@@ -14,10 +14,11 @@ enum class SeenMode { stays, sliding, falling, rotation };
 /// A key block, a group that fails together, or a finite block that moved without being one.
 struct Confirmed {
   const Keyblock* key = nullptr;  ///< what was predicted; null: that it stays
-  const BlockSupport* support = nullptr;  ///< of a key block, where bolts or shotcrete hold it in the analysis too
-  std::vector<Index> members;     ///< ascending
-  Vec3 displacement{};            ///< m, from t = 0 to the end, mean of the volume
-  Real rotation = 0;              ///< deg, likewise, of the member that has turned most
+  const BlockSupport* support =
+      nullptr;  ///< of a key block, where bolts or shotcrete hold it in the analysis too
+  std::vector<Index> members;  ///< ascending
+  Vec3 displacement{};         ///< m, from t = 0 to the end, mean of the volume
+  Real rotation = 0;           ///< deg, likewise, of the member that has turned most
   SeenMode seen = SeenMode::stays;
   Vec3 direction{};  ///< unit, in which it began to move; 0 of what stays
   Real began = 0;    ///< s; NaN of what stays

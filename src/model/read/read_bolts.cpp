@@ -3,8 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
 #include "src/base/vector.hpp"
 #include "src/model/read/draft.hpp"
 #include "src/model/read/read_value.hpp"
@@ -65,10 +63,9 @@ void read_element(TableReader& in, BoltType& type) {
   }
   const Real force = *type.yield * std::numbers::pi / 4 * *type.diameter * *type.diameter;
   if (type.force_capacity > 0 && force > (1 + 1e-9) * type.force_capacity)
-    in.wrong("yield",
-             fmt::format("over the section it is {:.4g} N, more than the force_capacity of "
-                         "{:.4g} N",
-                         force, type.force_capacity));
+    in.wrong("yield", "over the section it is " + number_text(std::round(force)) +
+                          " N, more than the force_capacity of " +
+                          number_text(type.force_capacity) + " N");
 }
 
 BoltType read_capacities(TableReader& in) {

@@ -299,11 +299,11 @@ std::string bolts_fact(const RunReport& report) {
   for (const auto& [state, count] : states)
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, state);
   return fact("bolts", text) +
-         fact("", fmt::format("most used {}, {:.3g} % of what it bears: {:.4g} kN along it{}",
-                              most->name, 100 * most->mobilisation, 1e-3 * most->force,
-                              most->shear > 0
-                                  ? fmt::format(", {:.4g} kN across", 1e-3 * most->shear)
-                                  : ""));
+         fact("",
+              fmt::format(
+                  "most used {}, {:.3g} % of what it bears: {:.4g} kN along it{}", most->name,
+                  100 * most->mobilisation, 1e-3 * most->force,
+                  most->shear > 0 ? fmt::format(", {:.4g} kN across", 1e-3 * most->shear) : ""));
 }
 
 /// Of which law holds where that is not plain: faces of two materials, or of none.
