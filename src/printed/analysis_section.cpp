@@ -44,7 +44,7 @@ void add_monitor_plots(Html& html, const Json& monitors, const std::string& key,
   };
   for (const Json& m : monitors) {
     if (!m.contains(key) || m.at(key).empty()) continue;
-    plot.time = numbers(m.at("time"));
+    plot.at = numbers(m.at("time"));
     plot.curves.push_back(
         {m.at("name"), m.at(key).at(0).is_array() ? lengths(m.at(key)) : numbers(m.at(key))});
     if (plot.curves.size() == most_curves) draw();
@@ -226,9 +226,12 @@ void add_reduction(Html& html, const Json& reduction) {
 std::vector<std::string> confirmed_row(const Json& c) {
   const Json &predicted = c.at("predicted"), &seen = c.at("seen"), &reason = c.at("reason");
   const bool key = !predicted.is_null();
+  const bool held = key && predicted.value("held", false);
   return {fmt::format("{}", c.at("block").get<Index>()),
           key ? fmt::format("{}", c.at("batch").get<Index>()) : "–",
-          key ? mode_words(predicted) : "stays",
+          !key   ? "stays"
+          : held ? "stays, held"
+                 : mode_words(predicted),
           key ? trend_text(predicted.at("direction")) : "–",
           seen.at("mode") == "none" ? "stays" : seen.at("mode").get<std::string>(),
           digits(seen.at("moved")),
@@ -315,6 +318,8 @@ void add_analysis(Html& html, const ReportSource& source) {
   }
   if (answer.contains("reduction")) add_reduction(html, answer.at("reduction"));
   if (answer.contains("confirmed")) add_confirmed(html, answer.at("confirmed"));
+  if (answer.contains("bolts")) add_bolt_forces(html, answer.at("bolts"));
+  if (answer.contains("shotcrete")) add_shotcrete_forces(html, answer.at("shotcrete"));
   if (answer.contains("shaken")) add_shaken(html, answer.at("shaken"));
   html.heading(3, answer.contains("rest") ? "Energies and contact" : "Energies");
   add_energy_plot(html, answer.at("energy_history"));

@@ -59,6 +59,10 @@ void add_assumptions(Html& html, const ReportSource& source) {
   add_of_blocks(items);
   if (setup.contains("support")) add_of_support(items, setup.at("support"));
   if (setup.contains("analysis")) add_of_run(items, setup.at("analysis"));
+  if (source.answer.contains("bolts") || source.answer.contains("shotcrete"))
+    items.emplace_back(
+        "Bolts are bars that bend at joints alone and bear no pressure along themselves; shotcrete "
+        "holds at joints by its edge, and does not bend.");
   html.list(items);
 }
 

@@ -29,7 +29,7 @@ Range range_of(const Plot& plot) {
   return range;
 }
 
-/// From times and values to the paper.
+/// From times or places and values to the paper.
 struct Frame {
   Real t0, t1;
   Range range;
@@ -41,7 +41,7 @@ struct Frame {
   }
 };
 
-void draw_axes(Svg& svg, const Frame& frame, const ScaledUnit& unit) {
+void draw_axes(Svg& svg, const Frame& frame, const ScaledUnit& unit, const std::string& axis_name) {
   const Pen grid{.stroke = "#dddddd", .width = 0.8}, axis{.stroke = "#333333", .width = 1};
   for (const Real v :
        axis_ticks(frame.range.low / unit.factor, frame.range.high / unit.factor, 5)) {
@@ -55,7 +55,7 @@ void draw_axes(Svg& svg, const Frame& frame, const ScaledUnit& unit) {
     svg.line({frame.x(t), low}, {frame.x(t), low + 4}, axis);
     svg.text({frame.x(t), low + 17}, digits(t, 4), {.size = 11, .anchor = "middle"});
   }
-  svg.text({width - right, low + 31}, "time, s", {.size = 11, .anchor = "end"});
+  svg.text({width - right, low + 31}, axis_name, {.size = 11, .anchor = "end"});
 }
 
 /// Of more points than pixels, the least and greatest of each pixel.
@@ -124,15 +124,15 @@ std::vector<Real> axis_ticks(Real low, Real high, int most) {
 }
 
 std::string plot_svg(const Plot& plot) {
-  if (plot.curves.empty() || plot.time.size() < 2) return "";
+  if (plot.curves.empty() || plot.at.size() < 2) return "";
   Svg svg(width, height + 8 + keys(plot, nullptr) * key_height);
-  const Frame frame{plot.time.front(), plot.time.back(), range_of(plot)};
+  const Frame frame{plot.at.front(), plot.at.back(), range_of(plot)};
   const ScaledUnit unit = unit_for(std::max(-frame.range.low, frame.range.high), plot.unit);
   svg.text({left, 18}, plot.title + (unit.name.empty() ? "" : ", " + unit.name),
            {.size = 13, .bold = true});
-  draw_axes(svg, frame, unit);
+  draw_axes(svg, frame, unit, plot.axis);
   for (std::size_t i = 0; i < plot.curves.size(); ++i)
-    draw_curve(svg, frame, plot.time, plot.curves[i].values, series_colour(i));
+    draw_curve(svg, frame, plot.at, plot.curves[i].values, series_colour(i));
   keys(plot, &svg);
   return svg.document(plot.title);
 }

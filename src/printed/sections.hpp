@@ -43,6 +43,9 @@ void add_support_design(Html& html, const ReportSource& source);
 void add_classification(Html& html, const ReportSource& source);
 /// Of a run: what it came to, monitors, energies and contacts over time.
 void add_analysis(Html& html, const ReportSource& source);
+/// Of a run with bolts or shotcrete, what they bear (`bolts` and `shotcrete` of the document).
+void add_bolt_forces(Html& html, const Json& bolts);
+void add_shotcrete_forces(Html& html, const Json& shotcrete);
 void add_assumptions(Html& html, const ReportSource& source);
 /// What the program warned of and did not use.
 void add_warnings(Html& html, const ReportSource& source);

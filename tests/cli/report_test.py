@@ -134,6 +134,17 @@ class Reports(ProgramTest):
             (wedge,) = self.report("sliding_wedge.report.html").table("as predicted")
             self.assertEqual((wedge["seen"], wedge["as predicted"]), row)
 
+    def test_tells_what_bolts_bear_in_motion(self):
+        self.copy_case("pull_out")
+        bolt, = self.json_of("run", "pull_out.toml", "--report")["bolts"]
+        report = self.report("pull_out.report.html")
+        row, = report.table("broken ats")
+        self.assertEqual((row["bolt"], row["state"]), (bolt["name"], bolt["state"]))
+        self.assertAlmostEqual(float(row["forcekN"]), bolt["force"] / 1e3, delta=6e-4 * bolt["force"] / 1e3)
+        self.assertAlmostEqual(float(row["used%"]), 100 * bolt["mobilisation"], delta=6e-3 * 100 * bolt["mobilisation"])
+        self.assertIn("Force along the bolts most used", report.text)
+        self.assertIn("Bolts are bars", report.text)
+
     def test_of_a_cut_has_sizes_of_blocks_and_the_same_bytes_again(self):
         self.copy_case("wedge")
         self.run_program("cut", "wedge.toml", "-q")

@@ -65,7 +65,7 @@ TEST(Plot, HasTicksOfRoundNumbers) {
 TEST(Plot, KeepsThePeaksOfLongCurvesAndStopsWhereAValueIsMissing) {
   Plot plot{"Slip", "m", {}, {{"a", {}}}};
   for (int i = 0; i < 20000; ++i) {
-    plot.time.push_back(i);
+    plot.at.push_back(i);
     plot.curves[0].values.push_back(i == 7777 ? 5 : 1);
   }
   const std::string svg = plot_svg(plot);

@@ -1,6 +1,7 @@
 """Bolts of rock in motion, against closed forms and the sums of limit equilibrium. Cases as those of statics.py."""
 import math
 
+import numpy as np
 from contact import G, radians
 from runner import Findings, Line, Panel
 from water import middle
@@ -118,6 +119,51 @@ def bolted_wedge(program, full):
         ours.append((low + high) / 2e3)
         found.row(f"push at which a block slides, bolt at {degrees}° to its way", "kN", exact[-1], ours[-1], 1e-2, "limit equilibrium")
     panel.lines += [Line("limit equilibrium", list(angles), exact, "reference"), Line("ours", list(angles), ours, "marks")]
+    if full:
+        found.panels.append(panel)
+    return found
+
+
+def wall_of_ring(lets_go, count, stiffness):
+    """Convergence of a wall as rock that bore `lets_go` (Pa) on it lets go, and the force of each anchor between the wall and 3 m behind it: in
+    two rings of rock in plane strain u = A r + B/r; anchors press the wall, and pull at the rock where they end; nothing moves 10 m out."""
+    inner, anchor, outer, width, modulus, poisson = 2, 5, 10, 0.1, 1e9, 0.25
+    shear = modulus / (2 * (1 + poisson))
+    even, hole = 2 * shear / (1 - 2 * poisson), 2 * shear
+    pressure = [count / (2 * math.pi * r * width) for r in (inner, anchor)]  # of 1 N in each
+    equations = np.array([  # of A and B within the anchors, A and B beyond, and the force
+        [even, -hole / inner**2, 0, 0, pressure[0]],
+        [anchor, 1 / anchor, -anchor, -1 / anchor, 0],
+        [-even, hole / anchor**2, even, -hole / anchor**2, -pressure[1]],
+        [0, 0, outer, 1 / outer, 0],
+        [stiffness * (anchor - inner), stiffness * (1 / anchor - 1 / inner), 0, 0, -1]])
+    a, b, _, _, force = np.linalg.solve(equations, [lets_go, 0, 0, 0, 0])
+    return -(a * inner + b / inner), force
+
+
+def lined_tunnel(program, full):
+    """A tunnel let go in three parts, with bolts that come in after the first, and without."""
+    found = Findings("lined_tunnel", "Tunnel let go in three parts, bolts in between")
+    panel = Panel("Convergence of a tunnel under 5 MPa", "of what the rock bore, let go", "convergence, mm")
+    angles = [math.radians(7 + 45 * k) for k in range(8)]
+    monitors = "".join(f'[[monitor]]\nname = "{k}"\npoint = [{2.001 * math.cos(a)}, 0.05, {2.001 * math.sin(a)}]\n' for k, a in enumerate(angles))
+    parts, spacing = (0.4, 0.7, 1), 0.25 if full else 0.4
+    for stiffness in (0, 2e6, 6e6) if full else (2e6,):
+        document = program.run("lined_tunnel", {"bolt_pattern.1.stiffness": stiffness or 1, "cover.spacing": [spacing, 0.1, spacing]},
+                               edit=lambda text: text + monitors)
+        steps = [0] + [-sum(m["displacement"][at][0] * math.cos(a) + m["displacement"][at][2] * math.sin(a)
+                             for m, a in zip(document["monitors"], angles, strict=True)) / len(angles) for at in (4, 6, 8)]
+        bolts = document["bolts"]
+        first, _ = wall_of_ring(0.4 * 5e6, 1, 0)
+        rest, force = wall_of_ring(0.6 * 5e6, len(bolts), stiffness)
+        name = f"{len(bolts)} bolts of {stiffness / 1e6:g} MN/m" if stiffness else "no bolts"
+        found.row(f"convergence by the first part, {name}", "m", first, steps[1], 1e-2, "Lamé")
+        found.row(f"by the second, {name}", "m", rest / 2, steps[2] - steps[1], 1e-2, "Lamé, two rings")
+        found.row(f"by the third, {name}", "m", rest / 2, steps[3] - steps[2], 1e-2, "Lamé, two rings")
+        if stiffness:
+            found.row(f"force of a bolt, mean, {name}", "N", force, sum(bolt["force"] for bolt in bolts) / len(bolts), 2e-2, "Lamé, two rings")
+        panel.lines += [Line(f"closed form, {name}", [0, *parts], [0, 1e3 * first, 1e3 * (first + rest / 2), 1e3 * (first + rest)], "reference"),
+                        Line(f"ours, {name}", list(parts), [1e3 * u for u in steps[1:]], "marks")]
     if full:
         found.panels.append(panel)
     return found

@@ -42,7 +42,7 @@ CASES = {case.__name__: case for case in (
     random_blocks.random_prisms, random_blocks.random_wedges, random_contact.random_surfaces, random_contact.random_cards,
     random_contact.random_rebounds, random_contact.random_throws, rest.brick_wall, rest.jointed_slope, impacts.crossing_beams, impacts.dropped_cube,
     limits.toppling_slope, limits.voussoir_arch, limits.random_arches, supports.stressed_tunnel, supports.stressed_wedge, supports.anchored_block, water.wet_slope,
-    bolts.pull_out, bolts.bolted_wedge)}
+    bolts.pull_out, bolts.bolted_wedge, bolts.lined_tunnel)}
 # Of blocks in motion, which steps by explicit substeps take too.
 BY_SUBSTEPS = ("sliding_block", "cohesive_block", "sliding_wedge", "shaken_wedge", "rocking_block", "falling_block", "rolling_prism", "spinning_box",
                "crossing_beams", "dropped_cube", "random_prisms", "random_wedges")
