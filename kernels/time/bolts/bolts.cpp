@@ -276,7 +276,7 @@ DeviceBolts make_bolts(const BoltArrays& arrays, const CoverArrays& covers,
   bolts.rows = solve::make_point_rows(link_points(arrays), covers.unknown_count());
   bolts.element = device::to_device("bolts::element", arrays.points.element);
   const auto field = [](const char* label, const std::vector<Vec3>& values) {
-    const Field f = device::make_field(label, static_cast<Index>(values.size()));
+    Field f = device::make_field(label, static_cast<Index>(values.size()));
     device::copy_to_device(values, f);
     return f;
   };
