@@ -3,214 +3,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "kernels/time/bolts/chain_kernel.hpp"
-#include "kernels/time/forces/stress_kernel.hpp"
+#include "kernels/time/bolts/link_kernel.hpp"
+#include "kernels/time/bolts/state_kernel.hpp"
 
 namespace rockfold::bolts {
+
 namespace {
-
-/// Where the bolts' directions are at points of rock that d has displaced, and what their links have become.
-void find_motions(const DeviceBolts& bolts, const Field& d) {
-  const DeviceBolts all = bolts;
-  device::for_each(
-      "rockfold::bolts::axes", all.points, KOKKOS_LAMBDA(const Index n) {
-        Index low = 0, high = all.bolts;  // its bolt: the last that begins no later
-        while (high - low > 1) {
-          const Index middle = (low + high) / 2;
-          (all.point_begin(middle) <= n ? low : high) = middle;
-        }
-        const Real x[3] = {all.local(n, 0), all.local(n, 1), all.local(n, 2)};
-        Real deformed[3][3];
-        motion::gradient_at(all.elements, d, all.element(n), x, all.slopes.at(n), deformed);
-        const Vector from = contact::at(all.direction, low);
-        const Vector to = from + Vector{dot(contact::to_vector(deformed[0]), from),
-                                        dot(contact::to_vector(deformed[1]), from),
-                                        dot(contact::to_vector(deformed[2]), from)};
-        const Vector axis = contact::unit(to);
-        all.axis(n, 0) = axis.x;
-        all.axis(n, 1) = axis.y;
-        all.axis(n, 2) = axis.z;
-      });
-  device::for_each(
-      "rockfold::bolts::motions", all.links, KOKKOS_LAMBDA(const Index l) {
-        Real u[3];
-        solve::interpolate_all(all.rows.points, l, d, u);
-        for (int i = 0; i < 3; ++i) all.motion(l, i) = all.apart(l, i) + u[i];
-      });
-}
-
-KOKKOS_INLINE_FUNCTION void put(const Field& to, Index n, const Vector& v) {
-  to(n, 0) = v.x;
-  to(n, 1) = v.y;
-  to(n, 2) = v.z;
-}
-
-/// b += s · (v wᵀ + w vᵀ)/2, symmetric.
-KOKKOS_INLINE_FUNCTION void add_product(const solve::Blocks& b, Index n, Real s, const Vector& v,
-                                        const Vector& w) {
-  const Real a[3] = {v.x, v.y, v.z}, c[3] = {w.x, w.y, w.z};
-  for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j)
-      b(n, solve::symmetric_entry(i, j)) += 0.5 * s * (a[i] * c[j] + a[j] * c[i]);
-}
-
-/// What the rock gets from a link, and A_k and a_k of it.
-KOKKOS_INLINE_FUNCTION void find_link(const DeviceBolts& all, const Chain& chain, Index l) {
-  const Index link = chain.link + l, begin = all.steel_begin(link), end = all.steel_begin(link + 1);
-  const LinkMotion m = motion_of(all, chain, l);
-  const Real share = 1 / static_cast<Real>(end - begin);
-  for (int i = 0; i < 6; ++i) all.tangent(link, i) = 0;
-  if (all.crossing(link) == 0) {
-    Real force = 0, stiffness = 0;
-    for (Index p = begin; p < end; ++p) {
-      force += share * all.work.axial(p);
-      stiffness += share * share * all.work.tangent(p);
-    }
-    put(all.force, link, force * m.along);
-    put(all.lead, link, m.along);
-    add_product(all.tangent, link, stiffness, m.along, m.along);
-    return;
-  }
-  const Index near = begin + chain.bolt;
-  const Real e = m.stretch + all.next.slip(near + 1) - all.next.slip(near) - all.now.plastic(begin);
-  const SteelForce f = steel_force(steel_of(all, chain, link, begin), e, m.shear);
-  const Vector across = m.shear > 0 ? (1 / m.shear) * m.across : contact::any_across(m.along);
-  const Vector third = contact::cross(m.along, across);
-  put(all.force, link, f.axial * m.along + f.shear * across);
-  put(all.lead, link, f.aa * m.along + f.as * across);
-  add_product(all.tangent, link, f.aa, m.along, m.along);
-  add_product(all.tangent, link, 2 * f.as, m.along, across);
-  add_product(all.tangent, link, f.ss, across, across);
-  const Real turning = m.shear > 0 ? f.shear / m.shear : f.ss;
-  add_product(all.tangent, link, turning, third, third);
-}
-
-/// Row l of B into `right`: by how much the slips change what the link pulls with (over lead).
-KOKKOS_INLINE_FUNCTION void find_row(const DeviceBolts& all, const Chain& chain, Index l,
-                                     const Array<Real>& right) {
-  for (Index n = chain.node; n < chain.node + chain.nodes; ++n) right(n) = 0;
-  const Index link = chain.link + l, begin = all.steel_begin(link), end = all.steel_begin(link + 1);
-  const Real share = 1 / static_cast<Real>(end - begin);
-  for (Index p = begin; p < end; ++p) {
-    const Real k = all.crossing(link) != 0 ? 1 : share * all.work.tangent(p);
-    right(p + chain.bolt) -= k;
-    right(p + chain.bolt + 1) += k;
-  }
-}
-
-/// W of one bolt.
-KOKKOS_INLINE_FUNCTION void find_couplings(const DeviceBolts& all, const Chain& chain) {
-  const ChainWork& w = all.work;
-  Real* const coupling = &all.coupling(all.coupling_begin(chain.bolt));
-  for (Index l = 0; l < chain.links; ++l) {
-    find_row(all, chain, l, w.residual);
-    solve_chain(all, chain, w.residual, w.step, w.solution);
-    for (Index k = 0; k < chain.links; ++k) {
-      const Index link = chain.link + k, begin = all.steel_begin(link),
-                  end = all.steel_begin(link + 1);
-      const Real share = 1 / static_cast<Real>(end - begin);
-      Real sum = 0;
-      for (Index p = begin; p < end; ++p) {
-        const Real stiffness = all.crossing(link) != 0 ? 1 : share * w.tangent(p);
-        sum += stiffness * (w.step(p + chain.bolt + 1) - w.step(p + chain.bolt));
-      }
-      coupling[l * chain.links + k] = sum;
-    }
-  }
-}
-
-KOKKOS_INLINE_FUNCTION void hold_nothing(const DeviceBolts& all, const Chain& chain) {
-  for (Index l = chain.link; l < chain.link + chain.links; ++l) {
-    put(all.force, l, {});
-    put(all.lead, l, {});
-    for (int i = 0; i < 6; ++i) all.tangent(l, i) = 0;
-  }
-  Real* const coupling = &all.coupling(all.coupling_begin(chain.bolt));
-  for (Index k = 0; k < chain.links * chain.links; ++k) coupling[k] = 0;
-}
-
-/// What has become of a bolt's links at the end of a step.
-KOKKOS_INLINE_FUNCTION void accept_link(const DeviceBolts& all, const Chain& chain, Index l) {
-  const Index link = chain.link + l, begin = all.steel_begin(link), end = all.steel_begin(link + 1);
-  const LinkMotion m = motion_of(all, chain, l);
-  const bool crossing = all.crossing(link) != 0;
-  for (Index p = begin; p < end; ++p) {
-    const Index near = p + chain.bolt;
-    const Real total =
-        m.stretch / static_cast<Real>(end - begin) + all.next.slip(near + 1) - all.next.slip(near);
-    const Steel steel = steel_of(all, chain, link, p);
-    const SteelForce f = steel_force(steel, total - all.now.plastic(p), m.shear);
-    all.next.plastic(p) = all.now.plastic(p);
-    all.next.used(p) = all.now.used(p) + f.used;
-    all.next.broken(p) = all.now.broken(p);
-    const Real k = f.axial < 0 ? steel.pushed * steel.along : steel.along;
-    if (f.used > 0 && k > 0) all.next.plastic(p) = total - f.axial / k;
-    all.next.cut(link) = all.now.cut(link);
-    if (!crossing) continue;
-    const Vector was = contact::at(all.now.axis, link);
-    Vector sheared = turn_along(contact::at(all.now.sheared, link), was, m.along);
-    if (m.shear > 0) {
-      const bool doweled = steel.across > 0 && steel.shear > 0;
-      const Real elastic = doweled ? f.shear / steel.across : 0;
-      sheared = sheared + ((m.shear - elastic) / m.shear) * m.across;
-      if (!doweled) all.next.cut(link) += m.shear;
-    }
-    put(all.next.sheared, link, sheared);
-    put(all.next.axis, link, m.along);
-  }
-}
-
-/// Of a bolt that does not act yet.
-KOKKOS_INLINE_FUNCTION void keep_chain(const DeviceBolts& all, const Chain& chain) {
-  const BoltState &now = all.now, &next = all.next;
-  next.plate(chain.bolt) = now.plate(chain.bolt);
-  next.peak(chain.bolt) = now.peak(chain.bolt);
-  for (Index n = chain.node; n < chain.node + chain.nodes; ++n) {
-    next.slip(n) = now.slip(n);
-    next.slid(n) = now.slid(n);
-  }
-  for (Index p = chain.steel; p + 1 < chain.steel + chain.nodes; ++p) {
-    next.plastic(p) = now.plastic(p);
-    next.used(p) = now.used(p);
-    next.broken(p) = now.broken(p);
-  }
-  for (Index l = chain.link; l < chain.link + chain.links; ++l) {
-    next.cut(l) = now.cut(l);
-    for (int i = 0; i < 3; ++i) {
-      next.sheared(l, i) = now.sheared(l, i);
-      next.axis(l, i) = now.axis(l, i);
-    }
-  }
-}
-
-/// Steel between places that hold it, which pulls with one force and yields anywhere: breaks where it has flowed most.
-KOKKOS_INLINE_FUNCTION void break_steel(const DeviceBolts& all, const Chain& chain) {
-  const BoltLaw& law = all.law(chain.bolt);
-  const Index end = chain.steel + chain.nodes - 1;
-  Index link = chain.link;  // of the piece looked at
-  for (Index first = chain.steel; first < end;) {
-    Index last = first, most = first;
-    Real flow = 0, before = 0, length = 0, cut = 0;
-    for (;; ++last) {
-      while (all.steel_begin(link + 1) <= last) ++link;
-      cut = math::fmax(cut, all.next.cut(link));
-      flow += all.next.used(last);
-      before += all.now.used(last);
-      if (all.next.used(last) > all.next.used(most)) most = last;
-      length += all.steel_length(last);
-      const Index far = last + chain.bolt + 1;
-      if (last + 1 == end || all.bond_to(far) > all.bond_from(far)) break;
-    }
-    if (flow > before && all.next.broken(most) == 0) {
-      const Real moved = flow + math::fabs(all.work.axial(most)) / law.stiffness + cut;
-      const bool breaks =
-          law.rupture > 0 ? flow > law.rupture * length : moved >= (1 - 1e-9) * law.reach;
-      if (breaks) all.next.broken(most) = 1;
-    }
-    first = last + 1;
-  }
-}
-
+/// Of a chain, at the least: device::for_each.
+constexpr Index work_of_chain = 64;
 }  // namespace
 
 MaterialPoints link_points(const BoltArrays& arrays) {
@@ -339,19 +139,53 @@ DeviceBolts make_bolts(const BoltArrays& arrays, const CoverArrays& covers,
 
 void find_forces(const DeviceBolts& bolts, const Field& d, bool tangents) {
   if (!bolts.any()) return;
-  find_motions(bolts, d);
   const DeviceBolts all = bolts;
-  const Index work = 64;  // of a chain, at the least
   device::for_each(
       "rockfold::bolts::chains", all.bolts,
       KOKKOS_LAMBDA(const Index b) {
         const Chain chain = chain_of(all, b);
         if (all.now.installed(b) == 0) return hold_nothing(all, chain);
-        balance_chain(all, chain);
-        for (Index l = 0; l < chain.links; ++l) find_link(all, chain, l);
+        pull_chain(all, chain, d);
         if (tangents) find_couplings(all, chain);
       },
-      work);
+      work_of_chain);
+}
+
+void begin_ticks(const DeviceBolts& bolts, const Field& d, Ticking& ticking) {
+  find_forces(bolts, d, false);
+  if (ticking.work.extent(0) == 0) {
+    ticking.motion = device::make_field("bolts::motion_before", bolts.links);
+    ticking.force = device::make_field("bolts::force_before", bolts.links);
+    ticking.work = Array<Real>("rockfold::bolts::work", bolts.bolts);
+  }
+  Kokkos::deep_copy(ticking.motion, bolts.motion);
+  Kokkos::deep_copy(ticking.force, bolts.force);
+  Kokkos::deep_copy(ticking.work, 0.0);
+}
+
+void tick(const DeviceBolts& bolts, const Field& d, const Array<Index>& order, Index count,
+          const Ticking& ticking) {
+  const DeviceBolts all = bolts;
+  const Field motion = ticking.motion, force = ticking.force;
+  const Array<Real> work = ticking.work;
+  device::for_each(
+      "rockfold::bolts::tick", count,
+      KOKKOS_LAMBDA(const Index i) {
+        const Chain chain = chain_of(all, order(i));
+        if (all.now.installed(chain.bolt) == 0) return;
+        pull_chain(all, chain, d);
+        Real done = 0;
+        for (Index l = chain.link; l < chain.link + chain.links; ++l)
+          for (int k = 0; k < 3; ++k) {
+            done += 0.5 * (force(l, k) + all.force(l, k)) * (all.motion(l, k) - motion(l, k));
+            force(l, k) = all.force(l, k);
+            motion(l, k) = all.motion(l, k);
+          }
+        work(chain.bolt) += done;
+        accept_chain(all, chain);
+        copy_chain(all.next, all.now, chain);
+      },
+      work_of_chain);
 }
 
 void add_forces(const DeviceBolts& bolts, Real scale, const Field& f) {
@@ -421,26 +255,14 @@ void accept(DeviceBolts& bolts) {
   device::for_each(
       "rockfold::bolts::accept", all.bolts, KOKKOS_LAMBDA(const Index b) {
         const Chain chain = chain_of(all, b);
-        if (all.now.installed(b) == 0) return keep_chain(all, chain);
-        all.next.plate(b) = all.now.plate(b);
-        for (Index i = 0; i < chain.nodes; ++i) {
-          const Hold hold = hold_of(all, chain, i, all.next.slip(chain.node + i));
-          all.next.slid(chain.node + i) = hold.lost;
-          if (i == 0) all.next.plate(b) = hold.plate_lost;
-        }
-        for (Index l = 0; l < chain.links; ++l) accept_link(all, chain, l);
-        Real peak = all.now.peak(b);
-        for (Index p = chain.steel; p + 1 < chain.steel + chain.nodes; ++p)
-          peak = math::fmax(peak, all.work.axial(p));
-        all.next.peak(b) = peak;
-        break_steel(all, chain);
+        if (all.now.installed(b) == 0) return copy_chain(all.now, all.next, chain);
+        accept_chain(all, chain);
       });
   std::swap(bolts.now, bolts.next);
 }
 
 void install(DeviceBolts& bolts, Index stage, const Field& d) {
   if (std::find(bolts.install.begin(), bolts.install.end(), stage) == bolts.install.end()) return;
-  find_motions(bolts, d);
   const DeviceBolts all = bolts;
   const Array<Index> when = device::to_device("bolts::install", bolts.install);
   device::for_each(
@@ -448,6 +270,7 @@ void install(DeviceBolts& bolts, Index stage, const Field& d) {
         if (when(b) != stage) return;
         const Chain chain = chain_of(all, b);
         all.now.installed(b) = 1;
+        move_chain(all, chain, d);
         for (Index l = 0; l < chain.links; ++l) {
           const Index link = chain.link + l, begin = all.steel_begin(link),
                       end = all.steel_begin(link + 1);

@@ -2,7 +2,9 @@
 //
 //   steel_law_kernel.hpp  what a piece of steel bears
 //   chain_kernel.hpp      a bolt in balance with the rock about it
-//   bolts.cpp             all of them: links, forces, states
+//   link_kernel.hpp       what its links do to the rock
+//   state_kernel.hpp      what becomes of it by a step
+//   bolts.cpp             all of them
 //
 // What the rock does to a bolt are the motions of its links, u = x' − x of their two points less what they were. Given these, the steel slips along
 // the rock until pulls and bond are in balance: a chain of few numbers that each bolt solves by itself, by Newton's method, one thread a bolt. What is left is a
@@ -85,6 +87,13 @@ struct DeviceBolts {
 
   bool any() const { return bolts > 0; }
 };
+
+/// Of bolts that are looked at by clocks of their own: the links as they were looked at last, and the work done on each bolt since.
+struct Ticking {
+  Field motion, force;  ///< [L] m, N
+  Array<Real> work;     ///< [B] J
+};
+
 DeviceBolts make_bolts(const BoltArrays& arrays, const CoverArrays& covers,
                        const PieceMoments& moments, const std::vector<ElasticMaterial>& materials);
 
@@ -93,6 +102,11 @@ MaterialPoints link_points(const BoltArrays& arrays);
 
 /// Forces on the links where the displacement d has the rock.
 void find_forces(const DeviceBolts& bolts, const Field& d, bool tangents);
+/// For ticks from here on.
+void begin_ticks(const DeviceBolts& bolts, const Field& d, Ticking& ticking);
+/// find_forces and accept of the first `count` bolts in this order, with the work done on them since they were looked at last.
+void tick(const DeviceBolts& bolts, const Field& d, const Array<Index>& order, Index count,
+          const Ticking& ticking);
 /// f += scale · what they do to the rock.
 void add_forces(const DeviceBolts& bolts, Real scale, const Field& f);
 /// The tangents found last into those of `terms` from `first` on, with their couplings.

@@ -10,15 +10,14 @@ namespace {
 /// Levels beyond which a sliver is slower than it should be rather than a period of endless ticks.
 constexpr int most_levels = 20;
 
-/// What is there of the points' lists, on the host.
+/// Points' lists on the host.
 struct PointLists {
-  explicit PointLists(const Motion::Data& m) {
-    if (!m.contact || !m.system.contacts.any()) return;
-    count = m.system.contacts.points.count;
-    begin = device::to_host(m.system.contacts.points.begin);
-    unknown = device::to_host(m.system.contacts.points.unknown);
-    weight = device::to_host(m.system.contacts.points.weight);
-  }
+  PointLists() = default;
+  PointLists(const solve::DevicePoints& points)
+      : count(points.count),
+        begin(device::to_host(points.begin)),
+        unknown(device::to_host(points.unknown)),
+        weight(device::to_host(points.weight)) {}
   Index count = 0;
   std::vector<Index> begin, unknown;
   std::vector<Real> weight;
@@ -35,7 +34,6 @@ std::vector<std::uint8_t> find_pulled(const Motion::Data& m) {
         for (Index i = begin[n]; i < begin[n + 1]; ++i) pulled[unknown[i] % m.covers] = 1;
   };
   if (m.dashpots.any()) add(m.dashpots.points.points, [](Index) { return true; });
-  if (m.bolts.any()) add(m.bolts.rows.points, [](Index) { return true; });
   const solve::Springs& springs = m.system.springs;
   if (!springs.any()) return pulled;
   const std::vector<Vec3> held = device::copy_to_host(springs.held),
@@ -123,9 +121,29 @@ std::vector<Index> sort_by_level(const std::vector<int>& level, int deepest,
   return order;
 }
 
-/// The points of each block with the weights of its functions.
-void store_entries(const PointLists& lists, const std::vector<Index>& order, Index covers, int n,
-                   Schedule& s) {
+/// Levels of points, which make the blocks that they touch as fast as they are.
+void touch_blocks(const PointLists& lists, const std::vector<int>& level, Index covers,
+                  std::vector<int>& touched) {
+  for (Index c = 0; c < lists.count; ++c)
+    for (Index i = lists.begin[c]; i < lists.begin[c + 1]; ++i) {
+      int& of_block = touched[lists.unknown[i] % covers];
+      of_block = std::max(of_block, level[c]);
+    }
+}
+
+/// The fastest of the blocks' own levels that each point touches.
+std::vector<int> levels_of(const PointLists& lists, const std::vector<int>& own) {
+  const auto covers = static_cast<Index>(own.size());
+  std::vector<int> level(lists.count, 0);
+  for (Index c = 0; c < lists.count; ++c)
+    for (Index i = lists.begin[c]; i < lists.begin[c + 1]; ++i)
+      level[c] = std::max(level[c], own[lists.unknown[i] % covers]);
+  return level;
+}
+
+/// The points of each block, in this order, with the weights of its functions times `sign`.
+PullingPoints make_points(const PointLists& lists, const std::vector<int>& level,
+                          const std::vector<Index>& order, Index covers, int n, Real sign) {
   std::vector<Index> begin(covers + 1, 0);
   const auto for_each_side = [&](Index c, const auto& f) {
     Index blocks[2] = {none, none};
@@ -146,11 +164,33 @@ void store_entries(const PointLists& lists, const std::vector<Index>& order, Ind
       point[e] = c;
       for (Index i = lists.begin[c]; i < lists.begin[c + 1]; ++i)
         if (lists.unknown[i] % covers == p)
-          weight[static_cast<std::size_t>(e) * n + lists.unknown[i] / covers] += lists.weight[i];
+          weight[static_cast<std::size_t>(e) * n + lists.unknown[i] / covers] +=
+              sign * lists.weight[i];
     });
-  s.begin = device::to_device("motion::entry_begin", begin);
-  s.entry_point = device::to_device("motion::entry_point", point);
-  s.entry_weight = device::to_device("motion::entry_weight", weight);
+  return {device::to_device("motion::point_level", level),
+          device::to_device("motion::entry_begin", begin),
+          device::to_device("motion::entry_point", point),
+          device::to_device("motion::entry_weight", weight)};
+}
+
+/// Bolts, and their links, which tick with them.
+struct BoltClocks {
+  PointLists links;
+  std::vector<int> level, of_link;  ///< [B], [L]
+};
+
+BoltClocks find_bolt_clocks(const bolts::DeviceBolts& bolts, const std::vector<int>& own) {
+  BoltClocks clocks;
+  if (!bolts.any()) return clocks;
+  clocks.links = bolts.rows.points;
+  clocks.of_link = levels_of(clocks.links, own);
+  const std::vector<Index> begin = device::to_host(bolts.link_begin);
+  for (Index b = 0; b < bolts.bolts; ++b) {
+    const auto from = clocks.of_link.begin() + begin[b], to = clocks.of_link.begin() + begin[b + 1];
+    clocks.level.push_back(from == to ? 0 : *std::max_element(from, to));
+    std::fill(from, to, clocks.level.back());
+  }
+  return clocks;
 }
 
 /// ExplicitScheme::factor and added_mass: what is stable with the blocks' own levels.
@@ -171,32 +211,35 @@ void scale_masses(Motion::Data& m, const std::vector<int>& own) {
 }  // namespace
 
 void make_schedule(Motion::Data& m, Real dt, Real longest, const StepCourse& course) {
-  Schedule& s = m.explicit_scheme.schedule;
-  const PointLists lists(m);
+  ExplicitScheme& scheme = m.explicit_scheme;
+  Schedule& s = scheme.schedule;
   std::vector<int> own = find_own_levels(m, find_steps(m, course.mass_scaling), dt, longest, s);
   if (course.relaxes()) {
     std::fill(own.begin(), own.end(), 0);
     s.deepest = 0;
   }
   scale_masses(m, own);
-  std::vector<int> touched = own, level(lists.count, 0);
-  for (Index c = 0; c < lists.count; ++c) {
-    for (Index i = lists.begin[c]; i < lists.begin[c + 1]; ++i)
-      level[c] = std::max(level[c], own[lists.unknown[i] % m.covers]);
-    for (Index i = lists.begin[c]; i < lists.begin[c + 1]; ++i) {
-      int& of_block = touched[lists.unknown[i] % m.covers];
-      of_block = std::max(of_block, level[c]);
-    }
-  }
-  const std::vector<Index> points = sort_by_level(level, s.deepest, m.explicit_scheme.points);
-  s.block = device::to_device("motion::block_order",
-                              sort_by_level(touched, s.deepest, m.explicit_scheme.blocks));
+  const bool touches = m.contact && m.system.contacts.any();
+  const PointLists lists = touches ? PointLists(m.system.contacts.points) : PointLists();
+  const std::vector<int> level = levels_of(lists, own);
+  const BoltClocks bolts = find_bolt_clocks(m.bolts, own);
+  std::vector<int> touched = own;
+  touch_blocks(lists, level, m.covers, touched);
+  touch_blocks(bolts.links, bolts.of_link, m.covers, touched);
+  const std::vector<Index> points = sort_by_level(level, s.deepest, scheme.points);
+  s.block =
+      device::to_device("motion::block_order", sort_by_level(touched, s.deepest, scheme.blocks));
   s.point = device::to_device("motion::point_order", points);
+  s.bolt =
+      device::to_device("motion::bolt_order", sort_by_level(bolts.level, s.deepest, scheme.bolts));
   s.block_level = device::to_device("motion::block_level", touched);
-  s.level = device::to_device("motion::point_level", level);
-  store_entries(lists, points, m.covers, m.explicit_scheme.functions, s);
+  s.contacts = make_points(lists, level, points, m.covers, scheme.functions, 1);
+  std::vector<Index> as_fast;
+  s.links =
+      make_points(bolts.links, bolts.of_link, sort_by_level(bolts.of_link, s.deepest, as_fast),
+                  m.covers, scheme.functions, -1);
   slow_strain(m);
-  m.explicit_scheme.held = find_held_rows(m);
+  scheme.held = find_held_rows(m);
 }
 
 }  // namespace rockfold::motion

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernels/device/device_kernel.hpp"
+#include "kernels/time/bolts/bolts_kernel.hpp"
 
 namespace rockfold::motion {
 
@@ -31,17 +32,22 @@ struct HeldRows {
   KOKKOS_INLINE_FUNCTION bool any() const { return sets > 0; }
 };
 
-/// Who is looked at how often: a clock of level l ticks every period/2^l. A contact point goes by the faster of its two blocks' own steps, and a block
-/// by the fastest of its points: its stress answers what pushes it at once.
-struct Schedule {
-  Real period = 0;            ///< s
-  int deepest = 0;            ///< the fastest level
-  Array<int> block_level;     ///< [P]
-  Array<int> level;           ///< [points]
-  Array<Index> block, point;  ///< all of them, the fastest first
-  Array<Index> begin;         ///< [P+1] into the entries of each block, the fastest first:
+/// Points that pull at blocks: of contacts, or the links of bolts.
+struct PullingPoints {
+  Array<int> level;    ///< [points]
+  Array<Index> begin;  ///< [P+1] into the entries of each block, the fastest first:
   Array<Index> entry_point;
-  Array<Real> entry_weight;  ///< [entries][functions]
+  Array<Real> entry_weight;  ///< [entries][functions] of the point's force
+};
+
+/// Who is looked at how often: a clock of level l ticks every period/2^l. A contact point goes by the faster of its two blocks' own steps, a bolt by the
+/// fastest of those that it goes through, and a block by the fastest of its points and bolts: its stress answers what pushes it at once.
+struct Schedule {
+  Real period = 0;                  ///< s
+  int deepest = 0;                  ///< the fastest level
+  Array<int> block_level;           ///< [P]
+  PullingPoints contacts, links;    ///< links: of bolts
+  Array<Index> block, point, bolt;  ///< all of them, the fastest first
 
   KOKKOS_INLINE_FUNCTION Real interval(int l) const { return period / (Index{1} << l); }
 };
@@ -69,11 +75,12 @@ struct ExplicitScheme {
   Array<Index> vertex_begin, vertex;  ///< [P+1] the surface vertices of each block
   HeldRows held;
   Schedule schedule;
-  std::vector<Index> blocks, points;  ///< [deepest+1] how many are as fast as level l or faster
-  Field start;                        ///< displacements at the start of the step
-  Field period_start;                 ///< and of the period, where something acts from outside
+  std::vector<Index> blocks, points,
+      bolts;               ///< [deepest+1] how many are as fast as level l or faster
+  bolts::Ticking ticking;  ///< of the bolts
+  Field start;             ///< displacements at the start of the step
+  Field period_start;      ///< and of the period, where something acts from outside
   Field outside;        ///< N, what acts from outside beside constant loads: at the end of a period
-  Field bolts;          ///< N, what bolts do to the rock
   Field target_before;  ///< of supports, at the start of the period
   Field pull;           ///< [points of supports] N s, of springs
   Array<Real>

@@ -72,11 +72,11 @@ struct ExplicitStep {
     Kokkos::deep_copy(s.ahead, 0.0);  // of blocks that are gone too
     Kokkos::deep_copy(s.pull, 0.0);
     acts = m.varying_loads.any() || m.following.any() || m.dashpots.any() ||
-           m.system.springs.any() || m.bolts.any() || m.now.walls > 0 || course.walls > 0;
+           m.system.springs.any() || m.now.walls > 0 || course.walls > 0;
+    if (m.bolts.any()) bolts::begin_ticks(m.bolts, m.now.displacement, s.ticking);
     if (!acts || s.outside.extent(0) > 0) return;
     s.outside = device::make_field("motion::outside", m.unknowns);
     s.period_start = device::make_field("motion::period_start", m.unknowns);
-    if (m.bolts.any()) s.bolts = device::make_field("motion::of_bolts", m.unknowns);
   }
 
   /// The points at the places of now, where those there do not serve on; and who ticks how often.
@@ -138,12 +138,19 @@ struct ExplicitStep {
     return true;
   }
 
+  /// What pulls and pushes as often as level `from`, at the places of now.
+  void advance_forces(int from) {
+    advance_points(from);
+    if (m.bolts.any())
+      bolts::tick(m.bolts, m.now.displacement, s.schedule.bolt, s.bolts[from], s.ticking);
+  }
+
   void advance_points(int from) {
     if (!m.contact || !m.system.contacts.any()) return;
     const Schedule& schedule = s.schedule;
     if (s.points[from] == 0) return;
     contact::advance(m.contact->contacts, m.contact->motion,
-                     {schedule.point, schedule.level, s.points[from], schedule.period,
+                     {schedule.point, schedule.contacts.level, s.points[from], schedule.period,
                       relaxes() ? 1 : m.contact->contacts.options.restitution},
                      m.contact->force, s.impact, s.account);
     visits += s.points[from];
@@ -152,7 +159,7 @@ struct ExplicitStep {
   /// Half an impulse of all, and off.
   void begin_periods() {
     set_period_time();
-    advance_points(0);
+    advance_forces(0);
     find_outside(0.5);
     tick_blocks(m, {0, 0.5, true, 0, relaxes()});
   }
@@ -161,7 +168,7 @@ struct ExplicitStep {
     int from = s.schedule.deepest;
     for (Index left = k; left % 2 == 0; left /= 2) --from;
     if (s.blocks[from] == 0) return;
-    advance_points(from);
+    advance_forces(from);
     tick_blocks(m, {from, 1, true, k, relaxes()});
   }
 
@@ -172,7 +179,7 @@ struct ExplicitStep {
     m.now.time = began + done;
     const bool goes_on = done < dt && !is_at_rest() && !has_gone_far();
     if (goes_on) set_period_time();
-    advance_points(0);
+    advance_forces(0);
     find_outside(goes_on ? 1 : 0.5);
     count_outside();
     if (!goes_on) find_target_speed();
@@ -219,22 +226,7 @@ struct ExplicitStep {
     if (m.following.any())
       add_following_pressures(m.following, m.now.time, m.now.displacement, 1, f);
     if (m.dashpots.any()) add_dashpots(m.dashpots, -1, m.now.velocity, f);
-    add_bolts(f);
     add_springs(share * s.schedule.period, f);
-  }
-
-  /// f += what bolts do to the rock, which is then what their states come to.
-  void add_bolts(const Field& f) {
-    if (!m.bolts.any()) return;
-    bolts::find_forces(m.bolts, m.now.displacement, false);
-    Kokkos::deep_copy(s.bolts, 0.0);
-    bolts::add_forces(m.bolts, 1, s.bolts);
-    bolts::accept(m.bolts);
-    const Field by = s.bolts;
-    device::for_each(
-        "rockfold::motion::add_bolts", m.unknowns, KOKKOS_LAMBDA(const Index u) {
-          for (int i = 0; i < 3; ++i) f(u, i) += by(u, i);
-        });
   }
 
   /// f += what springs pull with; their impulse over h.
@@ -263,7 +255,7 @@ struct ExplicitStep {
     if (m.damping.mass > 0)
       work.damping += 2 * s.schedule.period * m.damping.mass * kinetic_energy(m);
     const bool varies = m.varying_loads.any(), follows = m.following.any();
-    if (!varies && !follows && !m.dashpots.any() && !m.bolts.any()) return;
+    if (!varies && !follows && !m.dashpots.any()) return;
     const auto way = m.increment, d = m.now.displacement, start = s.period_start;
     device::for_each(
         "rockfold::motion::way_of_period", m.unknowns, KOKKOS_LAMBDA(const Index u) {
@@ -282,10 +274,6 @@ struct ExplicitStep {
       keep_following();
       work.loads += 0.5 * along(m.following_before);
     }
-    if (m.bolts.any()) {
-      work.bolts -= 0.5 * (along(m.bolts_before) + along(s.bolts));
-      Kokkos::deep_copy(m.bolts_before, s.bolts);
-    }
     if (!m.dashpots.any()) return;
     Kokkos::deep_copy(m.work, 0.0);
     add_dashpots(m.dashpots, 1, m.increment, m.work);
@@ -303,7 +291,6 @@ struct ExplicitStep {
     Kokkos::deep_copy(s.period_start, m.now.displacement);
     if (m.varying_loads.any()) varying_load(m.varying_loads, m.now.time, m.varying_before);
     if (m.following.any()) keep_following();
-    keep_bolts(m);
   }
 
   /// Places and velocities are of one time; what the step has done.
@@ -323,6 +310,7 @@ struct ExplicitStep {
         });
     find_reactions();
     m.now.work.damping += sum_of(s.lost);
+    if (m.bolts.any()) m.now.work.bolts += sum_of(s.ticking.work);
     count_wall_work(m, m.now.walls, course.walls);
     m.now.walls = course.walls;
     m.energy_made = m.crossing = 0;

@@ -12,13 +12,13 @@ struct Scene {
   Array<Real> mass, factor, stiffness, slowed, damped, rigid, impact, turn, lost, ahead, unbalanced;
   Array<Index> vertex_begin, vertex;
   finite::Deformation rock;
-  Field d, v, load, force, home, x, speed, outside, target, target_before, target_speed;
+  Field d, v, load, force, pull, home, x, speed, outside, target, target_before, target_speed;
   Array<std::uint8_t> gone;
   solve::DevicePoints vertices;
   Index covers;
   Real mass_damping;
   Vec3 gravity;
-  bool touches, acted_on, moving;
+  bool touches, bolted, acted_on, moving;
 };
 
 Scene::Scene(const Motion::Data& m)
@@ -41,6 +41,7 @@ Scene::Scene(const Motion::Data& m)
       d(m.now.displacement),
       v(m.now.velocity),
       load(m.load),
+      pull(m.bolts.force),
       outside(m.explicit_scheme.outside),
       target(m.system.springs.target),
       target_before(m.explicit_scheme.target_before),
@@ -50,6 +51,7 @@ Scene::Scene(const Motion::Data& m)
       mass_damping(m.damping.mass),
       gravity(m.gravity),
       touches(m.contact != nullptr),
+      bolted(m.bolts.any()),
       acted_on(m.explicit_scheme.outside.extent(0) > 0),
       moving(m.supports.tables.any()) {
   if (!m.contact) return;
@@ -60,29 +62,41 @@ Scene::Scene(const Motion::Data& m)
   vertices = m.contact->vertex;
 }
 
-/// x[3k + d] += the impulses of the points that tick, N s. Returns the share of these that impacts explain.
-template <int N>
-KOKKOS_INLINE_FUNCTION Real add_point_impulses(const Scene& scene, Index p, const Tick& tick,
-                                               Real* x) {
-  const Schedule& s = scene.schedule;
-  const bool shares = scene.impact.extent(0) > 0;
-  Real h = 0, all = 0, explained = 0;
+/// x[3k + d] += the impulses of the points that tick, N s; each(c, impulse) of each.
+template <int N, class Each>
+KOKKOS_INLINE_FUNCTION void add_impulses(const Schedule& s, const PullingPoints& points,
+                                         const Field& force, Index p, const Tick& tick, Real* x,
+                                         const Each& each) {
+  Real h = 0;
   int of_level = -1;
-  for (Index e = s.begin(p); e < s.begin(p + 1); ++e) {
-    const Index c = s.entry_point(e);
-    const int level = s.level(c);
+  for (Index e = points.begin(p); e < points.begin(p + 1); ++e) {
+    const Index c = points.entry_point(e);
+    const int level = points.level(c);
     if (level < tick.from) break;
     if (level != of_level) h = tick.share * s.interval(of_level = level);
-    const Real impulse[3] = {h * scene.force(c, 0), h * scene.force(c, 1), h * scene.force(c, 2)};
-    const Real* weight = &s.entry_weight(static_cast<std::size_t>(e) * N);
+    const Real impulse[3] = {h * force(c, 0), h * force(c, 1), h * force(c, 2)};
+    const Real* weight = &points.entry_weight(static_cast<std::size_t>(e) * N);
     for (int k = 0; k < N; ++k)
       for (int i = 0; i < 3; ++i) x[3 * k + i] += weight[k] * impulse[i];
-    if (!shares) continue;
-    const Real size = device::math::sqrt(impulse[0] * impulse[0] + impulse[1] * impulse[1] +
-                                         impulse[2] * impulse[2]);
-    all += size;
-    explained += scene.impact(c) * size;
+    each(c, impulse);
   }
+}
+
+/// Of the contacts that tick. Returns the share of these that impacts explain.
+template <int N>
+KOKKOS_INLINE_FUNCTION Real add_contact_impulses(const Scene& scene, Index p, const Tick& tick,
+                                                 Real* x) {
+  const bool shares = scene.impact.extent(0) > 0;
+  Real all = 0, explained = 0;
+  add_impulses<N>(scene.schedule, scene.schedule.contacts, scene.force, p, tick, x,
+                  [&](Index c, const Real* impulse) {
+                    if (!shares) return;
+                    const Real size =
+                        device::math::sqrt(impulse[0] * impulse[0] + impulse[1] * impulse[1] +
+                                           impulse[2] * impulse[2]);
+                    all += size;
+                    explained += scene.impact(c) * size;
+                  });
   return explained > 0 ? explained / all : 0;
 }
 
@@ -224,10 +238,10 @@ KOKKOS_INLINE_FUNCTION Real acting_force(const Scene& scene, Index p) {
   for (int i = 0; i < 3; ++i) square += scene.load(p, i) * scene.load(p, i);
   sum += device::math::sqrt(square);
   if (!scene.touches) return sum;
-  for (Index e = scene.schedule.begin(p); e < scene.schedule.begin(p + 1); ++e) {
+  for (Index e = scene.schedule.contacts.begin(p); e < scene.schedule.contacts.begin(p + 1); ++e) {
     square = 0;
     for (int i = 0; i < 3; ++i) {
-      const Real f = scene.force(scene.schedule.entry_point(e), i);
+      const Real f = scene.force(scene.schedule.contacts.entry_point(e), i);
       square += f * f;
     }
     sum += device::math::sqrt(square);
@@ -355,7 +369,9 @@ void tick_all(const Motion::Data& m, const Tick& tick) {
         const Real h = now.share * s.interval(s.block_level(p));
         Real x[3 * N], v[3 * N], loss[3 * N], slowing[3 * N];
         for (int i = 0; i < width; ++i) x[i] = loss[i] = slowing[i] = 0;
-        const Real impact = scene.touches ? add_point_impulses<N>(scene, p, now, x) : 0;
+        const Real impact = scene.touches ? add_contact_impulses<N>(scene, p, now, x) : 0;
+        if (scene.bolted)
+          add_impulses<N>(s, s.links, scene.pull, p, now, x, [](Index, const Real*) {});
         add_stress_impulse<N>(scene, p, h, x);
         Real stressed[3 * N];
         for (int i = 0; i < width; ++i) {
