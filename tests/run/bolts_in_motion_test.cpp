@@ -1,5 +1,7 @@
 // Bolts hold blocks in motion: by closed forms of what the steel bears, and by the sums of block theory.
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -206,6 +208,8 @@ TEST_P(BoltAtAnAngle, HoldsABlockUpToTheSumsOfBlockTheory) {
 INSTANTIATE_TEST_SUITE_P(Degrees, BoltAtAnAngle, testing::Values(5, 30, 60, 80));
 
 TEST(Bolts, HoldABlockByExplicitStepsAndOnLatticesToo) {
+  constexpr Real still =
+      1e-7;  // m; steps that relax give what moves mass, and start anew from rest
   OnPlane box{.angle = 30 * degree, .bolt = stiff};
   const Real slides = limit(100e3 * box.direction());
   for (const bool lattice : {false, true}) {
@@ -215,9 +219,9 @@ TEST(Bolts, HoldABlockByExplicitStepsAndOnLatticesToo) {
     else
       box.step = "type = 'quasi_static'\nscheme = 'explicit'\n";
     box.push = 0.99 * slides;
-    EXPECT_LT(std::abs(last_way(box)), 1e-7);
+    EXPECT_LT(std::abs(last_way(box)), still);
     box.push = 1.01 * slides;
-    EXPECT_GT(last_way(box), 1e-5);
+    EXPECT_GT(last_way(box), still);
     box.step = "type = 'quasi_static'\n";
   }
 }
@@ -267,6 +271,33 @@ TEST(Bolts, BreakOneAfterTheOther) {
   }
   EXPECT_LT(*bolts[0].broken_at, *bolts[1].broken_at);
   EXPECT_LE(*bolts[1].broken_at, *bolts[2].broken_at);
+}
+
+/// Blocks in a row that hold on to each other: what one bolt no longer bears comes onto the next. Where the joints between them bear less than the others have
+/// left, the first block falls alone.
+TEST(Bolts, BreakLikeAZipperInARowOfKeyBlocks) {
+  std::ifstream file(ROCKFOLD_SOURCE_DIR "/tests/cases/bolt_row/model.toml");
+  const std::string model{std::istreambuf_iterator<char>(file), {}};
+  const std::vector<BoltResult> all = run_model(model).result.bolts;
+  ASSERT_EQ(all.size(), 8u);
+  Real before = 0;
+  for (const BoltResult& bolt : all) {
+    ASSERT_TRUE(bolt.broken_at.has_value()) << bolt.name;
+    EXPECT_GT(*bolt.broken_at, before) << bolt.name;
+    before = *bolt.broken_at;
+  }
+  std::string weak = model;
+  for (const std::string key : {"cohesion", "tensile_strength"}) {
+    const auto at = weak.find(key + " = \"60 kPa\"");
+    ASSERT_NE(at, std::string::npos);
+    weak.replace(at, key.size() + 11, key + " = \"3 kPa\"");
+  }
+  const std::vector<BoltResult> first = run_model(weak).result.bolts;
+  EXPECT_EQ(first[0].status, BoltStatus::broken);
+  for (std::size_t i = 1; i < first.size(); ++i) {
+    EXPECT_EQ(first[i].status, BoltStatus::elastic) << first[i].name;
+    EXPECT_NEAR(first[i].force, 2500 * gravity, 0.02 * 2500 * gravity) << first[i].name;
+  }
 }
 
 /// Two cubes in space, drawn apart by 0.2 m/s each: they swing on the bolt between them until that is slack.
