@@ -47,10 +47,10 @@ constexpr Real rim = 1e-6;
 constexpr Real rounding = 1e-9;
 
 /// Which face a collar is on is looked up this share of the model's size to the right of it and up, so that it is one
-/// face even where the collar is on a joint.
+/// face even where the collar is on a joint; next to edges of the strip, where that leads off it, to the other sides.
 constexpr Real aside = 1e-7;
-constexpr std::array<Real, 2> odd{0.731, 0.469};
-constexpr int attempts = 4;
+constexpr std::array<std::array<Real, 2>, 4> to_the_side{
+    {{0.731, 0.469}, {-0.731, -0.469}, {0.731, -0.469}, {-0.731, 0.469}}};
 
 /// Away from both ends of a range.
 Real inside(Real value, const std::array<Real, 2>& range) {
@@ -233,10 +233,10 @@ std::optional<Wall::Hit> Wall::face_of(const WallPanel& panel, Index s, const Ve
   const WallStrip& strip = strips_[s];
   std::optional<Hit> nearest;
   Real best = infinite;
-  for (int attempt = 1; attempt <= attempts && !nearest; ++attempt) {
-    // To the right and up, as joints have it; next to the strip's end that leads off it, and back leads onto it.
-    const Real step = (attempt % 2 == 1 ? attempt : -attempt) * aside * size_;
-    const Vec3 beside = point + (step * odd[0]) * strip.along_u + (step * odd[1]) * strip.along_v;
+  const Real step = aside * size_;
+  for (const auto& [right, up] : to_the_side) {
+    if (nearest) break;
+    const Vec3 beside = point + (step * right) * strip.along_u + (step * up) * strip.along_v;
     for (const Index k : tree_.along(beside, strip.across, -strip.reach, strip.reach)) {
       if (strip.side == none ? strip_of_face_[k] != s : side_of_face_[k] != strip.side) continue;
       if (!line_meets_face(blocks_, faces_[k], beside, strip.across)) continue;

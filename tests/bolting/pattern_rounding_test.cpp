@@ -102,6 +102,19 @@ TEST(PatternRoundATunnel, HasABoltAtEachCornerOfTheSection) {
   EXPECT_EQ(bolts.size(), 2u * 8);
 }
 
+/// A slice so thin that a look aside from its last ring is beyond its end.
+TEST(PatternRoundATunnel, HasRingsAtBothEndsOfASlice) {
+  const auto bolts = bolts_of(
+      rock_and_joint +
+      "[[solid]]\nname = 'rock'\nshape = 'box'\nmin = [-5, 0, -5]\nmax = [5, 0.1, 7]\n"
+      "continues = ['xmin', 'xmax', 'ymin', 'ymax', 'zmin', 'zmax']\n"
+      "[[excavation]]\nname = 'tunnel'\nshape = 'tunnel'\npath = [[0, 0, 0], [0, 0.1, 0]]\n"
+      "section = 'rectangle'\nwidth = 2\nheight = 2\n"
+      "[[bolt_pattern]]\non = 'tunnel'\nspacing = [1, 0.1]\noffset = [0, 0.05]\n" +
+      bolts_of_a_pattern);
+  EXPECT_EQ(bolts.size(), 2u * 8);
+}
+
 TEST(PatternRoundATunnel, GoesOnRoundABend) {
   // Rows every 2 m from 1 m on: v = 5 is the bend; on either side of it the crown has its bolt.
   for (const Real angle : {0.0, 17.0, 33.3, 90.0}) {

@@ -210,6 +210,31 @@ TEST(Release, OverTimeLeavesItsShareOnTheWalls) {
   EXPECT_EQ(all.result.walls, 0);
 }
 
+/// A cube rests on rock that goes, half of its weight in each of two steps. Two bolts that are put in with the first hang it up; the other two, put in with the
+/// second, bear their share of the second half alone.
+TEST(Release, LoadsEachBoltWithWhatGoesOnceItIsIn) {
+  std::string model = rock + box("rock", "[0, 0, 0]", "[1, 1, 3]") +
+                      "[[joint]]\nname = 'bed'\nmaterial = 'clean'\ndip = 0\ndip_direction = 0\n"
+                      "point = [0, 0, 2]\n[[fixed]]\nwhere = {face = 'rock.zmin'}\n"
+                      "[[fixed]]\nwhere = {face = 'rock.zmax'}\n" +
+                      taken("[-1, -1, -1]", "[2, 2, 1]") + settle +
+                      "[[step]]\nname = 'first half'\ntype = 'quasi_static'\ntime_step = 1\n"
+                      "steps = 10\nexcavate = 1\nrelease = [[5, 0.5]]\n"
+                      "[[step]]\nname = 'second half'\ntype = 'quasi_static'\ntime_step = 1\n"
+                      "steps = 10\nrelease = [[5, 1]]\n";
+  constexpr const char* when[] = {"first half", "second half"};
+  for (int k = 0; k < 4; ++k)
+    model += "[[bolt]]\nname = 'B" + std::to_string(k) + "'\ncollar = [" +
+             (k % 2 == 0 ? "0.3" : "0.7") + ", " + (k == 1 || k == 2 ? "0.3" : "0.7") +
+             ", 1]\ndirection = [0, 0, 1]\nlength = 1.8\ncoupling = 'DMFC'\naction = 'passive'\n"
+             "force_capacity = 1e6\ndisplacement_capacity = 1\nstiffness = 1e7\ninstall = '" +
+             when[k / 2] + "'\n";
+  const std::vector<BoltResult> bolts = run_model(model).result.bolts;
+  const Real weight = density * gravity;
+  for (int k = 0; k < 4; ++k)
+    EXPECT_NEAR(bolts.at(k).force / weight, k < 2 ? 0.375 : 0.125, 1e-3) << bolts[k].name;
+}
+
 TEST(Release, InMotionClosesTheAccountOfEnergies) {
   const std::string middle = taken("[-1, -1, 1]", "[2, 2, 2]");
   const ModelAnswer answer =
