@@ -69,6 +69,7 @@ struct ExplicitStep {
     Kokkos::deep_copy(s.account, 0.0);
     Kokkos::deep_copy(s.lost, 0.0);
     Kokkos::deep_copy(s.unbalanced, 0.0);
+    Kokkos::deep_copy(m.now.acceleration, 0.0);
     Kokkos::deep_copy(s.ahead, 0.0);  // of blocks that are gone too
     Kokkos::deep_copy(s.pull, 0.0);
     acts = m.varying_loads.any() || m.following.any() || m.dashpots.any() ||
@@ -301,11 +302,12 @@ struct ExplicitStep {
     const auto way = m.increment, d = m.now.displacement, start = s.start;
     const auto v = m.now.velocity, before = m.velocity_before, a = m.now.acceleration;
     const Real rate = 1 / dt;
+    const bool judged = relaxes();
     device::for_each(
         "rockfold::motion::end_of_step", m.unknowns, KOKKOS_LAMBDA(const Index u) {
           for (int i = 0; i < 3; ++i) {
             way(u, i) = d(u, i) - start(u, i);
-            a(u, i) = rate * (v(u, i) - before(u, i));
+            if (!judged) a(u, i) = rate * (v(u, i) - before(u, i));
           }
         });
     find_reactions();

@@ -12,7 +12,7 @@ struct Scene {
   Array<Real> mass, factor, stiffness, slowed, damped, rigid, impact, turn, lost, ahead, unbalanced;
   Array<Index> vertex_begin, vertex;
   finite::Deformation rock;
-  Field d, v, load, force, pull, home, x, speed, outside, target, target_before, target_speed;
+  Field d, v, acceleration, load, force, pull, home, x, speed, outside, target, target_before, target_speed;
   Array<std::uint8_t> gone;
   solve::DevicePoints vertices;
   Index covers;
@@ -40,6 +40,7 @@ Scene::Scene(const Motion::Data& m)
       rock(*m.rock->finite_strain()),
       d(m.now.displacement),
       v(m.now.velocity),
+      acceleration(m.now.acceleration),
       load(m.load),
       pull(m.bolts.force),
       outside(m.explicit_scheme.outside),
@@ -249,7 +250,8 @@ KOKKOS_INLINE_FUNCTION Real acting_force(const Scene& scene, Index p) {
   return sum;
 }
 
-/// ExplicitScheme::unbalanced, from the impulses x that nothing holds, over h.
+/// ExplicitScheme::unbalanced, from the impulses x that nothing holds, over h; and the acceleration of the block's own mass under them, as a
+/// whole: of a step that relaxes, mass that is added and local damping are a way to rest, and no part of the balance.
 template <int N>
 KOKKOS_INLINE_FUNCTION void judge_balance(const Scene& scene, Index p, const Real* x, Real h) {
   Real most = 0;
@@ -260,6 +262,8 @@ KOKKOS_INLINE_FUNCTION void judge_balance(const Scene& scene, Index p, const Rea
   }
   const Real acts = acting_force(scene, p);
   scene.unbalanced(p) = acts > 0 ? device::math::sqrt(most) / (h * acts) : 0;
+  const Real mass = scene.mass(static_cast<std::size_t>(p) * N * N);
+  for (int i = 0; i < 3; ++i) scene.acceleration(p, i) = x[i] / (h * mass);
 }
 
 /// What the rows of a set lack of `of_point` in the field x of block p.
