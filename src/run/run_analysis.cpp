@@ -225,8 +225,9 @@ void Run::choose_scheme(Real dt, bool ends) {
   work.iterated += visits_of_iteration * static_cast<Real>(at_.newton) *
                    static_cast<Real>(points.open + points.stick + points.slide);
   if (is_dear(work)) {
+    // To the end of the step, as far as iterations have been after.
     work.instead = motion_.substep_visits(dt, analysis_.stages[at_.stage].mass_scaling) *
-                   (motion_.time() - at_.stage_began);
+                   (at_.end - at_.stage_began);
     at_.by_substeps = is_dear(work) ? 1 : 0;
   }
   if (ends || at_.by_substeps != 0) at_.work = work;
