@@ -63,7 +63,8 @@ TEST_P(UnbalancedByScheme, IsTheWeightOfWhatFalls) {
 
 TEST_P(UnbalancedByScheme, IsNothingOfRockThatRests) {
   const RunResult run =
-      run_model(cubes(small_held + "[[fixed]]\nwhere = {face = \"middle.zmin\"}\n", slowly_)).result;
+      run_model(cubes(small_held + "[[fixed]]\nwhere = {face = \"middle.zmin\"}\n", slowly_))
+          .result;
   ASSERT_TRUE(run.unbalanced);
   EXPECT_LT(run.unbalanced->share, 1e-4);
   EXPECT_FALSE(is_far_from_balance(*run.unbalanced));

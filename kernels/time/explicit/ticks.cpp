@@ -12,7 +12,8 @@ struct Scene {
   Array<Real> mass, factor, stiffness, slowed, damped, rigid, impact, turn, lost, ahead, unbalanced;
   Array<Index> vertex_begin, vertex;
   finite::Deformation rock;
-  Field d, v, acceleration, load, force, pull, home, x, speed, outside, target, target_before, target_speed;
+  Field d, v, acceleration, load, force, pull, home, x, speed, outside, target, target_before,
+      target_speed;
   Array<std::uint8_t> gone;
   solve::DevicePoints vertices;
   Index covers;
