@@ -31,7 +31,7 @@ Options:
 It needs Node.js 18, Chromium and the package playwright-core, looked for in the folder NODE_PATH, then in
 build/release/web-test/node_modules, where the tests of the page put it (ctest -L page).
 
-picture.json beside a model says how it is drawn:
+picture.json beside a model says how it is drawn, or is a list of such pictures:
 
     command      "cut", "support" or "run"
     arguments    ["--set", …]: more arguments for the program
@@ -76,22 +76,27 @@ function playwright() {
 const known = ['command', 'arguments', 'add', 'address', 'hide', 'ghost', 'materials', 'size', 'image'];
 const ofRules = ['stages', 'batches', 'over', 'beyond'];
 
-function readPicture(name) {
+function readPictures(name) {
   const file = join(cases, name, 'picture.json');
   if (!existsSync(file)) throw new Failure(`${name}: there is no ${file}`);
-  let picture;
+  let read;
   try {
-    picture = JSON.parse(readFileSync(file, 'utf8'));
+    read = JSON.parse(readFileSync(file, 'utf8'));
   } catch (error) {
     throw new Failure(`${file}: ${error.message}`);
   }
+  const pictures = [read].flat();
+  for (const picture of pictures) checkPicture(file, picture);
+  return pictures;
+}
+
+function checkPicture(file, picture) {
   const wrong = Object.keys(picture).find((key) => !known.includes(key));
   if (wrong) throw new Failure(`${file}: "${wrong}" is none of ${known.join(', ')}`);
   for (const rule of [...(picture.hide ?? []), ...(picture.ghost ?? [])])
     for (const key of Object.keys(rule))
       if (!ofRules.includes(key)) throw new Failure(`${file}: "${key}" of a rule is none of ${ofRules.join(', ')}`);
   if (!['cut', 'support', 'run'].includes(picture.command)) throw new Failure(`${file}: "command" must be "cut", "support" or "run"`);
-  return picture;
 }
 
 /// The page of a case's result, in `folder`.
@@ -101,7 +106,7 @@ function writePage(name, picture, rockfold, folder) {
   const model = join(place, 'model.toml');
   appendFileSync(model, `\n${(picture.add ?? []).join('\n')}\n`);
   const [result, page] = [join(place, 'result.vtkhdf'), join(place, 'page.html')];
-  for (const words of [[picture.command, model, '-o', result, '--quiet', ...(picture.arguments ?? [])], ['view', result, '-o', page, '--quiet']])
+  for (const words of [[picture.command, model, '-o', result, '--force', '--quiet', ...(picture.arguments ?? [])], ['view', result, '-o', page, '--quiet']])
     try {
       execFileSync(rockfold, words, { cwd: place, stdio: 'pipe' });
     } catch (error) {
@@ -241,7 +246,7 @@ async function main() {
   const { values, positionals } = options;
   if (values.help) return console.log(usage);
   const names = positionals.length ? positionals : readdirSync(cases).filter((name) => existsSync(join(cases, name, 'picture.json'))).sort();
-  const pictures = names.map((name) => [name, readPicture(name)]);
+  const pictures = names.flatMap((name) => readPictures(name).map((picture) => [name, picture]));
   const rockfold = program('the program rockfold', values.rockfold ?? join(root, 'build', 'release', 'rockfold'));
   const chromium = playwright();
   const executablePath = program('Chromium', values.chromium);

@@ -6,7 +6,6 @@
 // `block_substeps_per_cpu_s`: blocks times substeps of the slowest of them, in a second of one core; `of_rockable`: over the 120,000 that Rockable
 // reports for a core (polyhedra of few vertices).
 #include <cmath>
-#include <ctime>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -14,16 +13,9 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "host/contact/lattice_surfaces.hpp"
-#include "host/cover/cover.hpp"
-#include "host/cover/points/loads.hpp"
-#include "host/cut/cut.hpp"
-#include "host/flatten/flatten.hpp"
+#include "perf/shared/moving_rock.hpp"
 #include "perf/shared/run_benchmarks.hpp"
 #include "src/arrays/contact_arrays.hpp"
-#include "src/base/timer.hpp"
-#include "src/model/read/read_model.hpp"
-#include "src/run/run_analysis.hpp"
 
 namespace rockfold {
 namespace {
@@ -60,73 +52,13 @@ std::string pyramid(const std::string& then) {
   return text;
 }
 
-/// 819 blocks of three joint sets, the faces behind and below held.
-std::string slope(const std::string& then) {
-  constexpr const char* sets[] = {"dip = 32\ndip_direction = 80", "dip = 75\ndip_direction = 10",
-                                  "dip = 70\ndip_direction = 265"};
-  std::string text = fmt::format(
-      "[[material]]\ndensity = 2600\nyoung_modulus = 1e10\npoisson_ratio = 0.25\n"
-      "[[joint_material]]\nname = 'clean'\nfriction_angle = 20\nnormal_stiffness = 1e10\n"
-      "shear_stiffness = 5e9\n"
-      "[[solid]]\nname = 'slope'\nshape = 'prism'\nbase = [[0, 0, 0], [60, 0, 0], [60, 0, 10], "
-      "[40, 0, 10], [28, 0, 34], [0, 0, 34]]\nextrude = [0, 24, 0]\n"
-      "continues = ['0', '1', '5', 'cap0', 'cap1']\n"
-      "[cover]\nlattice = 'block'\n[[fixed]]\nwhere = {{face = 'slope.5'}}\n"
-      "[[fixed]]\nwhere = {{face = 'slope.0'}}\n"
-      "[[step]]\ntype = 'quasi_static'\ntime_step = 0.01\nsteps = {}\n"
-      "[[step]]\nname = 'then'\ntype = 'dynamic'\n{}\n[output]\nevery = {}\n",
-      settling, then, settling);
-  for (const char* set : sets)
-    text += fmt::format("[[joint_set]]\n{}\nspacing = 4\nmaterial = 'clean'\n", set);
-  return text;
-}
-
-struct Answer {
-  RunResult result;
-  double seconds = 0;    ///< of the dynamic steps
-  double processor = 0;  ///< s of all threads for them
-  Index blocks = 0;
-};
-
-Answer run(const std::string& text) {
-  Answer answer;
-  const Model model = parse_model(text, "pyramid.toml", {}, Purpose::run);
-  Progress silent;
-  const Cutting cutting = cut_blocks(model, silent);
-  const BlockArrays blocks = flatten_blocks(cutting, model);
-  const Covering covering = build_covers(cutting, model, silent);
-  const FixedPoints fixed = fixed_points(cutting, covering, model);
-  const LoadPoints loads;
-  const QuietPoints quiet;
-  const std::vector<RigidVelocity> velocities;
-  const MaterialPoints monitors, vertices = locate_block_vertices(covering, blocks);
-  ContactSurfaces contact;
-  contact.surfaces = contact_surfaces(cutting, blocks, covering.arrays);
-  contact.points = locate_surface(covering, contact.surfaces.vertex, contact.surfaces.vertex_block);
-  RunInput input{model, covering.arrays, blocks,     fixed,   monitors,
-                 loads, quiet,           velocities, vertices};
-  input.contact = &contact;
-  Timer timer;
-  std::clock_t start = std::clock();
-  const auto store = [&](const StoredState& state) {
-    if (state.step != settling) return;
-    timer = Timer();
-    start = std::clock();
-  };
-  answer.result = run_analysis(input, store, silent);
-  answer.seconds = timer.seconds();
-  answer.processor = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  answer.blocks = blocks.block_count();
-  return answer;
-}
-
 /// Argument: the time step, ms.
 void stand(benchmark::State& state) {
   const Real dt = 1e-3 * static_cast<Real>(state.range(0));
   const auto steps = static_cast<Index>(std::lround(0.2 / dt));
-  Answer a;
+  MovingRock a;
   for (auto _ : state) {
-    a = run(pyramid(fmt::format("time_step = {}\nsteps = {}", dt, steps)));
+    a = run_moving_rock(pyramid(fmt::format("time_step = {}\nsteps = {}", dt, steps)), settling);
     state.SetIterationTime(a.seconds);
   }
   const RunResult& r = a.result;
@@ -157,9 +89,9 @@ BENCHMARK(stand)->Arg(1)->Arg(2)->Arg(5)->Arg(10)->UseManualTime()->Iterations(1
 
 /// By explicit steps.
 void move(benchmark::State& state, const std::string& text, Real seconds) {
-  Answer a;
+  MovingRock a;
   for (auto _ : state) {
-    a = run(text);
+    a = run_moving_rock(text, settling);
     state.SetIterationTime(a.seconds);
   }
   const RunResult& r = a.result;
@@ -191,7 +123,8 @@ void shake(benchmark::State& state) {
 }
 
 void let_go(benchmark::State& state) {
-  move(state, slope("scheme = 'explicit'\ntime_step = 0.01\nsteps = 20"), 0.2);
+  move(state, jointed_slope(20, settling, "scheme = 'explicit'\ntime_step = 0.01\nsteps = 20"),
+       0.2);
 }
 
 BENCHMARK(shake)->UseManualTime()->Iterations(1)->Unit(benchmark::kSecond);

@@ -56,7 +56,7 @@ struct BoltingReport {
   std::vector<Index> disturbed;    ///< blocks that stay and miss the target because of active bolts
   Real length = 0;                 ///< m of all bolts
   Index adequate = 0;              ///< key blocks that reach the target
-  /// Of the first batch: if all are held, nothing moves.
+  /// Of the first batch: if all are held, by bolts that end in rock that stays, nothing moves.
   Index first_batch = 0, first_batch_adequate = 0;
 };
 

@@ -346,7 +346,7 @@ std::vector<Index> KeyblockSearch::move_groups() {
 
 /// Whether another batch is looked for after so many of a stage.
 bool KeyblockSearch::goes_on_after(Index batches) const {
-  const Index most = spec_.batches.value_or(model_.excavations.empty() ? 0 : 1);
+  const Index most = most_batches(model_);
   return most == 0 || batches < most;
 }
 
@@ -441,6 +441,11 @@ StageKeys keys_of_keyblocks(const Model& model) {
       stage.keys.emplace_back(key);
   if (model.support && !model.support->joint_faces_only) stage.keys.emplace_back("fixed.where");
   return stage;
+}
+
+Index most_batches(const Model& model) {
+  const auto given = model.support ? model.support->batches : std::nullopt;
+  return given.value_or(model.excavations.empty() ? 0 : 1);
 }
 
 KeyblockReport find_keyblocks(const BlockArrays& blocks, const Model& model,

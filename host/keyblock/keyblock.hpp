@@ -96,6 +96,9 @@ StageKeys keys_of_keyblocks(const Model& model);
 /// Whether the model has bolts, or searches a pattern of bolts, that are active.
 bool has_active_bolts(const Model& model);
 
+/// How many batches are looked for after each stage; 0: all.
+Index most_batches(const Model& model);
+
 /// Finds the key blocks in batches: remove the first batch, renew the free faces, look again, until
 /// none. A batch is all blocks that move with the same rock still around them: it depends on
 /// neither ids nor threads. Where no block moves alone, groups that fail together are a batch.

@@ -284,6 +284,11 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
       return design_support(blocks, *keyblocks, measures ? &*measures : nullptr, model);
     });
     warn_of_support_design(*design, terminal);
+    if (design->bolting)
+      clock.measure("support", "looking behind key blocks", [&] {
+        warn_of_anchors_that_move(blocks, *keyblocks, *design->bolting, model,
+                                  stress ? &stress->tractions : nullptr, terminal);
+      });
     design->joint_stress = std::move(stress);
   }
 

@@ -1,7 +1,10 @@
 #include "src/app/support_design.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <set>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -89,6 +92,39 @@ void warn_of_support_design(const SupportDesign& design, Terminal& terminal) {
         "active bolts bring blocks that stay without them below the target factor of safety: {}",
         block_list(design.bolting->disturbed)));
   if (design.search && design.search->best == none) warn_of_no_pattern(*design.search, terminal);
+}
+
+void warn_of_anchors_that_move(const BlockArrays& blocks, const KeyblockReport& keyblocks,
+                               const BoltingReport& bolting, const Model& model,
+                               const FaceTractions* in_situ, Terminal& terminal) {
+  const Index batches = most_batches(model);
+  if (batches == 0 || bolting.adequate == 0) return;
+  Model further = model;
+  if (!further.support) further.support.emplace();
+  further.support->batches = batches + 1;
+  const KeyblockReport next = find_keyblocks(blocks, further, in_situ);
+  const BoltingReport of_next = support_blocks(blocks, next, further);
+  std::vector<std::uint8_t> falls(blocks.block_count(), 0);
+  for (std::size_t k = 0; k < next.keyblocks.size(); ++k)
+    if (!of_next.keyblocks[k].held.adequate)
+      for (const Index member : next.keyblocks[k].members)
+        falls[member] = keyblocks.batch[member] == 0;
+  std::set<Index> held, anchors;
+  for (const BlockSupport& support : bolting.keyblocks) {
+    if (!support.held.adequate) continue;
+    for (const BoltCrossing& crossing : support.crossings) {
+      const Index end = bolting.bolts[crossing.bolt].rock.back().block;
+      if (falls[end] == 0) continue;
+      held.insert(support.block);
+      anchors.insert(end);
+    }
+  }
+  if (held.empty()) return;
+  const auto list = [](const std::set<Index>& of) { return block_list({of.begin(), of.end()}); };
+  terminal.warn(fmt::format(
+      "bolts that hold key blocks ({}) end in blocks that these keep in place and that no bolts "
+      "hold enough ({}): all of them may come down together; support.batches = 0 looks at them",
+      list(held), list(anchors)));
 }
 
 }  // namespace rockfold

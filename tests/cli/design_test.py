@@ -146,6 +146,59 @@ class BoltedTunnel(ProgramTest):
 
 
 # Rock beside a gap; a block of 60 kN rests on a floor of 20 degrees, and an anchor of 20 kN pulls it across.
+
+
+class BoltsIntoRockThatMoves(ProgramTest):
+    """Two cubes above each other in a roof, on joints without friction, and a bolt up through the lower one: rock that only this one keeps in place
+    cannot hold it up."""
+
+    def warnings(self, length):
+        joints = "".join(
+            f"[[joint]]\nname = '{name}'\ndip = {dip}\ndip_direction = {direction}\npoint = {point}\nmaterial = 'smooth'\n"
+            for name, dip, direction, point in (
+                ("x1", 90, 90, [1, 0, 0]), ("x2", 90, 90, [2, 0, 0]), ("y1", 90, 0, [0, 1, 0]), ("y2", 90, 0, [0, 2, 0]),
+                ("z1", 0, 0, [0, 0, 1]), ("z2", 0, 0, [0, 0, 2])))
+        self.write("roof.toml", f"""
+[[material]]
+density = 2500
+[[joint_material]]
+name = 'smooth'
+friction_angle = 0
+[[solid]]
+name = 'rock'
+shape = 'box'
+min = [0, 0, -1]
+max = [3, 3, 5]
+continues = ['xmin', 'xmax', 'ymin', 'ymax', 'zmin', 'zmax']
+[[excavation]]
+name = 'room'
+shape = 'box'
+min = [0, 0, -1]
+max = [3, 3, 0]
+{joints}
+[support]
+[[bolt]]
+name = 'B'
+collar = [1.5, 1.5, 0]
+direction = [0, 0, 1]
+length = {length}
+force_capacity = '200 kN'
+plate_capacity = '200 kN'
+bond_strength = '400 kN/m'
+displacement_capacity = '20 mm'
+""")
+        document = self.json_of("support", "roof.toml")
+        self.assertEqual(document["bolting"]["adequate"], 1)
+        return [w for w in document["warnings"] if "come down together" in w]
+
+    def test_are_told_where_no_batch_looks_at_it(self):
+        (warning,) = self.warnings(1.9)
+        self.assertIn("support.batches = 0", warning)
+
+    def test_are_as_they_should_be_where_they_reach_beyond(self):
+        self.assertEqual(self.warnings(4), [])
+
+
 PULLED_BLOCK = """
 gravity = [0, 0, -10]
 [[material]]
