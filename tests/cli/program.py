@@ -65,13 +65,13 @@ class ProgramTest(unittest.TestCase):
         """Runs it, expects an exit status, returns the completed process with text outputs."""
         environment = dict(os.environ, OMP_PROC_BIND="false", **settings.pop("env", {}))
         done = subprocess.run([BINARY, *map(str, arguments)], cwd=self.folder, env=environment, text=True,
-                              capture_output=True, timeout=280, check=False, **settings)
+                              capture_output=True, timeout=settings.pop("timeout", 280), check=False, **settings)
         self.assertEqual(done.returncode, status, f"{arguments}\n{done.stdout}\n{done.stderr}")
         return done
 
-    def json_of(self, *arguments, status=0):
+    def json_of(self, *arguments, status=0, **settings):
         """The one document that stands on stdout with --json."""
-        return json.loads(self.run_program(*arguments, "--json", status=status).stdout)
+        return json.loads(self.run_program(*arguments, "--json", status=status, **settings).stdout)
 
     def copy_case(self, name):
         """A copy of an example model and of the files that it names."""
