@@ -115,7 +115,7 @@ class Run {
   void summarise();
 
  private:
-  void find_imbalance();
+  std::vector<BlockMotion> unbalanced_acceleration() const;
   void begin(const AnalysisStage& stage, Progress& progress);
   void excavate();
   void settle(const AnalysisStage& stage, Progress& progress);
@@ -549,13 +549,12 @@ void Run::go(Progress& progress) {
   progress.end();
 }
 
-/// Of what a quasi-static step leaves unbalanced at the end of the run.
-void Run::find_imbalance() {
+/// Of blocks at the end of a quasi-static step, which begins at rest, m/s²; empty where the run ends with another.
+std::vector<BlockMotion> Run::unbalanced_acceleration() const {
   const auto last = std::min<std::size_t>(at_.stage, analysis_.stages.size() - 1);
-  if (analysis_.stages[last].type != AnalysisType::quasi_static) return;
-  const auto acceleration = average_block_motion(
-      input_.covers, moments_, motion_.state().acceleration, input_.blocks.block_count());
-  result_.unbalanced = find_unbalanced(input_, acceleration, result_.conditions, result_.gone);
+  if (analysis_.stages[last].type != AnalysisType::quasi_static) return {};
+  return average_block_motion(input_.covers, moments_, motion_.state().acceleration,
+                              input_.blocks.block_count());
 }
 
 void Run::summarise() {
@@ -586,7 +585,9 @@ void Run::summarise() {
   const std::vector<Stress> stress = motion_.element_stress();
   result.block_stress = average_block_stress(input_.covers, moments_, stress, blocks);
   result.strength = find_strength(input_.covers, moments_, stress, model.materials);
-  find_imbalance();
+  const std::vector<BlockMotion> acceleration = unbalanced_acceleration();
+  if (!acceleration.empty())
+    result.unbalanced = find_unbalanced(input_, acceleration, result.conditions, result.gone);
   recorder_.find_support(motion_, result);
   if (input_.contact) {
     result.met = met_surfaces(model, motion_.surfaces_that_met());
@@ -594,7 +595,7 @@ void Run::summarise() {
     result.rest =
         find_rest(input_, result.blocks, in_all,
                   average_block_motion(input_.covers, moments_, motion_.state().velocity, blocks),
-                  start_, whole, result.gone);
+                  acceleration, start_, whole, result.gone);
     result.rest->since = recorder_.at_rest_since();
     for (const Index e : input_.fixed.points.element)
       if (e != none) result.courses[block_of(input_.covers, e)].held = 1;

@@ -226,6 +226,26 @@ TEST(Bolts, HoldABlockByExplicitStepsAndOnLatticesToo) {
   }
 }
 
+/// A block that nothing holds falls beside one on a bolt, which comes to rest all the same: mass is added as far as what touches needs it.
+TEST(Bolts, BearABlockByExplicitStepsBesideOneThatFalls) {
+  std::string model = rock(2e10) +
+                      "[[solid]]\nname = 'roof'\nshape = 'box'\nmin = [0, 0, 1]\nmax = [4, 1, 4]\n"
+                      "[cover]\nlattice = 'block'\n[[fixed]]\nwhere = {face = 'roof.zmax'}\n"
+                      "[[bolt]]\nname = 'B'\ncollar = [0.5, 0.5, 0]\ndirection = [0, 0, 1]\n"
+                      "length = 3\nforce_capacity = 100e3\ndisplacement_capacity = 0.005\n"
+                      "plate_capacity = 100e3\n"
+                      "[[step]]\ntype = 'quasi_static'\nscheme = 'explicit'\ntime_step = 0.2\n"
+                      "steps = 5\n[output]\nevery = 0\n";
+  for (const int x : {0, 3})
+    model += "[[solid]]\nname = 'block" + std::to_string(x) + "'\nshape = 'box'\nmin = [" +
+             std::to_string(x) + ", 0, 0]\nmax = [" + std::to_string(x + 1) +
+             ", 1, 1]\ninterface = 'j'\n";
+  const RunResult run = run_model(model).result;
+  EXPECT_NEAR(run.bolts[0].force, 2500 * gravity, 0.01 * 2500 * gravity);
+  EXPECT_EQ(run.rest->moving.size(), 1u);
+  EXPECT_NEAR(run.unbalanced->force, 2500 * gravity, 1);
+}
+
 /// With shear strength the force of a joint that has slipped is that of the most work, whatever it was when it began to.
 TEST(Bolts, BearWhatBlockTheorySaysOnceTheJointHasSlipped) {
   for (const int angle : {20, 45, 70, 90}) {

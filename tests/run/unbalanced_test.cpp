@@ -61,6 +61,20 @@ TEST_P(UnbalancedByScheme, IsTheWeightOfWhatFalls) {
   EXPECT_TRUE(is_far_from_balance(*run.unbalanced));
 }
 
+// However few or many steps: what falls beside it has no part in it, and what falls slowly yet is not at rest.
+TEST_P(UnbalancedByScheme, IsNoPartOfWhatSupportsBear) {
+  for (const char* steps : {"steps = 1\n", "steps = 7\n"}) {
+    std::string step = slowly_;
+    step.replace(step.find("steps = 20\n"), 11, steps);
+    const RunResult run = run_model(cubes(small_held, step)).result;
+    for (const auto& [condition, volume] : {std::pair{0, 27}, {1, 1}})
+      EXPECT_NEAR(run.conditions[condition].force[2] / (volume * 2000 * 9.81), 1, 0.01);
+    ASSERT_TRUE(run.rest);
+    EXPECT_FALSE(run.rest->at_rest);
+    EXPECT_EQ(run.rest->moving, std::vector<Index>{1});
+  }
+}
+
 TEST_P(UnbalancedByScheme, IsNothingOfRockThatRests) {
   const RunResult run =
       run_model(cubes(small_held + "[[fixed]]\nwhere = {face = \"middle.zmin\"}\n", slowly_))

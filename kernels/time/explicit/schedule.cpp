@@ -10,6 +10,10 @@ namespace {
 /// Levels beyond which a sliver is slower than it should be rather than a period of endless ticks.
 constexpr int most_levels = 20;
 
+/// Periods of a step that relaxes, at least. With mass added as far as a period allows, a block swings on what touches it in about π of them, and local
+/// damping of 0.8 leaves a fifth of each swing: 30 swings reach the last digit of a double.
+constexpr int relaxing_periods = 100;
+
 /// Points' lists on the host.
 struct PointLists {
   PointLists() = default;
@@ -87,15 +91,23 @@ std::vector<Real> find_steps(const Motion::Data& m, Real mass_scaling) {
   return step;
 }
 
+/// s: the longest of the blocks' own steps that is no longer than `most`. In a step that relaxes, blocks that nothing touches have no say: they
+/// fall by their own mass, whatever the period is, and what the others are given is to be no more than they need.
+Real longest_step(const std::vector<Real>& step, Real most, bool relaxes) {
+  Real longest = 0;
+  for (const Real h : step)
+    if (!relaxes || std::isfinite(h)) longest = std::max(longest, std::min(h, most));
+  return longest > 0 ? longest : most;
+}
+
 /// The period, and the levels of the blocks' own clocks.
 std::vector<int> find_own_levels(const Motion::Data& m, const std::vector<Real>& step, Real dt,
-                                 Real limit, Schedule& s) {
+                                 Real limit, bool relaxes, Schedule& s) {
   const std::vector<std::uint8_t> pulled = find_pulled(m);
-  Real longest = 0, of_pulled = dt;
-  for (std::size_t p = 0; p < step.size(); ++p) {
-    longest = std::max(longest, std::min(step[p], dt));
+  const Real longest = longest_step(step, relaxes ? dt / relaxing_periods : dt, relaxes);
+  Real of_pulled = dt;
+  for (std::size_t p = 0; p < step.size(); ++p)
     if (pulled[p] != 0) of_pulled = std::min(of_pulled, step[p]);
-  }
   s.period = dt / std::ceil((1 - 1e-12) * dt / std::min({longest, of_pulled, limit}));
   std::vector<int> own;
   s.deepest = 0;
@@ -213,7 +225,8 @@ void scale_masses(Motion::Data& m, const std::vector<int>& own) {
 void make_schedule(Motion::Data& m, Real dt, Real longest, const StepCourse& course) {
   ExplicitScheme& scheme = m.explicit_scheme;
   Schedule& s = scheme.schedule;
-  std::vector<int> own = find_own_levels(m, find_steps(m, course.mass_scaling), dt, longest, s);
+  std::vector<int> own =
+      find_own_levels(m, find_steps(m, course.mass_scaling), dt, longest, course.relaxes(), s);
   if (course.relaxes()) {
     std::fill(own.begin(), own.end(), 0);
     s.deepest = 0;

@@ -130,7 +130,8 @@ struct ExplicitStep {
     if (most > course.tolerance_of_balance) {
       Kokkos::deep_copy(s.held.impulse, 0.0);
       Kokkos::deep_copy(s.pull, 0.0);
-      pulls_since = done + 0.5 * s.schedule.period;  // half of the impulse of now is of before
+      pulls_since =
+          done - 0.5 * s.schedule.period;  // the impulse of now is from half a period before
       return false;
     }
     pulls_until = done;

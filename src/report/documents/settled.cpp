@@ -21,8 +21,9 @@ std::string rest_text(const Json& settled) {
   if (!settled.at("settled").get<bool>()) return "not all of the rock came to rest";
   if (settled.at("at_rest").get<bool>()) return "all came to rest";
   const auto moving = settled.at("moving_blocks").get<Index>();
-  return fmt::format("{} block{} nothing holds any more, block {} first of all", moving,
-                     moving == 1 ? "" : "s", settled.at("fastest_block").get<Index>());
+  return fmt::format("{} {} on, block {} first of all", moving,
+                     moving == 1 ? "block moves" : "blocks move",
+                     settled.at("fastest_block").get<Index>());
 }
 
 }  // namespace

@@ -14,6 +14,9 @@ namespace {
 /// Share of √(g h) below which blocks are at rest.
 constexpr Real resting = 1e-3;
 
+/// Share of gravity with which blocks that begin at rest are left to themselves: as where excavated rock is let go (settling.cpp).
+constexpr Real balanced = 1e-2;
+
 /// Of the model's extent: places, frames, gaps and tractions are rounded one after the other (contact::rounding: 4 ε of a place as far off as
 /// the model is large), and what a million points add up to at random is a thousand times as much: 4 · 2.2e-16 · 1e3.
 constexpr Real rounding = 1e-12;
@@ -65,8 +68,8 @@ Real largest_speed(const std::vector<BlockMotion>& velocity) {
 
 Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
                const std::vector<BlockMotion>& whole, const std::vector<BlockMotion>& velocity,
-               const std::vector<ContactPoint>& start, const std::vector<Vec3>& covers,
-               const std::vector<std::uint8_t>& gone) {
+               const std::vector<BlockMotion>& acceleration, const std::vector<ContactPoint>& start,
+               const std::vector<Vec3>& covers, const std::vector<std::uint8_t>& gone) {
   Rest rest;
   const auto& volume = input.blocks.volume;
   for (std::size_t b = 0; b < counted.size(); ++b) {
@@ -87,9 +90,15 @@ Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
     if (largest->value <= way_of_rounding(input)) *largest = {};
   rest.speed = largest_speed(velocity);
   const Real limit = resting_speed(input);
-  rest.at_rest = rest.speed <= limit;
+  const Real free = balanced * norm(input.model.gravity);
+  const auto accelerates = [&](std::size_t b) {
+    return !acceleration.empty() && free > 0 && norm(acceleration[b].displacement) > free &&
+           (gone.empty() || gone[b] == 0);
+  };
   for (std::size_t b = 0; b < velocity.size(); ++b)
-    if (norm(velocity[b].displacement) > limit) rest.moving.push_back(static_cast<Index>(b));
+    if (norm(velocity[b].displacement) > limit || accelerates(b))
+      rest.moving.push_back(static_cast<Index>(b));
+  rest.at_rest = rest.moving.empty();
   return rest;
 }
 

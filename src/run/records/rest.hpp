@@ -19,10 +19,11 @@ Real largest_speed(const std::vector<BlockMotion>& velocity);
 
 /// [B] `gone`: 1 of blocks that are no more (empty: none); what they touched does not count. `counted` displacements say what moved, `whole` ones how the blocks have turned; `velocity`: averages of the velocity likewise, m/s. `start`: the contact points of step 0; those of joints say how far
 /// what lay opposite each other has gone apart (opening) and along the joint (slip), under `covers` m of the unknowns.
+/// `acceleration`: of a quasi-static step, each of which begins at rest; empty: another one. A block with more than a hundredth of gravity moves, however slow it still is.
 Rest find_rest(const RunInput& input, const std::vector<BlockMotion>& counted,
                const std::vector<BlockMotion>& whole, const std::vector<BlockMotion>& velocity,
-               const std::vector<ContactPoint>& start, const std::vector<Vec3>& covers,
-               const std::vector<std::uint8_t>& gone);
+               const std::vector<BlockMotion>& acceleration, const std::vector<ContactPoint>& start,
+               const std::vector<Vec3>& covers, const std::vector<std::uint8_t>& gone);
 
 /// Of a quasi-static step, which each time begins at rest: mass times the mean `acceleration` of each block in it, m/s². `conditions`: what
 /// each of them carries.
