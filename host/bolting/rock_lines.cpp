@@ -122,7 +122,7 @@ bool RockLines::cross(Index block, const Line& line, std::vector<RockSegment>& s
     const Real out = way_to_plane(blocks_, exit, line.start, line.direction);
     const Real from = in > 0 ? in : 0, to = std::min(out, line.length);
     if (to - from > 1e-9 * size_)
-      segments.push_back({block, from, to, out <= line.length ? exit : none});
+      segments.push_back({block, from, to, out <= line.length ? exit : none, from - in});
   }
   return true;
 }

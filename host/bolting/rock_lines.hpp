@@ -23,6 +23,7 @@ struct RockSegment {
   Index block = none;
   Real from = 0, to = 0;   ///< m along the line, from < to
   Index exit_face = none;  ///< where the line leaves the block; none: it ends inside
+  Real behind = 0;         ///< m of the block that lie behind the line's start
 };
 
 /// m: the largest side of the box around all blocks.

@@ -45,12 +45,21 @@ void warn_of_idle_bolts(const BoltingReport& bolting, Terminal& terminal) {
           bolting.groups[g].name, idle[g], bolting.groups[g].bolts));
 }
 
-/// A plate needs rock behind it; a wider gap than a millimetre is air there (bolting.cpp).
-void warn_of_collars_in_air(const BoltingReport& bolting, Terminal& terminal) {
+/// A plate needs a face, with rock behind it; a wider gap than a millimetre is air there (bolting.cpp).
+void warn_of_collars_off_the_face(const BoltingReport& bolting, Terminal& terminal) {
+  constexpr Real gap = 1e-3, recess = 0.1;  // m: a plate may be sunk so deep, and collars mapped so
   for (const Bolt& bolt : bolting.bolts) {
     const BoltGroup& group = bolting.groups[bolt.group];
-    if (group.is_pattern || bolt.rock.empty() || !(bolt.rock.front().from > 1e-3)) continue;
-    const Vec3 face = bolt.collar + bolt.rock.front().from * bolt.direction;
+    if (group.is_pattern || bolt.rock.empty()) continue;
+    const RockSegment& first = bolt.rock.front();
+    if (first.behind > recess && group.type.plate_capacity > 0)
+      terminal.warn(fmt::format(
+          "{}: its collar lies {:.3g} m inside block {}, where no face carries the plate that is "
+          "counted; on the block's face it is at {}, and plate_capacity = 0 is a bolt without one",
+          group.name, first.behind, first.block + 1,
+          place_text(bolt.collar - first.behind * bolt.direction)));
+    if (!(first.from > gap)) continue;
+    const Vec3 face = bolt.collar + first.from * bolt.direction;
     terminal.warn(fmt::format(
         "{}: its collar is {:.3g} m off the rock, so that its plate holds nothing; on the face it "
         "is at {}",
@@ -85,7 +94,7 @@ void warn_of_support_design(const SupportDesign& design, Terminal& terminal) {
             group.name));
   if (design.bolting) {
     warn_of_idle_bolts(*design.bolting, terminal);
-    warn_of_collars_in_air(*design.bolting, terminal);
+    warn_of_collars_off_the_face(*design.bolting, terminal);
   }
   if (design.bolting && !design.bolting->disturbed.empty())
     terminal.warn(fmt::format(
@@ -98,7 +107,9 @@ void warn_of_anchors_that_move(const BlockArrays& blocks, const KeyblockReport& 
                                const BoltingReport& bolting, const Model& model,
                                const FaceTractions* in_situ, Terminal& terminal) {
   const Index batches = most_batches(model);
-  if (batches == 0 || bolting.adequate == 0) return;
+  const auto holds = [](const BlockSupport& s) { return s.held.in_balance || s.held.adequate; };
+  if (batches == 0 || std::none_of(bolting.keyblocks.begin(), bolting.keyblocks.end(), holds))
+    return;
   Model further = model;
   if (!further.support) further.support.emplace();
   further.support->batches = batches + 1;
@@ -111,18 +122,18 @@ void warn_of_anchors_that_move(const BlockArrays& blocks, const KeyblockReport& 
         falls[member] = keyblocks.batch[member] == 0;
   std::set<Index> held, anchors;
   for (const BlockSupport& support : bolting.keyblocks) {
-    if (!support.held.adequate) continue;
-    for (const BoltCrossing& crossing : support.crossings) {
-      const Index end = bolting.bolts[crossing.bolt].rock.back().block;
-      if (falls[end] == 0) continue;
-      held.insert(support.block);
-      anchors.insert(end);
-    }
+    if (!holds(support)) continue;
+    for (const BoltCrossing& crossing : support.crossings)
+      for (const RockSegment& segment : bolting.bolts[crossing.bolt].rock)
+        if (falls[segment.block] != 0) {
+          held.insert(support.block);
+          anchors.insert(segment.block);
+        }
   }
   if (held.empty()) return;
   const auto list = [](const std::set<Index>& of) { return block_list({of.begin(), of.end()}); };
   terminal.warn(fmt::format(
-      "bolts that hold key blocks ({}) end in blocks that these keep in place and that no bolts "
+      "bolts that hold key blocks ({}) go into blocks that these keep in place and that no bolts "
       "hold enough ({}): all of them may come down together; support.batches = 0 looks at them",
       list(held), list(anchors)));
 }

@@ -30,8 +30,8 @@ SupportDesign design_support(const BlockArrays& blocks, const KeyblockReport& ke
 /// Warns of bonds whose strength is not given, and of a search without a result.
 void warn_of_support_design(const SupportDesign& design, Terminal& terminal);
 
-/// Where a limit of batches ends the search: warns of bolts that hold key blocks and end in blocks that come down with these, and that the same
-/// bolts do not hold. Looks for one batch more.
+/// Where a limit of batches ends the search: warns of bolts that hold key blocks and go into blocks that come down with these, and that the same
+/// bolts do not hold to the target. Looks for one batch more.
 void warn_of_anchors_that_move(const BlockArrays& blocks, const KeyblockReport& keyblocks,
                                const BoltingReport& bolting, const Model& model,
                                const FaceTractions* in_situ, Terminal& terminal);

@@ -148,11 +148,10 @@ class BoltedTunnel(ProgramTest):
 # Rock beside a gap; a block of 60 kN rests on a floor of 20 degrees, and an anchor of 20 kN pulls it across.
 
 
-class BoltsIntoRockThatMoves(ProgramTest):
-    """Two cubes above each other in a roof, on joints without friction, and a bolt up through the lower one: rock that only this one keeps in place
-    cannot hold it up."""
+class BoltedRoof(ProgramTest):
+    """Two cubes above each other in a roof, on joints without friction, and a bolt up through the lower one."""
 
-    def warnings(self, length):
+    def warnings(self, length, capacity=200):
         joints = "".join(
             f"[[joint]]\nname = '{name}'\ndip = {dip}\ndip_direction = {direction}\npoint = {point}\nmaterial = 'smooth'\n"
             for name, dip, direction, point in (
@@ -182,21 +181,38 @@ name = 'B'
 collar = [1.5, 1.5, 0]
 direction = [0, 0, 1]
 length = {length}
-force_capacity = '200 kN'
-plate_capacity = '200 kN'
+force_capacity = '{capacity} kN'
+plate_capacity = '{capacity} kN'
 bond_strength = '400 kN/m'
 displacement_capacity = '20 mm'
 """)
         document = self.json_of("support", "roof.toml")
-        self.assertEqual(document["bolting"]["adequate"], 1)
+        self.assertGreater(document["keyblocks"][0]["supported_factor_of_safety"], 1)
         return [w for w in document["warnings"] if "come down together" in w]
+
+
+class BoltsIntoRockThatMoves(BoltedRoof):
+    """Rock that only the lower cube keeps in place cannot hold it up."""
 
     def test_are_told_where_no_batch_looks_at_it(self):
         (warning,) = self.warnings(1.9)
         self.assertIn("support.batches = 0", warning)
 
+    def test_are_told_below_the_target_and_where_too_little_lies_beyond(self):
+        self.assertEqual(len(self.warnings(1.9, capacity=30)), 1)
+        self.assertEqual(len(self.warnings(2.05)), 1)  # 20 kN beyond both cubes
+
     def test_are_as_they_should_be_where_they_reach_beyond(self):
         self.assertEqual(self.warnings(4), [])
+
+
+class CollarInsideTheRock(BoltedRoof):
+    def test_is_told_with_its_place_on_the_face(self):
+        self.warnings(4)
+        done = self.run_program("support", "roof.toml", "--no-result", "-q", "--set", "bolt.B.collar=[1.5, 1.5, 0.4]")
+        self.assertRegex(done.stderr, r"B: its collar lies 0\.4 m inside block \d+, .*on the block's face it is at \(1\.5, 1\.5, 0\)")
+        done = self.run_program("support", "roof.toml", "--no-result", "-q", "--set", "bolt.B.collar=[1.5, 1.5, 0.05]")
+        self.assertNotIn("collar", done.stderr)
 
 
 PULLED_BLOCK = """
