@@ -20,7 +20,7 @@ Settled after(Index steps) {
   return settled;
 }
 
-TEST(SettledText, NamesTheBlockThatMovedMostAndWhatNothingHolds) {
+TEST(SettledText, NamesTheBlockThatMovedMostAndWhatMovesOn) {
   Settled settled = after(13);
   settled.largest = 0.0015;
   settled.block = 20;
@@ -28,7 +28,7 @@ TEST(SettledText, NamesTheBlockThatMovedMostAndWhatNothingHolds) {
   settled.fastest = 4;
   EXPECT_EQ(settled_text(settled_json(settled, dig())),
             "stage 2 let go over 13 quasi-static steps before \"dig\" goes on: block 21 moved "
-            "0.0015 m, most of all; 1 block nothing holds any more, block 5 first of all");
+            "0.0015 m, most of all; 1 block moves on, block 5 first of all");
 }
 
 TEST(SettledText, SaysThatNothingMoved) {
