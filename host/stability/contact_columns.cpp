@@ -1,0 +1,166 @@
+#include "host/stability/contact_columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+namespace {
+
+constexpr Index first_edges = 4;    ///< of a friction polygon, one of them down the slope
+constexpr Index first_corners = 8;  ///< of a polygon of cohesion, likewise
+constexpr Real unlimited = std::numeric_limits<Real>::infinity();
+
+Real part_of_circle(Index k, Index parts) {
+  return 2 * std::numbers::pi * k / parts;
+}
+
+}  // namespace
+
+ContactColumns::ContactColumns(const ScaledMass& scaled) : scaled_(scaled), rows_(scaled.rows()) {
+  for (Index p = 0; p < static_cast<Index>(scaled.points().size()); ++p) {
+    const ForcePoint& point = scaled.points()[p];
+    const Index edges = scaled.contact(point).friction > 0 ? first_edges : 1;
+    for (Index k = 0; k < edges; ++k)
+      columns_.push_back({p, ContactColumn::Kind::edge, part_of_circle(k, edges)});
+    const bool has_disc = disc_radius(point) > 0;
+    disc_row_.push_back(has_disc ? rows_++ : none);
+    for (Index k = 0; has_disc && k < first_corners; ++k)
+      columns_.push_back({p, ContactColumn::Kind::disc, part_of_circle(k, first_corners)});
+  }
+  slack_ = scaled.rows() + rows_;
+}
+
+Real ContactColumns::tension_force(const ForcePoint& point) const {
+  const ContactArea& area = scaled_.contact(point);
+  const Real apex = area.friction > 0 ? area.cohesion / area.friction : unlimited;
+  return std::min(area.tension, apex) * point.area / scaled_.force_scale();
+}
+
+Real ContactColumns::disc_radius(const ForcePoint& point) const {
+  const ContactArea& area = scaled_.contact(point);
+  return std::max(0.0, area.cohesion * point.area / scaled_.force_scale() -
+                           area.friction * tension_force(point));
+}
+
+Vec3 ContactColumns::direction(const ContactColumn& column) const {
+  const auto& t = scaled_.tangents(scaled_.points()[column.point]);
+  return std::cos(column.angle) * t[0] + std::sin(column.angle) * t[1];
+}
+
+LinearProgram ContactColumns::program(Real share) const {
+  std::vector<Real> right = scaled_.right_side();
+  right.resize(static_cast<std::size_t>(rows_), 0);
+  for (std::size_t p = 0; p < disc_row_.size(); ++p)
+    if (disc_row_[p] != none) right[disc_row_[p]] = share * disc_radius(scaled_.points()[p]);
+  LinearProgram program(right);
+  for (Index r = 0; r < scaled_.rows(); ++r)
+    for (const Real sign : {1.0, -1.0}) {
+      program.add_entry(r, sign);
+      program.add_column(1, unlimited);
+    }
+  for (Index r = scaled_.rows(); r < rows_; ++r) {
+    program.add_entry(r, 1);
+    program.add_column(0, unlimited);
+  }
+  for (const ContactColumn& column : columns_) {
+    const ForcePoint& point = scaled_.points()[column.point];
+    const ContactArea& area = scaled_.contact(point);
+    if (column.kind == ContactColumn::Kind::disc) {
+      scaled_.add_force(program, point, direction(column));
+      program.add_entry(disc_row_[column.point], 1);
+      program.add_column(0, unlimited);
+    } else {
+      scaled_.add_force(program, point, area.normal + share * area.friction * direction(column));
+      program.add_column(0, unlimited);
+    }
+  }
+  // What areas pull with moves to the other side.
+  LinearProgram pull(right);
+  for (const ForcePoint& point : scaled_.points())
+    if (const Real t = share * tension_force(point); t > 0) {
+      scaled_.add_force(pull, point, -t * scaled_.contact(point).normal);
+      pull.add_column(0, 0);
+    }
+  for (std::size_t e = 0; e < pull.row.size(); ++e) program.right[pull.row[e]] -= pull.value[e];
+  return program;
+}
+
+Real ContactColumns::slope(const LinearSolution& solution,
+                           const std::vector<BodyVelocity>& velocity) const {
+  Real slope = 0;
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    if (columns_[c].kind == ContactColumn::Kind::disc) continue;
+    const ForcePoint& point = scaled_.points()[columns_[c].point];
+    const Real along = dot(direction(columns_[c]), scaled_.jump(point, velocity));
+    slope -= solution.x[slack_ + c] * scaled_.contact(point).friction * along;
+  }
+  for (std::size_t p = 0; p < disc_row_.size(); ++p) {
+    const ForcePoint& point = scaled_.points()[p];
+    slope +=
+        tension_force(point) * dot(scaled_.contact(point).normal, scaled_.jump(point, velocity));
+    if (disc_row_[p] != none) slope -= solution.price[disc_row_[p]] * disc_radius(point);
+  }
+  return slope;
+}
+
+std::vector<Vec3> ContactColumns::forces(Real share, const LinearSolution& solution) const {
+  struct Parts {
+    Real normal = 0;
+    Vec3 slip{};
+  };
+  std::vector<Parts> parts(scaled_.points().size());
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    const ContactColumn& column = columns_[c];
+    const ContactArea& area = scaled_.contact(scaled_.points()[column.point]);
+    const Real x = std::max(0.0, solution.x[slack_ + c]);
+    const bool edge = column.kind == ContactColumn::Kind::edge;
+    parts[column.point].normal += edge ? x : 0;
+    parts[column.point].slip += (edge ? x * share * area.friction : x) * direction(column);
+  }
+  std::vector<Vec3> force;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const ForcePoint& point = scaled_.points()[p];
+    const Real normal = parts[p].normal - share * tension_force(point);
+    force.push_back(scaled_.force_scale() *
+                    (normal * scaled_.contact(point).normal + parts[p].slip));
+  }
+  return force;
+}
+
+Index ContactColumns::round_off(Real share, const std::vector<BodyVelocity>& velocity) {
+  constexpr Real tolerance = 1e-8;       // of the largest jump: a tenth of what the verifier allows
+  constexpr Real disc_tolerance = 1e-7;  // of what cohesion takes up
+  Real largest = 0;
+  std::vector<Vec3> jumps;
+  for (const ForcePoint& point : scaled_.points()) {
+    jumps.push_back(scaled_.jump(point, velocity));
+    largest = std::max(largest, norm(jumps.back()));
+  }
+  std::vector<Real> taken_up(jumps.size(), 0);  // by polygons, for radius 1
+  for (const ContactColumn& column : columns_)
+    if (column.kind == ContactColumn::Kind::disc)
+      taken_up[column.point] =
+          std::max(taken_up[column.point], -dot(direction(column), jumps[column.point]));
+  Index added = 0;
+  for (std::size_t p = 0; p < jumps.size(); ++p) {
+    const ForcePoint& point = scaled_.points()[p];
+    const ContactArea& area = scaled_.contact(point);
+    const auto& t = scaled_.tangents(point);
+    const Real a = -dot(jumps[p], t[0]), b = -dot(jumps[p], t[1]), slip = std::hypot(a, b);
+    const auto add = [&](ContactColumn::Kind kind) {
+      columns_.push_back({static_cast<Index>(p), kind, std::atan2(b, a)});
+      ++added;
+    };
+    if (dot(jumps[p], area.normal) < share * area.friction * slip - tolerance * largest)
+      add(ContactColumn::Kind::edge);
+    if (disc_row_[p] != none && taken_up[p] < slip - disc_tolerance * largest)
+      add(ContactColumn::Kind::disc);
+  }
+  return added;
+}
+
+}  // namespace rockfold

@@ -1,0 +1,102 @@
+#include "host/stability/mass_scale.hpp"
+
+#include <algorithm>
+
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+namespace {
+
+std::array<Vec3, 2> tangents_across(const Vec3& normal, const Vec3& load) {
+  Vec3 slope = load - dot(load, normal) * normal;
+  constexpr Real level = 1e-6;  // then any direction is as steep as another
+  if (norm(slope) <= level * norm(load) || norm(load) == 0) {
+    Vec3 axis{};
+    std::size_t least = 0;
+    for (std::size_t d = 1; d < 3; ++d)
+      if (std::abs(normal[d]) < std::abs(normal[least])) least = d;
+    axis[least] = 1;
+    slope = axis - dot(axis, normal) * normal;
+  }
+  const Vec3 first = normalized(slope);
+  return {first, cross(normal, first)};
+}
+
+}  // namespace
+
+ScaledMass::ScaledMass(const RigidMass& mass)
+    : mass_(mass), points_(force_points(mass)), size_(mass.bodies.size(), 0) {
+  Vec3 load{};
+  Real sum = 0;
+  for (const RigidBody6& body : mass.bodies) {
+    load += body.force;
+    sum += norm(body.force);
+  }
+  if (sum > 0) force_ = sum / static_cast<Real>(mass.bodies.size());
+  for (const ContactArea& contact : mass.contacts) {
+    tangents_.push_back(tangents_across(contact.normal, load));
+    for (const Index b : contact.body)
+      if (b != none)
+        for (const Vec3& x : contact.corner)
+          size_[b] = std::max(size_[b], norm(x - mass.bodies[b].centre));
+  }
+  for (Real& s : size_)
+    if (s == 0) s = 1;  // it touches nothing
+}
+
+std::vector<Real> ScaledMass::right_side() const {
+  std::vector<Real> right;
+  for (std::size_t b = 0; b < mass_.bodies.size(); ++b)
+    for (const Vec3& part : {(-1 / force_) * mass_.bodies[b].force,
+                             (-1 / (force_ * size_[b])) * mass_.bodies[b].moment})
+      right.insert(right.end(), part.begin(), part.end());
+  return right;
+}
+
+void ScaledMass::add_force(LinearProgram& program, const ForcePoint& point,
+                           const Vec3& force) const {
+  const ContactArea& area = contact(point);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Index b = area.body[side];
+    if (b == none) continue;
+    const Vec3 own = side == 0 ? force : -force;
+    const Vec3 moment = (1 / size_[b]) * cross(point.at - mass_.bodies[b].centre, own);
+    for (Index d = 0; d < 3; ++d) {
+      if (own[d] != 0) program.add_entry(6 * b + d, own[d]);
+      if (moment[d] != 0) program.add_entry(6 * b + 3 + d, moment[d]);
+    }
+  }
+}
+
+std::vector<BodyVelocity> ScaledMass::velocities(const std::vector<Real>& price) const {
+  std::vector<BodyVelocity> velocity(mass_.bodies.size());
+  for (std::size_t b = 0; b < velocity.size(); ++b)
+    for (std::size_t d = 0; d < 3; ++d) {
+      velocity[b].velocity[d] = price[6 * b + d];
+      velocity[b].spin[d] = price[6 * b + 3 + d] / size_[b];
+    }
+  return velocity;
+}
+
+Vec3 ScaledMass::jump(const ForcePoint& point, const std::vector<BodyVelocity>& velocity) const {
+  const ContactArea& area = contact(point);
+  Vec3 jump{};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Index b = area.body[side];
+    if (b == none) continue;
+    const Vec3 own =
+        velocity[b].velocity + cross(velocity[b].spin, point.at - mass_.bodies[b].centre);
+    jump += side == 0 ? own : -own;
+  }
+  return jump;
+}
+
+Real ScaledMass::power(const std::vector<BodyVelocity>& velocity) const {
+  Real sum = 0;
+  for (std::size_t b = 0; b < velocity.size(); ++b)
+    sum += dot(mass_.bodies[b].force, velocity[b].velocity) +
+           dot(mass_.bodies[b].moment, velocity[b].spin);
+  return sum;
+}
+
+}  // namespace rockfold
