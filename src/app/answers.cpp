@@ -34,6 +34,12 @@ RunReport run_report(const Answer& answer) {
 Json answer_document(const Answer& answer, BlockList list = BlockList::whole) {
   const DocumentHead head{command_name(answer.options.command), answer.model.title,
                           answer.options.seed};
+  if (answer.stability) {
+    Json document = stability_document(head, answer.blocks, *answer.stability);
+    add_specks(document, answer.totals);
+    add_body_fit(document, answer.model);
+    return document;
+  }
   if (!answer.run && !answer.keyblocks) {
     Json cut = cut_document_without_blocks(head, answer.totals, answer.blocks, *answer.measures);
     add_body_fit(cut, answer.model);
@@ -48,7 +54,7 @@ Json answer_document(const Answer& answer, BlockList list = BlockList::whole) {
 }
 
 LongList long_list(const Answer& answer) {
-  if (answer.run || answer.keyblocks) return {};
+  if (answer.run || answer.keyblocks || answer.stability) return {};
   return {"blocks", answer.blocks.block_count(), [&](Index b) {
             return block_json(answer.model, answer.blocks, answer.measures->blocks, b);
           }};
@@ -104,6 +110,8 @@ std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
   text += cut_summary(answer.totals, answer.blocks);
   if (answer.options.command == Command::cut)
     text.append("\n").append(measure_summary(*answer.measures));
+  if (answer.stability)
+    text.append("\n").append(stability_summary(*answer.stability, answer.blocks));
   if (answer.keyblocks) text.append("\n").append(support_summary(*answer.keyblocks, answer.blocks));
   if (answer.design) text += design_summary(answer.model, *answer.keyblocks, *answer.design);
   if (answer.reduction) text.append("\n").append(reduction_summary(run_report(answer)));
@@ -121,6 +129,8 @@ std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
   for (const DesignFile& file : design_files(answer.model, answer.path, made))
     text += fact("drawing or table", file.path);
   for (const auto& path : answer.options.exports) text += fact("export", path);
+  if (!answer.options.certificate.empty())
+    text += fact("certificate", answer.options.certificate + "  (rockfold verify)");
   if (demo && has_page()) text += page_fact(page_path(answer.options));
   if (answer.options.report) text += report_fact(report_path(answer.options));
   if (demo) text += fact("model", "rockfold examples slope  writes slope.toml");

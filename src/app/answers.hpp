@@ -34,7 +34,8 @@ struct Answer {
   const BlockArrays& blocks;
   const RockMeasures* measures;
   const KeyblockReport* keyblocks;
-  const SupportDesign* design;  ///< with the key blocks
+  const SupportDesign* design;       ///< with the key blocks
+  const StabilityReport* stability;  ///< of the whole mass
   const CoverArrays* covers;
   const RunResult* run;
   const Reduction* reduction;       ///< of the run

@@ -162,6 +162,11 @@ void add_commands(CLI::App& app, Options& options) {
             reject(fmt::format("--table: the table is CSV; '{}' must end in .csv", name));
           options.table = name;
         });
+      if (help.command == Command::stability)
+        sub->add_option_function<std::string>("--certificate", [&options](const std::string& name) {
+          if (name.empty()) reject("--certificate needs the name of a file");
+          options.certificate = name;
+        });
       if (may_leave_result(help.command)) sub->add_flag("--no-result", options.no_result);
     }
     if (help.command == Command::view) add_view_options(*sub, options);

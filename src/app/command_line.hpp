@@ -16,6 +16,8 @@ enum class Command {
   check,
   cut,
   support,
+  stability,
+  verify,
   theory,
   run,
   resume,
@@ -40,6 +42,7 @@ struct Options {
   std::optional<std::uint64_t> seed;
   std::vector<std::string> overrides;  ///< --set key.path=value, in order
   std::vector<std::string> ignored;    ///< --ignore KEY: loads that the command need not use
+  std::string certificate;             ///< --certificate of stability; empty = none
   std::string table;                   ///< --table: the key blocks as CSV; empty = none
   std::string json_file;               ///< --json-file; empty = none
   std::string log_file;                ///< --log; empty = none

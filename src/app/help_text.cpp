@@ -8,7 +8,7 @@ namespace rockfold {
 
 namespace {
 
-constexpr std::array<CommandHelp, 12> helps{{
+constexpr std::array<CommandHelp, 14> helps{{
     {Command::demo, "demo", "", "the built-in rock slope: blocks, key blocks, what slides",
      "Takes a jointed rock slope that is part of the program through all stages: blocks, key "
      "blocks with\n"
@@ -48,6 +48,27 @@ constexpr std::array<CommandHelp, 12> helps{{
      "and pressure for the target factor of safety. A model without [support] has its defaults.\n",
      "  rockfold support slope.toml --set support.target_factor_of_safety=1.3\n"
      "      the same model for another factor of safety\n"},
+    {Command::stability, "stability", "MODEL.toml",
+     "the factor of the whole mass: limit analysis of all blocks",
+     "Cuts the rock into blocks and asks of all of them together, as rigid blocks, by how much the "
+     "strength\n"
+     "of all joints may be divided before no forces balance them any more. Tells that factor, "
+     "between what\n"
+     "forces and what velocities prove, and how the blocks move at it. --certificate keeps the "
+     "proof, and\n"
+     "`rockfold verify` checks it in rational arithmetic.\n",
+     "  rockfold stability slope.toml --certificate slope.certificate.json\n"
+     "  rockfold verify slope.certificate.json\n"},
+    {Command::verify, "verify", "CERTIFICATE", "check what proves a factor of the whole mass",
+     "Checks a certificate that `rockfold stability --certificate` has written, in rational "
+     "arithmetic and\n"
+     "from its own numbers alone: that its forces balance every block and break no strength at the "
+     "lower\n"
+     "factor, and that at the upper one the loads do more work on its velocities than the strength "
+     "can take\n"
+     "up. Names the first thing that is wrong.\n",
+     "  rockfold verify slope.certificate.json\n"
+     "      exit status 0 if it holds, 1 if not, 3 if the file holds no certificate\n"},
     {Command::theory, "theory", "MODEL.toml",
      "block theory of the joint sets alone, no rock is cut",
      "Tells what the model's joint sets make of its [block_theory]: all joint pyramids and how "
@@ -146,6 +167,10 @@ constexpr const char* output_option =
 constexpr const char* table_option =
     "  --table FILE           all key blocks as CSV, where the summary has the first twenty\n";
 
+constexpr const char* certificate_option =
+    "  --certificate FILE     what proves the factor: forces and velocities, for `rockfold "
+    "verify`\n";
+
 constexpr const char* no_result_option =
     "  --no-result            write no result file: the answer, exports, drawings and tables "
     "alone\n";
@@ -211,11 +236,11 @@ const CommandHelp& command_help(Command command) {
 
 bool writes_results(Command command) {
   return command == Command::demo || command == Command::cut || command == Command::support ||
-         command == Command::run;
+         command == Command::stability || command == Command::run;
 }
 
 bool lists_keyblocks(Command command) {
-  return writes_results(command) && command != Command::cut;
+  return writes_results(command) && command != Command::cut && command != Command::stability;
 }
 
 bool may_leave_result(Command command) {
@@ -241,6 +266,7 @@ std::string command_help_text(const CommandHelp& help) {
                                  *help.input ? " " : "", help.input, help.text);
   if (writes_results(help.command)) text += output_option;
   if (lists_keyblocks(help.command)) text += table_option;
+  if (help.command == Command::stability) text += certificate_option;
   if (may_leave_result(help.command)) text += no_result_option;
   if (makes_report(help.command) && writes_results(help.command)) text += with_report_option;
   if (writes_results(help.command)) text += "\n";

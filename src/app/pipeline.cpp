@@ -24,6 +24,7 @@
 #include "host/shapes/extents.hpp"
 #include "kernels/device/device.hpp"
 #include "src/app/answers.hpp"
+#include "src/app/certificates.hpp"
 #include "src/app/estimate.hpp"
 #include "src/app/process/limits.hpp"
 #include "src/app/process/memory.hpp"
@@ -292,6 +293,16 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
     design->joint_stress = std::move(stress);
   }
 
+  std::optional<StabilityReport> stability;
+  if (options.command == Command::stability) {
+    stability = clock.measure("stability", "the whole mass",
+                              [&] { return find_stability(cutting, blocks, model, terminal); });
+    warn_of_partly_held(*stability, terminal);
+    if (!options.certificate.empty())
+      clock.measure("output", "writing the certificate",
+                    [&] { write_certificate(options.certificate, *stability, terminal); });
+  }
+
   std::optional<CoveredRock> rock;
   if (wants_run(options)) {
     check_contact(model, blocks, terminal);
@@ -375,6 +386,7 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
                       measures ? &*measures : nullptr,
                       keyblocks ? &*keyblocks : nullptr,
                       design ? &*design : nullptr,
+                      stability ? &*stability : nullptr,
                       rock ? &rock->covering.arrays : nullptr,
                       run ? &*run : nullptr,
                       reduction ? &*reduction : nullptr,
@@ -527,6 +539,8 @@ int run_command(const Options& options, Terminal& terminal) {
       return run_sweep(options, terminal);
     case Command::info:
       return tell_info(options);
+    case Command::verify:
+      return verify_certificate(options);
     case Command::examples:
       return hand_out_examples(options);
     default:

@@ -55,6 +55,7 @@ Stages stages_of(const Options& options, const Model& model) {
     stages.acting.push_back(keys_of_keyblocks(model));
     stages.describing.push_back(keys_of_support_design(model));
   }
+  if (options.command == Command::stability) stages.acting.push_back(keys_of_stability());
   if (wants_run(options)) stages.acting.push_back(keys_of_analysis(model));
   return stages;
 }

@@ -44,7 +44,7 @@ constexpr Real largest_support_gap = 1e-3, largest_gap_at_rest = 1e-5;
 constexpr Real largest_share_off_place = 0.1;
 
 Purpose purpose_of(Command command) {
-  if (command == Command::support) return Purpose::support;
+  if (command == Command::support || command == Command::stability) return Purpose::support;
   if (command == Command::theory) return Purpose::theory;
   return command == Command::run || command == Command::demo ? Purpose::run : Purpose::cut;
 }
@@ -292,6 +292,18 @@ void warn_of_thin_contacts(const KeyblockReport& keyblocks, Terminal& terminal) 
         fmt::format("{} more contacts carry their blocks on less than {:g} % of the area "
                     "of their joints",
                     thin.size() - most, 100 * thin_contact_share));
+}
+
+void warn_of_partly_held(const StabilityReport& stability, Terminal& terminal) {
+  if (stability.partly_held.empty()) return;
+  terminal.warn(
+      fmt::format("[[fixed]] holds block {}{} in some directions alone, and not at all for "
+                  "`stability`, which knows held and "
+                  "free blocks: on the safe side",
+                  stability.partly_held.front() + 1,
+                  stability.partly_held.size() > 1
+                      ? fmt::format(" and {} more", stability.partly_held.size() - 1)
+                      : ""));
 }
 
 void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal) {

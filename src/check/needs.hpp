@@ -5,6 +5,7 @@
 #include "host/cut/cut.hpp"
 #include "host/keyblock/keyblock.hpp"
 #include "host/measure/block_statistics.hpp"
+#include "host/stability/stability.hpp"
 #include "src/app/command_line.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/arrays/cover_arrays.hpp"
@@ -45,6 +46,8 @@ void warn_of_flagged_blocks(const BlockStatistics& statistics, const Model& mode
 void warn_of_immobile_blocks(const BlockArrays& blocks, Terminal& terminal);
 /// Blocks that slide on a contact of next to no area, at most five of them by name.
 void warn_of_thin_contacts(const KeyblockReport& keyblocks, Terminal& terminal);
+/// Blocks that a [[fixed]] holds in some directions alone: a rigid mass knows held and free blocks.
+void warn_of_partly_held(const StabilityReport& stability, Terminal& terminal);
 /// Under small kinematics strains are linear in the displacement, which is right for small rotations only.
 void warn_of_large_rotation(const Model& model, const RunResult& run, Terminal& terminal);
 /// Average acceleration keeps the energy: where it does not, the solver has not found the motion.

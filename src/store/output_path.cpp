@@ -85,6 +85,8 @@ std::vector<OutputFile> outputs_of(const Options& options, const Model& model) {
   if (options.report) outputs.push_back({report_path(options), "the report", of_result});
   for (const std::string& path : options.exports)
     outputs.push_back({path, "the export", "give each --export a name of its own"});
+  if (!options.certificate.empty())
+    outputs.push_back({options.certificate, "the certificate", "give --certificate another name"});
   const bool check = options.command == Command::check;
   const Made made{check || wants_support(options, model), check || wants_run(options)};
   for (const DesignFile& file : design_files(model, result, made))

@@ -16,6 +16,7 @@
 #include "host/keyblock/theory/theory.hpp"
 #include "host/measure/measure.hpp"
 #include "host/shapes/extents.hpp"
+#include "host/stability/stability.hpp"
 #include "src/app/support_design.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/arrays/cover_arrays.hpp"
@@ -71,6 +72,10 @@ void add_body_fit(Json& document, const Model& model);
 Json support_document(const DocumentHead& head, const Model& model, const BlockArrays& blocks,
                       const KeyblockReport& report, const SupportDesign& design,
                       BlockList list = BlockList::whole);
+/// "stability" alone, and the whole document of the command.
+Json stability_json(const StabilityReport& report);
+Json stability_document(const DocumentHead& head, const BlockArrays& blocks,
+                        const StabilityReport& report);
 Json theory_document(const DocumentHead& head, const TheoryReport& report);
 /// With "support", as support_document has it, where there are key blocks to tell of.
 Json run_document(const DocumentHead& head, const RunReport& report,

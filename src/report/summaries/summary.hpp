@@ -26,6 +26,9 @@ std::string measure_summary(const RockMeasures& measures);
 /// The key blocks that need the greatest support force, `most` of them, and the batches.
 std::string support_summary(const KeyblockReport& report, const BlockArrays& blocks,
                             std::size_t most = most_keyblocks);
+/// The factor that no mass without dilation exceeds, and how blocks move at it, `most` of them.
+std::string stability_summary(const StabilityReport& report, const BlockArrays& blocks,
+                              std::size_t most = most_keyblocks);
 /// Joint pyramids, the largest blocks of tunnels and slopes, scans, probabilities.
 std::string theory_summary(const TheoryReport& report);
 std::string run_summary(const RunReport& report);
