@@ -12,97 +12,181 @@ namespace {
 
 /// Each makes a cone's gap a quarter of what it was: after so many it is rounding.
 constexpr Index most_rounds = 40;
+/// Of the largest jump, by which slips may dilate too little: while the factor is looked for, and where it is proved, a tenth of what the
+/// verifier allows.
+constexpr Real coarse = 1e-3, fine = 1e-8;
 
+/// Brings the two sides of the bound together, for a mass that is solved as a whole each time.
 class BoundSearch {
  public:
-  BoundSearch(const RigidMass& mass, Progress& progress)
-      : scaled_(mass), columns_(scaled_), progress_(progress) {}
+  explicit BoundSearch(const RigidMass& mass) : scaled_(mass), columns_(scaled_) {}
+
+  /// Whether it stands with this share 1/F of its strength, by cones that are round to `gap`; keeps what proves the answer.
+  bool stands(Real share, Real gap) {
+    const LinearSolution* before =
+        nullptr;  // the basis of another share is a worse start than none
+    for (Index round = 0;; ++round) {
+      solution_ = solve(columns_.program(share), before);
+      before = &solution_;
+      ++programs_;
+      constexpr Real balanced = 1e-9;  // of all loads
+      if (solution_.cost <= balanced * static_cast<Real>(scaled_.mass().bodies.size())) {
+        below_ = {1 / share, columns_.forces(share, solution_)};
+        return true;
+      }
+      std::vector<Real> reversed = solution_.price;
+      for (Real& y : reversed) y = -y;
+      above_ = {1 / share, scaled_.velocities(reversed)};
+      if (columns_.round_off(share, above_.velocity, gap) == 0 || round == most_rounds)
+        return false;
+    }
+  }
 
   Bound find() {
-    if (look_at(0) == Answer::stands)
-      return {std::numeric_limits<Real>::infinity(), std::move(below_), {}, programs_};
-    // Strength is a share 1/F of what there is: too little up to `low_`, enough from `high_` on.
-    while (!std::isfinite(high_) || high_ - low_ > bound_tolerance * high_) {
-      if (low_ >= most_strength && !std::isfinite(high_))
-        return {0, {}, std::move(above_), programs_};
-      const Real share = next_share();
-      last_ = look_at(share);
-      if (last_ == Answer::stands) high_ = share;
-      if (last_ == Answer::moves) low_ = share;
-      trial_ = share;
+    if (stands(0, coarse)) return bound(std::numeric_limits<Real>::infinity());
+    for (;;) {
+      while (!std::isfinite(high_) || high_ - low_ > bound_tolerance * high_) {
+        if (low_ >= most_strength && !std::isfinite(high_)) return bound(0);
+        const Real share = next_share();
+        (stands(share, coarse) ? high_ : low_) = share;
+      }
+      if (!stands(low_, fine)) return bound(0.5 / low_ + 0.5 / high_);
+      // Rounder cones bear it. What they bear less of is not far.
+      for (Real back = 10 * bound_tolerance; stands(low_, coarse);
+           back = std::min(10 * back, 0.5)) {
+        high_ = low_;
+        low_ *= 1 - back;
+      }
     }
-    Bound bound;
-    bound.factor = 0.5 * (below_.factor + above_.factor);
-    bound.below = std::move(below_);
-    bound.above = std::move(above_);
-    bound.programs = programs_;
-    return bound;
   }
+
+  const Balance& below() const { return below_; }
+  const Mechanism& above() const { return above_; }
+  Index programs() const { return programs_; }
 
  private:
-  /// The last: cones have become rounder where areas slip, and the next look tells more.
-  enum class Answer : std::uint8_t { stands, moves, moves_on_polygons };
-
-  /// Newton's step, a little beyond so that it may end. Where that leaves the bracket, just below its upper side; where the mass stood
-  /// there too, the middle.
-  Real next_share() {
-    const bool moves = last_ != Answer::stands;
-    const Real step = moves && slope_ > 0 ? short_of_ / slope_ : 0;
+  /// Strength is a share of what there is: too little up to `low_`, enough from `high_` on. Newton's step from the lower side, a little
+  /// beyond so that it may end; where that leaves the bracket, its middle.
+  Real next_share() const {
+    const Real slope = low_ > 0 || programs_ == 1 ? columns_.slope(solution_, above_.velocity) : 0;
+    const Real step = above_.factor * low_ == 1 && slope > 0 ? solution_.cost / slope : 0;
+    const Real newton = (low_ + step) * (1 + 0.25 * bound_tolerance);
     const Real most = std::isfinite(high_) ? high_ : most_strength;
-    const Real newton = std::min((trial_ + step) * (1 + 0.25 * bound_tolerance), most);
-    const bool leads = step > 0 || std::isfinite(high_);
-    if (moves && leads && newton > low_ && newton < high_) {
-      from_above_ = false;
-      return newton;
-    }
-    if (!std::isfinite(high_)) return std::clamp(10 * std::max(low_, trial_), 1.0, most_strength);
-    if (last_ == Answer::moves_on_polygons && trial_ > low_ && trial_ < high_) return trial_;
-    const bool again = !moves && from_above_;
-    from_above_ = !again;
-    return again ? 0.5 * (low_ + high_) : high_ * (1 - 0.75 * bound_tolerance);
+    if (step > 0 && newton < most) return newton;
+    return std::isfinite(high_) ? 0.5 * (low_ + high_) : std::clamp(10 * low_, 1.0, most_strength);
   }
 
-  /// Whether the mass stands with this share of its strength; keeps what proves the answer.
-  Answer look_at(Real share) {
-    const LinearSolution solution =
-        solve(columns_.program(share), basis_.x.empty() ? nullptr : &basis_);
-    ++programs_;
-    basis_ = solution;
-    constexpr Real balanced = 1e-9;  // of all loads
-    if (solution.cost <= balanced * static_cast<Real>(scaled_.mass().bodies.size())) {
-      below_ = {1 / share, columns_.forces(share, solution)};
-      return Answer::stands;
-    }
-    std::vector<Real> reversed = solution.price;
-    for (Real& y : reversed) y = -y;
-    std::vector<BodyVelocity> velocity = scaled_.velocities(reversed);
-    short_of_ = solution.cost;
-    slope_ = columns_.slope(solution, velocity);
-    rounds_ = share == trial_ ? rounds_ + 1 : 0;
-    if (columns_.round_off(share, velocity) > 0 && rounds_ < most_rounds)
-      return Answer::moves_on_polygons;
-    above_ = {1 / share, std::move(velocity)};
-    return Answer::moves;
+  Bound bound(Real factor) {
+    Bound bound{factor, std::move(below_), std::move(above_), programs_};
+    if (std::isinf(factor)) bound.above = {};
+    if (factor == 0) bound.below = {};
+    return bound;
   }
 
   ScaledMass scaled_;
   ContactColumns columns_;
-  Progress& progress_;
-  LinearSolution basis_;
+  LinearSolution solution_;  ///< of the share looked at last
   Balance below_;
   Mechanism above_;
   Real low_ = 0, high_ = std::numeric_limits<Real>::infinity();
-  Answer last_ = Answer::moves;    ///< at trial_
-  bool from_above_ = false;        ///< the share looked at last was just below high_
-  Real trial_ = 0;                 ///< the share looked at last
-  Real short_of_ = 0, slope_ = 0;  ///< there, of the least sum of forces to add
-  Index programs_ = 0, rounds_ = 0;
+  Index programs_ = 0;
+};
+
+/// Some bodies of a mass, all others held.
+struct PartOfMass {
+  std::vector<Index> body;  ///< of the whole
+  RigidMass mass;
+
+  PartOfMass(const RigidMass& whole, std::vector<Index> bodies) : body(std::move(bodies)) {
+    std::vector<Index> number(whole.bodies.size(), none);
+    for (const Index b : body) {
+      number[b] = static_cast<Index>(mass.bodies.size());
+      mass.bodies.push_back(whole.bodies[b]);
+    }
+    for (const ContactArea& contact : whole.contacts) {
+      ContactArea own = contact;
+      for (Index& b : own.body) b = b == none ? none : number[b];
+      if (own.body[0] != none || own.body[1] != none) mass.contacts.push_back(std::move(own));
+    }
+  }
+
+  /// Velocities of the whole mass where these bodies alone move.
+  Mechanism of_whole(const Mechanism& own, std::size_t bodies) const {
+    Mechanism mechanism{own.factor, std::vector<BodyVelocity>(bodies)};
+    for (std::size_t b = 0; b < body.size(); ++b) mechanism.velocity[body[b]] = own.velocity[b];
+    return mechanism;
+  }
+};
+
+/// From the parts that fail to the whole: what moves most easily is mostly one block, or a few, and the whole need only be shown to bear as
+/// much. If it does not, what moves is the next part.
+class WholeSearch {
+ public:
+  explicit WholeSearch(const RigidMass& mass) : mass_(mass), whole_(mass) {}
+
+  Bound find() {
+    for (Index b = 0; b < static_cast<Index>(mass_.bodies.size()); ++b) look_at_part({b});
+    std::vector<Index> last;
+    while (factor_ > 0 && std::isfinite(factor_)) {
+      const Real share = (1 + 0.25 * bound_tolerance) / below_factor_;
+      if (whole_.stands(share, fine))
+        return {0.5 * (1 / share + above_.factor), whole_.below(), std::move(above_), programs()};
+      std::vector<Index> moving = moving_bodies();
+      if (moving == last || moving.size() == mass_.bodies.size()) break;
+      last = moving;
+      look_at_part(std::move(moving));
+    }
+    if (factor_ == 0) return {0, {}, std::move(above_), programs()};
+    Bound bound = whole_.find();
+    bound.programs = programs();
+    return bound;
+  }
+
+ private:
+  Index programs() const { return of_parts_ + whole_.programs(); }
+
+  void look_at_part(std::vector<Index> bodies) {
+    const PartOfMass part(mass_, std::move(bodies));
+    BoundSearch search(part.mass);
+    const bool safer =
+        std::isfinite(factor_) && factor_ > 0 && search.stands(1 / above_.factor, coarse);
+    if (!safer && factor_ > 0) {
+      const Bound bound = search.find();
+      if (bound.factor < factor_) {
+        factor_ = bound.factor;
+        below_factor_ = bound.below.factor;
+        above_ = part.of_whole(bound.above, mass_.bodies.size());
+      }
+    }
+    of_parts_ += search.programs();
+  }
+
+  /// Those that move in the mechanism found last.
+  std::vector<Index> moving_bodies() const {
+    constexpr Real at_rest = 1e-6;
+    const std::vector<BodyVelocity>& velocity = whole_.above().velocity;
+    std::vector<Index> moving;
+    for (Index b = 0; b < static_cast<Index>(velocity.size()); ++b)
+      if (norm(velocity[b].velocity) > at_rest || norm(velocity[b].spin) > at_rest)
+        moving.push_back(b);
+    return moving;
+  }
+
+  const RigidMass& mass_;
+  BoundSearch whole_;
+  Real factor_ = std::numeric_limits<Real>::infinity();  ///< the least of the parts
+  Real below_factor_ = 0;                                ///< at which that part stands
+  Mechanism above_;                                      ///< of that part
+  Index of_parts_ = 0;
 };
 
 }  // namespace
 
 Bound find_bound(const RigidMass& mass, Progress& progress) {
-  return BoundSearch(mass, progress).find();
+  progress.begin("the whole mass", 0, "programmes");
+  Bound bound = WholeSearch(mass).find();
+  progress.end();
+  return bound;
 }
 
 }  // namespace rockfold

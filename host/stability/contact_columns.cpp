@@ -131,9 +131,7 @@ std::vector<Vec3> ContactColumns::forces(Real share, const LinearSolution& solut
   return force;
 }
 
-Index ContactColumns::round_off(Real share, const std::vector<BodyVelocity>& velocity) {
-  constexpr Real tolerance = 1e-8;       // of the largest jump: a tenth of what the verifier allows
-  constexpr Real disc_tolerance = 1e-7;  // of what cohesion takes up
+Index ContactColumns::round_off(Real share, const std::vector<BodyVelocity>& velocity, Real gap) {
   Real largest = 0;
   std::vector<Vec3> jumps;
   for (const ForcePoint& point : scaled_.points()) {
@@ -155,10 +153,9 @@ Index ContactColumns::round_off(Real share, const std::vector<BodyVelocity>& vel
       columns_.push_back({static_cast<Index>(p), kind, std::atan2(b, a)});
       ++added;
     };
-    if (dot(jumps[p], area.normal) < share * area.friction * slip - tolerance * largest)
+    if (dot(jumps[p], area.normal) < share * area.friction * slip - gap * largest)
       add(ContactColumn::Kind::edge);
-    if (disc_row_[p] != none && taken_up[p] < slip - disc_tolerance * largest)
-      add(ContactColumn::Kind::disc);
+    if (disc_row_[p] != none && taken_up[p] < slip - gap * largest) add(ContactColumn::Kind::disc);
   }
   return added;
 }

@@ -27,8 +27,8 @@ class ContactColumns {
   Real slope(const LinearSolution& solution, const std::vector<BodyVelocity>& velocity) const;
   /// N on the first bodies, [points].
   std::vector<Vec3> forces(Real share, const LinearSolution& solution) const;
-  /// More edges where a mechanism parts areas by less than a round cone asks for; how many.
-  Index round_off(Real share, const std::vector<BodyVelocity>& velocity);
+  /// More edges where a mechanism parts areas by less than a round cone asks for, by more than `gap` of its largest jump; how many.
+  Index round_off(Real share, const std::vector<BodyVelocity>& velocity, Real gap);
 
  private:
   Vec3 direction(const ContactColumn& column) const;
