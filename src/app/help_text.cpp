@@ -50,13 +50,11 @@ constexpr std::array<CommandHelp, 14> helps{{
      "      the same model for another factor of safety\n"},
     {Command::stability, "stability", "MODEL.toml",
      "the factor of the whole mass: limit analysis of all blocks",
-     "Cuts the rock into blocks and asks of all of them together, as rigid blocks, by how much the "
-     "strength\n"
-     "of all joints may be divided before no forces balance them any more. Tells that factor, "
-     "between what\n"
-     "forces and what velocities prove, and how the blocks move at it. --certificate keeps the "
-     "proof, and\n"
-     "`rockfold verify` checks it in rational arithmetic.\n",
+     "Cuts the rock into blocks and asks of all of them together, as rigid blocks, by how much "
+     "the\n"
+     "strength of all joints may be divided before no forces balance them any more. Tells that\n"
+     "factor, between what forces and what velocities prove, and how the blocks move at it.\n"
+     "--certificate keeps the proof, and `rockfold verify` checks it in rational arithmetic.\n",
      "  rockfold stability slope.toml --certificate slope.certificate.json\n"
      "  rockfold verify slope.certificate.json\n"},
     {Command::verify, "verify", "CERTIFICATE", "check what proves a factor of the whole mass",
