@@ -4,6 +4,7 @@
 //   rigid_mass.hpp       bodies, areas of contact, their points      rock_mass.hpp   those of a cut model
 //   mass_scale.hpp       the same in numbers near 1                  contact_columns.hpp  forces that contacts may pass on
 //   linear_program.hpp   CLP                                         bound.hpp       the factor that no mass without dilation exceeds
+//   spring_mass.hpp      springs in the contacts: how a mass without dilation creeps
 //   certificate.hpp      what proves a factor                        verify.hpp      its check in rational arithmetic
 #pragma once
 
