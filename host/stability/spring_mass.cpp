@@ -49,10 +49,10 @@ struct SpringMass::Equations {
       if (corner[c].row[k] != none) rest[corner[c].row[k]] += own[k];
   }
   /// Newton's step.
-  std::vector<Real> step(const std::vector<Real>& rest, Real drag);
+  std::vector<Real> step(const std::vector<Real>& rest, Real on_diagonal);
 };
 
-std::vector<Real> SpringMass::Equations::step(const std::vector<Real>& rest, Real drag) {
+std::vector<Real> SpringMass::Equations::step(const std::vector<Real>& rest, Real on_diagonal) {
   const int rows = static_cast<int>(rest.size());
   std::vector<Eigen::Triplet<Real>> entries;
   entries.reserve(corner.size() * 78 + rest.size());
@@ -66,7 +66,7 @@ std::vector<Real> SpringMass::Equations::step(const std::vector<Real>& rest, Rea
           entries.emplace_back(row, column, block(i, k));
       }
   }
-  for (int r = 0; r < rows; ++r) entries.emplace_back(r, r, drag);
+  for (int r = 0; r < rows; ++r) entries.emplace_back(r, r, on_diagonal);
   Matrix matrix(rows, rows);
   matrix.setFromTriplets(entries.begin(), entries.end());
   if (!analysed) factors.analyzePattern(matrix);
