@@ -1,6 +1,7 @@
 #include "host/stability/bound.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -104,9 +105,11 @@ struct PartOfMass {
       mass.bodies.push_back(whole.bodies[b]);
     }
     for (const ContactArea& contact : whole.contacts) {
-      ContactArea own = contact;
-      for (Index& b : own.body) b = b == none ? none : number[b];
-      if (own.body[0] != none || own.body[1] != none) mass.contacts.push_back(std::move(own));
+      const auto in_part = [&](Index b) { return b == none ? none : number[b]; };
+      const std::array<Index, 2> own{in_part(contact.body[0]), in_part(contact.body[1])};
+      if (own[0] == none && own[1] == none) continue;
+      mass.contacts.push_back(contact);
+      mass.contacts.back().body = own;
     }
   }
 

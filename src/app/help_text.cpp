@@ -49,7 +49,7 @@ constexpr std::array<CommandHelp, 14> helps{{
      "  rockfold support slope.toml --set support.target_factor_of_safety=1.3\n"
      "      the same model for another factor of safety\n"},
     {Command::stability, "stability", "MODEL.toml",
-     "the factor of the whole mass: limit analysis of all blocks",
+     "upper limit of the whole mass' factor, by limit analysis",
      "Cuts the rock into blocks and asks of all of them together, as rigid blocks, by how much "
      "the\n"
      "strength of all joints may be divided before no forces balance them any more. Tells that\n"

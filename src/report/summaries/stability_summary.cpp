@@ -19,8 +19,10 @@ std::string bound_text(const StabilityReport& report) {
   if (report.mass.bodies.empty()) return "none: no block may move";
   if (std::isinf(bound.factor)) return "none: the mass stands without friction and cohesion";
   if (bound.factor == 0) return "0: no strength of the joints balances the mass";
-  return fmt::format("{:.4f}  ({:.6f} to {:.6f} proved); without dilation no mass stands at more",
-                     bound.factor, bound.below.factor, bound.above.factor);
+  return fmt::format(
+      "{:.4f}  ({:.6f} to {:.6f} proved): no factor of safety but its upper limit; without "
+      "dilation the mass may fail at less",
+      bound.factor, bound.below.factor, bound.above.factor);
 }
 
 std::string moving_table(const StabilityReport& report, const BlockArrays& blocks,
