@@ -58,13 +58,10 @@ constexpr std::array<CommandHelp, 14> helps{{
      "  rockfold stability slope.toml --certificate slope.certificate.json\n"
      "  rockfold verify slope.certificate.json\n"},
     {Command::verify, "verify", "CERTIFICATE", "check what proves a factor of the whole mass",
-     "Checks a certificate that `rockfold stability --certificate` has written, in rational "
-     "arithmetic and\n"
-     "from its own numbers alone: that its forces balance every block and break no strength at the "
-     "lower\n"
-     "factor, and that at the upper one the loads do more work on its velocities than the strength "
-     "can take\n"
-     "up. Names the first thing that is wrong.\n",
+     "Checks a certificate that `rockfold stability --certificate` has written, in rational\n"
+     "arithmetic and from its own numbers alone: that its forces balance every block and break no\n"
+     "strength at the lower factor, and that at the upper one the loads do more work on its\n"
+     "velocities than the strength can take up. Names the first thing that is wrong.\n",
      "  rockfold verify slope.certificate.json\n"
      "      exit status 0 if it holds, 1 if not, 3 if the file holds no certificate\n"},
     {Command::theory, "theory", "MODEL.toml",
