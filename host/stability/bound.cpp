@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "host/stability/contact_columns.hpp"
+#include "host/stability/part_of_mass.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -13,25 +14,28 @@ namespace {
 
 /// Each makes a cone's gap a quarter of what it was: after so many it is rounding.
 constexpr Index most_rounds = 40;
-/// Of the largest jump, by which slips may dilate too little: while the factor is looked for, and where it is proved, a tenth of what the
-/// verifier allows.
-constexpr Real coarse = 1e-3, fine = 1e-8;
+/// Of the largest jump, by which slips may dilate too little: while the factor is looked for, and where it is proved, a hundredth of
+/// what the verifier allows.
+constexpr Real coarse = 1e-3, fine = 1e-9;
+/// Sum of forces that are left over, each of the load of its body.
+constexpr Real balanced = 1e-9;
 
 /// Brings the two sides of the bound together, for a mass that is solved as a whole each time.
 class BoundSearch {
  public:
   explicit BoundSearch(const RigidMass& mass) : scaled_(mass), columns_(scaled_) {}
 
+  using Units = ContactColumns::Units;
+
   /// Whether it stands with this share 1/F of its strength, by cones that are round to `gap`; keeps what proves the answer.
-  bool stands(Real share, Real gap) {
+  bool stands(Real share, Real gap, Units units) {
     const LinearSolution* before =
         nullptr;  // the basis of another share is a worse start than none
     for (Index round = 0;; ++round) {
-      solution_ = solve(columns_.program(share), before);
+      solution_ = solve(columns_.program(share, units), before);
       before = &solution_;
       ++programs_;
-      constexpr Real balanced = 1e-9;  // of all loads
-      if (solution_.cost <= balanced * static_cast<Real>(scaled_.mass().bodies.size())) {
+      if (columns_.imbalance(solution_) <= balanced) {
         below_ = {1 / share, columns_.forces(share, solution_)};
         return true;
       }
@@ -44,21 +48,25 @@ class BoundSearch {
   }
 
   Bound find() {
-    if (stands(0, coarse)) return bound(std::numeric_limits<Real>::infinity());
+    if (stands(0, coarse, Units::common)) return bound(std::numeric_limits<Real>::infinity());
     for (;;) {
       while (!std::isfinite(high_) || high_ - low_ > bound_tolerance * high_) {
         if (low_ >= most_strength && !std::isfinite(high_)) return bound(0);
         const Real share = next_share();
-        (stands(share, coarse) ? high_ : low_) = share;
+        (stands(share, coarse, Units::common) ? high_ : low_) = share;
       }
-      if (!stands(low_, fine)) return bound(0.5 / low_ + 0.5 / high_);
+      if (proves_failure_below(low_)) break;
       // Rounder cones bear it. What they bear less of is not far.
-      for (Real back = 10 * bound_tolerance; stands(low_, coarse);
+      for (Real back = 10 * bound_tolerance; stands(low_, coarse, Units::common);
            back = std::min(10 * back, 0.5)) {
         high_ = low_;
         low_ *= 1 - back;
       }
     }
+    const Mechanism above = above_;
+    while (!stands(high_, coarse, Units::own)) high_ *= 1 + bound_tolerance;
+    above_ = above;
+    return bound(0.5 * (below_.factor + above_.factor));
   }
 
   const Balance& below() const { return below_; }
@@ -66,6 +74,20 @@ class BoundSearch {
   Index programs() const { return programs_; }
 
  private:
+  /// Failure by a hair proves nothing: slips that dilate too little, by `fine`, could hide it. False where it stands below, which is `low_` then.
+  bool proves_failure_below(Real share) {
+    for (Real margin = 0.5 * bound_tolerance; margin < 0.5; margin *= 4) {
+      low_ = share * (1 - margin);
+      if (stands(low_, fine, Units::common)) return false;
+      Real fastest = 0;
+      for (const ForcePoint& point : scaled_.points())
+        fastest = std::max(fastest, norm(scaled_.jump(point, above_.velocity)));
+      const Real hidden = fine * fastest * static_cast<Real>(scaled_.mass().bodies.size());
+      if (solution_.cost > 2 * hidden) break;
+    }
+    return true;
+  }
+
   /// Strength is a share of what there is: too little up to `low_`, enough from `high_` on. Newton's step from the lower side, a little
   /// beyond so that it may end; where that leaves the bracket, its middle.
   Real next_share() const {
@@ -93,46 +115,18 @@ class BoundSearch {
   Index programs_ = 0;
 };
 
-/// Some bodies of a mass, all others held.
-struct PartOfMass {
-  std::vector<Index> body;  ///< of the whole
-  RigidMass mass;
-
-  PartOfMass(const RigidMass& whole, std::vector<Index> bodies) : body(std::move(bodies)) {
-    std::vector<Index> number(whole.bodies.size(), none);
-    for (const Index b : body) {
-      number[b] = static_cast<Index>(mass.bodies.size());
-      mass.bodies.push_back(whole.bodies[b]);
-    }
-    for (const ContactArea& contact : whole.contacts) {
-      const auto in_part = [&](Index b) { return b == none ? none : number[b]; };
-      const std::array<Index, 2> own{in_part(contact.body[0]), in_part(contact.body[1])};
-      if (own[0] == none && own[1] == none) continue;
-      mass.contacts.push_back(contact);
-      mass.contacts.back().body = own;
-    }
-  }
-
-  /// Velocities of the whole mass where these bodies alone move.
-  Mechanism of_whole(const Mechanism& own, std::size_t bodies) const {
-    Mechanism mechanism{own.factor, std::vector<BodyVelocity>(bodies)};
-    for (std::size_t b = 0; b < body.size(); ++b) mechanism.velocity[body[b]] = own.velocity[b];
-    return mechanism;
-  }
-};
-
 /// From the parts that fail to the whole: what moves most easily is mostly one block, or a few, and the whole need only be shown to bear as
 /// much. If it does not, what moves is the next part.
 class WholeSearch {
  public:
-  explicit WholeSearch(const RigidMass& mass) : mass_(mass), whole_(mass) {}
+  explicit WholeSearch(const RigidMass& mass) : mass_(mass), parts_(mass), whole_(mass) {}
 
   Bound find() {
     for (Index b = 0; b < static_cast<Index>(mass_.bodies.size()); ++b) look_at_part({b});
     std::vector<Index> last;
     while (factor_ > 0 && std::isfinite(factor_)) {
       const Real share = (1 + 0.25 * bound_tolerance) / below_factor_;
-      if (whole_.stands(share, fine))
+      if (whole_.stands(share, fine, ContactColumns::Units::own))
         return {0.5 * (1 / share + above_.factor), whole_.below(), std::move(above_), programs()};
       std::vector<Index> moving = moving_bodies();
       if (moving == last || moving.size() == mass_.bodies.size()) break;
@@ -149,10 +143,10 @@ class WholeSearch {
   Index programs() const { return of_parts_ + whole_.programs(); }
 
   void look_at_part(std::vector<Index> bodies) {
-    const PartOfMass part(mass_, std::move(bodies));
+    const PartOfMass part = parts_.part(std::move(bodies));
     BoundSearch search(part.mass);
-    const bool safer =
-        std::isfinite(factor_) && factor_ > 0 && search.stands(1 / above_.factor, coarse);
+    const bool safer = std::isfinite(factor_) && factor_ > 0 &&
+                       search.stands(1 / above_.factor, coarse, ContactColumns::Units::common);
     if (!safer && factor_ > 0) {
       const Bound bound = search.find();
       if (bound.factor < factor_) {
@@ -176,6 +170,7 @@ class WholeSearch {
   }
 
   const RigidMass& mass_;
+  PartsOfMass parts_;
   BoundSearch whole_;
   Real factor_ = std::numeric_limits<Real>::infinity();  ///< the least of the parts
   Real below_factor_ = 0;                                ///< at which that part stands

@@ -51,42 +51,61 @@ Vec3 ContactColumns::direction(const ContactColumn& column) const {
   return std::cos(column.angle) * t[0] + std::sin(column.angle) * t[1];
 }
 
-LinearProgram ContactColumns::program(Real share) const {
-  std::vector<Real> right = scaled_.right_side();
-  right.resize(static_cast<std::size_t>(rows_), 0);
-  for (std::size_t p = 0; p < disc_row_.size(); ++p)
-    if (disc_row_[p] != none) right[disc_row_[p]] = share * disc_radius(scaled_.points()[p]);
-  LinearProgram program(right);
-  for (Index r = 0; r < scaled_.rows(); ++r)
+LinearProgram ContactColumns::program(Real share, Units units) const {
+  const auto unit = [&](Real load) { return units == Units::own ? load : 1; };
+  LinearProgram program(right_side(share));
+  // Nothing is small against what stands on the right.
+  const auto row_size = [&](Index r, Real load) {
+    program.row_size.push_back(std::max(unit(load), std::abs(program.right[r])));
+    return program.row_size.back();
+  };
+  for (Index r = 0; r < scaled_.rows(); ++r) {
+    const Real load = scaled_.load(r / 6);
+    row_size(r, load);
     for (const Real sign : {1.0, -1.0}) {
       program.add_entry(r, sign);
-      program.add_column(1, unlimited);
+      program.add_column(1 / unit(load), unlimited, unit(load));
     }
-  for (Index r = scaled_.rows(); r < rows_; ++r) {
-    program.add_entry(r, 1);
-    program.add_column(0, unlimited);
   }
+  for (std::size_t p = 0; p < disc_row_.size(); ++p)
+    if (const Index r = disc_row_[p]; r != none) {
+      program.add_entry(r, 1);
+      program.add_column(0, unlimited, row_size(r, scaled_.load(scaled_.points()[p])));
+    }
   for (const ContactColumn& column : columns_) {
     const ForcePoint& point = scaled_.points()[column.point];
     const ContactArea& area = scaled_.contact(point);
     if (column.kind == ContactColumn::Kind::disc) {
       scaled_.add_force(program, point, direction(column));
       program.add_entry(disc_row_[column.point], 1);
-      program.add_column(0, unlimited);
+      program.add_column(0, unlimited, program.row_size[disc_row_[column.point]]);
     } else {
       scaled_.add_force(program, point, area.normal + share * area.friction * direction(column));
-      program.add_column(0, unlimited);
+      program.add_column(0, unlimited, unit(scaled_.load(point)));
     }
   }
-  // What areas pull with moves to the other side.
-  LinearProgram pull(right);
-  for (const ForcePoint& point : scaled_.points())
-    if (const Real t = share * tension_force(point); t > 0) {
-      scaled_.add_force(pull, point, -t * scaled_.contact(point).normal);
-      pull.add_column(0, 0);
-    }
-  for (std::size_t e = 0; e < pull.row.size(); ++e) program.right[pull.row[e]] -= pull.value[e];
   return program;
+}
+
+/// Minus the loads and what areas pull with; the radii of polygons.
+std::vector<Real> ContactColumns::right_side(Real share) const {
+  std::vector<Real> right = scaled_.right_side();
+  right.resize(static_cast<std::size_t>(rows_), 0);
+  LinearProgram pull({});
+  for (std::size_t p = 0; p < disc_row_.size(); ++p) {
+    const ForcePoint& point = scaled_.points()[p];
+    if (disc_row_[p] != none) right[disc_row_[p]] = share * disc_radius(point);
+    if (const Real t = share * tension_force(point); t > 0)
+      scaled_.add_force(pull, point, -t * scaled_.contact(point).normal);
+  }
+  for (std::size_t e = 0; e < pull.row.size(); ++e) right[pull.row[e]] -= pull.value[e];
+  return right;
+}
+
+Real ContactColumns::imbalance(const LinearSolution& solution) const {
+  Real sum = 0;
+  for (Index c = 0; c < 2 * scaled_.rows(); ++c) sum += solution.x[c] / scaled_.load(c / 12);
+  return sum;
 }
 
 Real ContactColumns::slope(const LinearSolution& solution,
@@ -131,7 +150,28 @@ std::vector<Vec3> ContactColumns::forces(Real share, const LinearSolution& solut
   return force;
 }
 
-Index ContactColumns::round_off(Real share, const std::vector<BodyVelocity>& velocity, Real gap) {
+void ContactColumns::price(LinearProgram& program, Real share,
+                           const std::vector<BodyVelocity>& slips, Real unbalanced) const {
+  const Index balance = 2 * scaled_.rows();
+  for (Index c = 0; c < balance; ++c) program.cost[c] = unbalanced / scaled_.load(c / 12);
+  for (std::size_t p = 0; p < disc_row_.size(); ++p)
+    if (disc_row_[p] != none)
+      program.cost[balance + disc_row_[p] - scaled_.rows()] =
+          scaled_.slip(scaled_.points()[p], scaled_.jump(scaled_.points()[p], slips));
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    const ForcePoint& point = scaled_.points()[columns_[c].point];
+    const ContactArea& area = scaled_.contact(point);
+    const Vec3 jump = scaled_.jump(point, slips);
+    const Real lacks = scaled_.slip(point, jump) + dot(direction(columns_[c]), jump);
+    program.cost[slack_ + c] =
+        columns_[c].kind == ContactColumn::Kind::disc
+            ? lacks
+            : std::abs(dot(area.normal, jump)) + share * area.friction * lacks;
+  }
+}
+
+Index ContactColumns::round_off(Real share, const std::vector<BodyVelocity>& velocity, Real gap,
+                                const std::vector<BodyVelocity>* priced) {
   Real largest = 0;
   std::vector<Vec3> jumps;
   for (const ForcePoint& point : scaled_.points()) {
@@ -149,11 +189,12 @@ Index ContactColumns::round_off(Real share, const std::vector<BodyVelocity>& vel
     const ContactArea& area = scaled_.contact(point);
     const auto& t = scaled_.tangents(point);
     const Real a = -dot(jumps[p], t[0]), b = -dot(jumps[p], t[1]), slip = std::hypot(a, b);
+    const Real paid = priced ? scaled_.slip(point, scaled_.jump(point, *priced)) : 0;
     const auto add = [&](ContactColumn::Kind kind) {
       columns_.push_back({static_cast<Index>(p), kind, std::atan2(b, a)});
       ++added;
     };
-    if (dot(jumps[p], area.normal) < share * area.friction * slip - gap * largest)
+    if (dot(jumps[p], area.normal) < share * area.friction * (slip - paid) - gap * largest)
       add(ContactColumn::Kind::edge);
     if (disc_row_[p] != none && taken_up[p] < slip - gap * largest) add(ContactColumn::Kind::disc);
   }

@@ -21,16 +21,28 @@ class ContactColumns {
  public:
   explicit ContactColumns(const ScaledMass& scaled);
 
-  /// The programme at strength times `share` = 1/F, and how its parts move with it.
-  LinearProgram program(Real share) const;
+  /// What a programme's numbers count in: forces in loads of each body, so that light ones balance as well as heavy ones, or in a mean load, so
+  /// that velocities are as exact for all.
+  enum class Units : std::uint8_t { own, common };
+  /// The programme at strength times `share` = 1/F: the least sum of forces to add to the loads for a balance, each in these units.
+  LinearProgram program(Real share, Units units) const;
+  /// Sum of what is added to the loads of a solution for a balance, each of the load of its body.
+  Real imbalance(const LinearSolution& solution) const;
   /// What the dual of a solution takes up less for more strength: −d(cost)/d(share).
   Real slope(const LinearSolution& solution, const std::vector<BodyVelocity>& velocity) const;
   /// N on the first bodies, [points].
   std::vector<Vec3> forces(Real share, const LinearSolution& solution) const;
-  /// More edges where a mechanism parts areas by less than a round cone asks for, by more than `gap` of its largest jump; how many.
-  Index round_off(Real share, const std::vector<BodyVelocity>& velocity, Real gap);
+  /// More edges where a mechanism parts areas by less than a round cone asks for, by more than `gap` of its largest jump; how many. With
+  /// `priced`: of a programme of these costs, whose dual is `priced` − `velocity`.
+  Index round_off(Real share, const std::vector<BodyVelocity>& velocity, Real gap,
+                  const std::vector<BodyVelocity>* priced = nullptr);
+  /// Costs of a programme: what a column's force lacks of the work that strength could take up of these slips. `unbalanced`: of what is
+  /// added to the loads.
+  void price(LinearProgram& program, Real share, const std::vector<BodyVelocity>& slips,
+             Real unbalanced) const;
 
  private:
+  std::vector<Real> right_side(Real share) const;
   Vec3 direction(const ContactColumn& column) const;
   Real disc_radius(const ForcePoint& point) const;    ///< at full strength, of force_scale()
   Real tension_force(const ForcePoint& point) const;  ///< likewise

@@ -22,22 +22,45 @@ void start_from(ClpSimplex& clp, const LinearProgram& program, const LinearSolut
             clp.statusArray() + program.columns());
 }
 
+/// The same in units in which all that is small is far below 1.
+struct Sized {
+  std::vector<Real> row_size, value, right, cost, upper;
+
+  explicit Sized(const LinearProgram& program)
+      : row_size(program.row_size),
+        value(program.value),
+        right(program.right),
+        cost(program.cost),
+        upper(program.upper) {
+    row_size.resize(right.size(), 1);
+    for (std::size_t r = 0; r < right.size(); ++r) right[r] /= row_size[r];
+    for (std::size_t c = 0; c < cost.size(); ++c) {
+      const Real size = program.column_size[c];
+      cost[c] *= size;
+      upper[c] /= size;
+      for (std::int32_t e = program.begin[c]; e < program.begin[c + 1]; ++e)
+        value[e] *= size / row_size[program.row[e]];
+    }
+  }
+};
+
 }  // namespace
 
 LinearSolution solve(const LinearProgram& program, const LinearSolution* before) {
   const int rows = static_cast<int>(program.right.size()), columns = program.columns();
   std::vector<int> length(static_cast<std::size_t>(columns));
   for (int c = 0; c < columns; ++c) length[c] = program.begin[c + 1] - program.begin[c];
+  const Sized sized(program);
   const CoinPackedMatrix matrix(true, rows, columns, static_cast<CoinBigIndex>(program.row.size()),
-                                program.value.data(), program.row.data(), program.begin.data(),
+                                sized.value.data(), program.row.data(), program.begin.data(),
                                 length.data());
   const std::vector<Real> lower(static_cast<std::size_t>(columns), 0.0);
   ClpSimplex clp;
   clp.setLogLevel(0);
   clp.scaling(
       0);  // the programme comes scaled; with warm starts, CLP's own scaling ended with columns that price in
-  clp.loadProblem(matrix, lower.data(), program.upper.data(), program.cost.data(),
-                  program.right.data(), program.right.data());
+  clp.loadProblem(matrix, lower.data(), sized.upper.data(), sized.cost.data(), sized.right.data(),
+                  sized.right.data());
   clp.setPrimalTolerance(1e-9);
   clp.setDualTolerance(1e-9);
   clp.createStatus();
@@ -55,9 +78,12 @@ LinearSolution solve(const LinearProgram& program, const LinearSolution* before)
             "the linear programme of {} rows and {} columns found no solution (CLP, status {})",
             rows, columns, clp.status()));
   const auto take = [](const auto* from, int count) { return std::vector(from, from + count); };
-  return {clp.objectiveValue(), take(clp.primalColumnSolution(), columns),
-          take(clp.dualRowSolution(), rows), take(clp.statusArray(), columns),
-          take(clp.statusArray() + columns, rows)};
+  LinearSolution solution{clp.objectiveValue(), take(clp.primalColumnSolution(), columns),
+                          take(clp.dualRowSolution(), rows), take(clp.statusArray(), columns),
+                          take(clp.statusArray() + columns, rows)};
+  for (int r = 0; r < rows; ++r) solution.price[r] /= sized.row_size[r];
+  for (int c = 0; c < columns; ++c) solution.x[c] *= program.column_size[c];
+  return solution;
 }
 
 }  // namespace rockfold

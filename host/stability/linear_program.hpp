@@ -14,8 +14,10 @@ namespace rockfold {
 struct LinearProgram {
   explicit LinearProgram(std::vector<Real> right_side) : right(std::move(right_side)) {}
 
-  std::vector<Real> right;             ///< [rows]
-  std::vector<Real> cost, upper;       ///< [columns]
+  std::vector<Real> right;        ///< [rows]
+  std::vector<Real> row_size;     ///< [rows] what is small in a row is so in these units; empty: 1
+  std::vector<Real> cost, upper;  ///< [columns]
+  std::vector<Real> column_size;  ///< [columns] likewise
   std::vector<std::int32_t> begin{0};  ///< [columns + 1] into row and value
   std::vector<Index> row;
   std::vector<Real> value;
@@ -26,9 +28,10 @@ struct LinearProgram {
     row.push_back(at);
     value.push_back(coefficient);
   }
-  void add_column(Real of_cost, Real most) {
+  void add_column(Real of_cost, Real most, Real size = 1) {
     cost.push_back(of_cost);
     upper.push_back(most);
+    column_size.push_back(size);
     begin.push_back(static_cast<std::int32_t>(row.size()));
   }
 };

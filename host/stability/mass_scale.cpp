@@ -1,6 +1,7 @@
 #include "host/stability/mass_scale.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "src/base/vector.hpp"
 
@@ -41,7 +42,16 @@ ScaledMass::ScaledMass(const RigidMass& mass)
           size_[b] = std::max(size_[b], norm(x - mass.bodies[b].centre));
   }
   for (Real& s : size_)
-    if (s == 0) s = 1;  // it touches nothing
+    if (s == 0) s = 1;               // it touches nothing
+  constexpr Real least_load = 1e-6;  // of a mean one
+  for (const RigidBody6& body : mass.bodies)
+    load_.push_back(std::max(least_load, norm(body.force) / force_));
+}
+
+Real ScaledMass::load(const ForcePoint& point) const {
+  const auto& [a, b] = contact(point).body;
+  if (a == none || b == none) return load(a == none ? b : a);
+  return std::min(load(a), load(b));
 }
 
 std::vector<Real> ScaledMass::right_side() const {
@@ -89,6 +99,11 @@ Vec3 ScaledMass::jump(const ForcePoint& point, const std::vector<BodyVelocity>& 
     jump += side == 0 ? own : -own;
   }
   return jump;
+}
+
+Real ScaledMass::slip(const ForcePoint& point, const Vec3& jump) const {
+  const auto& t = tangents(point);
+  return std::hypot(dot(jump, t[0]), dot(jump, t[1]));
 }
 
 Real ScaledMass::power(const std::vector<BodyVelocity>& velocity) const {

@@ -25,7 +25,10 @@ class ScaledMass {
   const std::array<Vec3, 2>& tangents(const ForcePoint& point) const {
     return tangents_[static_cast<std::size_t>(point.contact)];
   }
-  Real force_scale() const { return force_; }  ///< N
+  Real force_scale() const { return force_; }          ///< N
+  Real load(Index body) const { return load_[body]; }  ///< of one body, of force_scale(); never 0
+  /// The smaller one of a contact's bodies.
+  Real load(const ForcePoint& point) const;
 
   Index rows() const { return 6 * static_cast<Index>(mass_.bodies.size()); }
   /// Of the balance: minus the loads.
@@ -37,6 +40,8 @@ class ScaledMass {
   std::vector<BodyVelocity> velocities(const std::vector<Real>& price) const;
   /// Of the first body of a point's contact from the second.
   Vec3 jump(const ForcePoint& point, const std::vector<BodyVelocity>& velocity) const;
+  /// The part of a jump that is no opening.
+  Real slip(const ForcePoint& point, const Vec3& jump) const;
   /// W of the loads.
   Real power(const std::vector<BodyVelocity>& velocity) const;
 
@@ -45,6 +50,7 @@ class ScaledMass {
   std::vector<ForcePoint> points_;
   std::vector<std::array<Vec3, 2>> tangents_;  ///< [contacts]
   std::vector<Real> size_;                     ///< [bodies] m
+  std::vector<Real> load_;                     ///< [bodies] of force_
   Real force_ = 1;
 };
 

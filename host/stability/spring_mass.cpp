@@ -2,84 +2,193 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
 
 #include <Eigen/Dense>
-#include <Eigen/SparseCholesky>
 
+#include "host/direct/multifrontal.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
 namespace {
 
-using Matrix = Eigen::SparseMatrix<Real>;
+using Vector = Eigen::VectorXd;
+using Six = Eigen::Matrix<Real, 6, 6>;
 
 constexpr Real shear_share = 0.5;  // of the normal stiffness, across
-constexpr Index most_newton = 80, most_passes = 80, remembered = 3;
-constexpr Real balanced = 1e-8;  // of all loads
-constexpr Real agreed = 1e-5;    // of all pressure
+constexpr Real balanced = 1e-7, at_rest = 1e-6, relaxed = 1e-5, agreed = 1e-4;  // of all loads
+constexpr Real on_the_way = 1e-2;                                               // of the drag
+constexpr Index most_newton = 12, most_idle = 4, most_relaxing = 40, most_steps = 200;
+/// Of a step against the drag: a load moves a body by as much as it moves the spring under it; then longer, until springs count no more.
+constexpr Real first_span = 1, long_span = 1e3, last_span = 1e8;
 
-Real size_of(const std::vector<Real>& x) {
-  Real sum = 0;
-  for (const Real v : x) sum += v * v;
-  return std::sqrt(sum);
+Vector vector_of(const std::vector<Real>& x) {
+  return Eigen::Map<const Vector>(x.data(), static_cast<Eigen::Index>(x.size()));
 }
 
 }  // namespace
 
-/// Unit forces along a corner's axes as entries of the balance, and the tangent made of them.
+/// One step on its way.
+struct SpringMass::Step {
+  Real share = 0, span = 0;
+  Vector before, now;          ///< displacements
+  std::vector<Real> given;     ///< [corners] pressure that friction comes from while relaxing
+  std::vector<Real> pressure;  ///< [corners] found
+  std::vector<Eigen::Matrix3d> tangent;
+  Vector rest;    ///< forces that do not balance, the drag among them
+  Real drag = 0;  ///< size of that alone
+  Real potential = 0;
+};
+
+/// Unit forces along a corner's axes as entries of the balance; Newton's matrix, by blocks of two bodies.
 struct SpringMass::Equations {
   struct Entries {
     std::array<Index, 12> row;  ///< none: held rock
     Eigen::Matrix<Real, 3, 12> of_axis;
+    Index pair = none;
+  };
+  /// Two bodies that touch, and where their blocks are in the matrix: both of the first, first and second, …; none: held rock.
+  struct Pair {
+    std::array<Index, 2> body;
+    std::array<Index, 4> place;
   };
   std::vector<Entries> corner;
-  std::vector<Eigen::Matrix3d> tangent;
-  Eigen::SimplicialLDLT<Matrix> factors;
-  bool analysed = false;
+  std::vector<Pair> pair;
+  BlockMatrix matrix;          ///< its symmetric part
+  std::vector<Real> coupling;  ///< what friction adds as it grows with pressure: like matrix.value
+  std::vector<Index> diagonal;
+  std::unique_ptr<DirectSolver> factors = host::make_direct_solver({8e9, 3e11});
 
-  Eigen::Vector3d jump(std::size_t c, const std::vector<Real>& displacement) const {
+  Eigen::Vector3d jump(std::size_t c, const Vector& displacement) const {
     Eigen::Matrix<Real, 12, 1> own;
     for (int k = 0; k < 12; ++k)
       own[k] = corner[c].row[k] == none ? 0 : displacement[corner[c].row[k]];
     return corner[c].of_axis * own;
   }
-  void add(std::size_t c, const Eigen::Vector3d& force, std::vector<Real>& rest) const {
+  void add(std::size_t c, const Eigen::Vector3d& force, Vector& rest) const {
     const Eigen::Matrix<Real, 12, 1> own = corner[c].of_axis.transpose() * force;
     for (int k = 0; k < 12; ++k)
       if (corner[c].row[k] != none) rest[corner[c].row[k]] += own[k];
   }
-  /// Newton's step.
-  std::vector<Real> step(const std::vector<Real>& rest, Real on_diagonal);
+  void find_places(Index bodies);
+  void fill(const Step& step, const std::vector<Real>& mass);
+  Vector product(const Vector& x) const;
+  Vector divided(const Vector& x) const {
+    std::vector<Real> z(x.data(), x.data() + x.size());
+    factors->solve(z);
+    return vector_of(z);
+  }
+  /// Newton's change.
+  Vector solve(const Step& step, const std::vector<Real>& mass, bool with_coupling);
 };
 
-std::vector<Real> SpringMass::Equations::step(const std::vector<Real>& rest, Real on_diagonal) {
-  const int rows = static_cast<int>(rest.size());
-  std::vector<Eigen::Triplet<Real>> entries;
-  entries.reserve(corner.size() * 78 + rest.size());
-  for (std::size_t c = 0; c < corner.size(); ++c) {
-    const Eigen::Matrix<Real, 12, 12> block =
-        corner[c].of_axis.transpose() * tangent[c] * corner[c].of_axis;
-    for (int i = 0; i < 12; ++i)
-      for (int k = 0; k < 12; ++k) {
-        const Index row = corner[c].row[i], column = corner[c].row[k];
-        if (row != none && column != none && row >= column)
-          entries.emplace_back(row, column, block(i, k));
-      }
+void SpringMass::Equations::find_places(Index bodies) {
+  std::vector<std::vector<Index>> touched(static_cast<std::size_t>(bodies));
+  for (Index b = 0; b < bodies; ++b) touched[b].push_back(b);
+  for (const Pair& p : pair)
+    for (int side = 0; side < 2; ++side)
+      if (p.body[0] != none && p.body[1] != none) touched[p.body[side]].push_back(p.body[1 - side]);
+  matrix.width = 6;
+  matrix.begin.push_back(0);
+  for (std::vector<Index>& row : touched) {
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
+    matrix.column.insert(matrix.column.end(), row.begin(), row.end());
+    matrix.begin.push_back(static_cast<Index>(matrix.column.size()));
   }
-  for (int r = 0; r < rows; ++r) entries.emplace_back(r, r, on_diagonal);
-  Matrix matrix(rows, rows);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  if (!analysed) factors.analyzePattern(matrix);
-  analysed = true;
-  factors.factorize(matrix);
-  const Eigen::VectorXd x = factors.solve(Eigen::Map<const Eigen::VectorXd>(rest.data(), rows));
-  return {x.data(), x.data() + rows};
+  matrix.value.resize(36 * matrix.column.size());
+  const auto place = [&](Index row, Index column) {
+    if (row == none || column == none) return none;
+    const auto begin = matrix.column.begin();
+    return static_cast<Index>(
+        std::lower_bound(begin + matrix.begin[row], begin + matrix.begin[row + 1], column) - begin);
+  };
+  for (Pair& p : pair)
+    for (std::size_t k = 0; k < 4; ++k) p.place[k] = place(p.body[k / 2], p.body[k % 2]);
+  for (Index b = 0; b < bodies; ++b) diagonal.push_back(place(b, b));
+}
+
+void SpringMass::Equations::fill(const Step& step, const std::vector<Real>& mass) {
+  std::fill(matrix.value.begin(), matrix.value.end(), 0);
+  coupling.assign(matrix.value.size(), 0);
+  const auto add_block = [&](std::size_t c, const Eigen::Matrix3d& tangent,
+                             std::vector<Real>& value) {
+    const auto& axes = corner[c].of_axis;
+    const Eigen::Matrix<Real, 3, 12> forces = tangent * axes;
+    for (Index k = 0; k < 4; ++k)
+      if (const Index place = pair[corner[c].pair].place[k]; place != none)
+        Eigen::Map<Six>(&value[36 * place]) +=
+            axes.middleCols<6>(6 * (k / 2)).transpose() * forces.middleCols<6>(6 * (k % 2));
+  };
+  for (std::size_t c = 0; c < corner.size(); ++c) {
+    Eigen::Matrix3d even = step.tangent[c], odd = Eigen::Matrix3d::Zero();
+    odd.bottomLeftCorner<2, 1>() = even.bottomLeftCorner<2, 1>();
+    even -= odd;
+    add_block(c, even, matrix.value);
+    if (!odd.isZero(0)) add_block(c, odd, coupling);
+  }
+  for (std::size_t b = 0; b < diagonal.size(); ++b)
+    for (Index d = 0; d < 6; ++d)
+      matrix.value[36 * diagonal[b] + 7 * d] += mass[6 * b + d] / step.span;
+}
+
+/// Of the whole matrix.
+Vector SpringMass::Equations::product(const Vector& x) const {
+  Vector y = Vector::Zero(x.size());
+  for (Index row = 0; row < matrix.rows(); ++row)
+    for (Index e = matrix.begin[row]; e < matrix.begin[row + 1]; ++e)
+      y.segment<6>(6 * row) += (Eigen::Map<const Six>(&matrix.value[36 * e]) +
+                                Eigen::Map<const Six>(&coupling[36 * e])) *
+                               x.segment<6>(6 * matrix.column[e]);
+  return y;
+}
+
+/// GMRES (Saad & Schultz 1986), with the factors of the symmetric part from the right.
+Vector SpringMass::Equations::solve(const Step& step, const std::vector<Real>& mass,
+                                    bool with_coupling) {
+  fill(step, mass);
+  constexpr Real least_pivot = 1e-14;
+  factors->factorise(matrix, least_pivot);
+  if (!with_coupling) return divided(step.rest);
+  constexpr Eigen::Index most = 60;
+  constexpr Real enough = 1e-5;
+  const Real size = step.rest.norm();
+  std::vector<Vector> basis{step.rest / size};
+  Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(most + 1, most);
+  Eigen::VectorXd best;
+  for (Eigen::Index n = 0; n < most; ++n) {
+    Vector next = product(divided(basis.back()));
+    for (int again = 0; again < 2; ++again)
+      for (Eigen::Index k = 0; k <= n; ++k) {
+        const Real part = basis[k].dot(next);
+        hessenberg(k, n) += part;
+        next -= part * basis[k];
+      }
+    hessenberg(n + 1, n) = next.norm();
+    const Eigen::MatrixXd h = hessenberg.topLeftCorner(n + 2, n + 1);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(n + 2);
+    right[0] = size;
+    best = h.householderQr().solve(right);
+    if ((h * best - right).norm() <= enough * size || hessenberg(n + 1, n) == 0) break;
+    basis.push_back(next / hessenberg(n + 1, n));
+  }
+  Vector sum = Vector::Zero(step.rest.size());
+  for (Eigen::Index k = 0; k < best.size(); ++k) sum += best[k] * basis[k];
+  return divided(sum);
 }
 
 SpringMass::SpringMass(const ScaledMass& scaled)
     : scaled_(scaled), load_(scaled.right_side()), equations_(std::make_unique<Equations>()) {
   for (Real& f : load_) f = -f;
   const RigidMass& mass = scaled.mass();
+  constexpr Real least_mass = 1e-3;  // of a mean load
+  constexpr Real inertia = 0.3;  // of a block, by its mass and the square of its farthest corner
+  for (const RigidBody6& body : mass.bodies) {
+    const Real own = std::max(least_mass, norm(body.force) / scaled.force_scale());
+    mass_.insert(mass_.end(), {own, own, own, inertia * own, inertia * own, inertia * own});
+  }
   std::vector<Real> share(mass.contacts.size(), 0);
   Real sum = 0, count = 0;
   for (std::size_t k = 0; k < mass.contacts.size(); ++k) {
@@ -89,148 +198,205 @@ SpringMass::SpringMass(const ScaledMass& scaled)
     sum += share[k] * static_cast<Real>(x.size());
     count += static_cast<Real>(x.size());
   }
+  std::map<std::array<Index, 2>, Index> pair;
   for (const ForcePoint& point : scaled.points()) {
     if (point.area > 0) continue;  // strength inside an area counts at its corners here
     const ContactArea& area = scaled.contact(point);
     const auto& t = scaled.tangents(point);
     const Real own = share[point.contact];
-    corners_.push_back({point,
-                        {area.normal, t[0], t[1]},
-                        own * count / sum,
-                        area.friction,
+    corners_.push_back({area.body, own * count / sum, area.friction,
                         area.cohesion * own / scaled.force_scale(),
                         area.tension * own / scaled.force_scale()});
     Equations::Entries entries;
-    entries.row.fill(none);
     entries.of_axis.setZero();
+    for (int k = 0; k < 12; ++k)
+      entries.row[k] = area.body[k / 6] == none ? none : 6 * area.body[k / 6] + k % 6;
     for (int axis = 0; axis < 3; ++axis) {
       LinearProgram column({});
-      scaled.add_force(column, point, corners_.back().axis[axis]);
+      scaled.add_force(column, point, axis == 0 ? area.normal : t[axis - 1]);
       for (std::size_t e = 0; e < column.row.size(); ++e) {
         const bool second = area.body[0] == none || column.row[e] / 6 != area.body[0];
-        const Index k = column.row[e] % 6 + (second ? 6 : 0);
-        entries.row[k] = column.row[e];
-        entries.of_axis(axis, k) = column.value[e];
+        entries.of_axis(axis, column.row[e] % 6 + (second ? 6 : 0)) = column.value[e];
       }
     }
+    const auto [place, is_new] =
+        pair.try_emplace(area.body, static_cast<Index>(equations_->pair.size()));
+    if (is_new) equations_->pair.push_back({area.body, {}});
+    entries.pair = place->second;
     equations_->corner.push_back(entries);
   }
-  equations_->tangent.resize(corners_.size());
+  equations_->find_places(static_cast<Index>(mass.bodies.size()));
+  equations_->factors->analyse(equations_->matrix);
 }
 
 SpringMass::~SpringMass() = default;
 
 SpringMass::State SpringMass::start() const {
-  constexpr Real even = 0.3;  // of a mean load: as if three corners bore each block
-  return {std::vector<Real>(load_.size(), 0), std::vector<Real>(corners_.size(), even), false, 0};
+  return {std::vector<Real>(load_.size(), 0), std::vector<Real>(load_.size(), 0),
+          std::vector<Real>(corners_.size(), 0), Ending::undecided};
 }
 
-SpringMass::Look SpringMass::look(Real share, const State& state, bool with_tangent) {
-  Look look;
-  look.rest = load_;
-  for (std::size_t r = 0; r < load_.size(); ++r) {
-    const Real u = state.displacement[r];
-    look.rest[r] -= drag * u;
-    look.potential += (0.5 * drag * u - load_[r]) * u;
+/// Of the friction's pressure against the pressure that is found, of all.
+Real SpringMass::pressure_change(const Step& step) {
+  Real changed = 0, sum = 0;
+  for (std::size_t c = 0; c < step.pressure.size(); ++c) {
+    changed += std::abs(std::max(0.0, step.pressure[c]) - std::max(0.0, step.given[c]));
+    sum += std::max(0.0, step.pressure[c]);
   }
+  return sum > 0 ? changed / sum : 0;
+}
+
+/// Forces, tangent and, where friction comes from a given pressure, the potential.
+void SpringMass::look(Step& step, bool own_friction) const {
+  step.rest = vector_of(load_);
+  step.potential = 0;
+  Real drag = 0;
+  for (Eigen::Index r = 0; r < step.now.size(); ++r) {
+    const Real moved = step.now[r] - step.before[r], held = mass_[r] / step.span * moved;
+    step.rest[r] -= held;
+    drag += held * held;
+    step.potential += 0.5 * held * moved - load_[r] * step.now[r];
+  }
+  step.drag = std::sqrt(drag);
+  step.pressure.resize(corners_.size());
+  step.tangent.resize(corners_.size());
   for (std::size_t c = 0; c < corners_.size(); ++c) {
     const Corner& corner = corners_[c];
-    const Real k = corner.stiffness, s = shear_share * k;
-    const Real limit = share * (corner.friction * state.pressure[c] + corner.cohesion);
-    const Real pull = share * corner.tension;
-    const Eigen::Vector3d jump = equations_->jump(c, state.displacement);
+    const Real k = corner.stiffness, s = shear_share * k, pull = step.share * corner.tension;
+    const Eigen::Vector3d jump = equations_->jump(c, step.now);
+    const bool open = -k * jump[0] < -pull;
+    const Real normal = open ? -pull : -k * jump[0];
+    const Real pressure = std::max(0.0, own_friction ? normal : step.given[c]);
+    const Real limit = step.share * (corner.friction * pressure + corner.cohesion);
     const Real slip = std::hypot(jump[1], jump[2]);
-    const bool open = -k * jump[0]<-pull, slips = s * slip> limit;
-    const Real normal = open ? -pull : -k * jump[0], shear = slips ? limit : s * slip;
-    look.potential += open ? pull * jump[0] - 0.5 * pull * pull / k : 0.5 * normal * normal / k;
-    look.potential += slips ? limit * slip - 0.5 * limit * limit / s : 0.5 * shear * shear / s;
-    const Real over = slip > 0 ? 1 / slip : 0;
-    const Eigen::Vector2d along{jump[1] * over, jump[2] * over};
-    equations_->add(c, {normal, -shear * along[0], -shear * along[1]}, look.rest);
-    look.pressure.push_back(std::max(0.0, normal));
-    look.fastest = std::max(look.fastest, jump.norm());
-    if (!with_tangent) continue;
-    Eigen::Matrix3d& tangent = equations_->tangent[c];
+    const bool slips = s * slip > limit;
+    const Real shear = slips ? limit : s * slip, secant = slips ? limit / slip : s;
+    const Eigen::Vector2d along =
+        slip > 0 ? Eigen::Vector2d(jump[1] / slip, jump[2] / slip) : Eigen::Vector2d(0, 0);
+    equations_->add(c, {normal, -shear * along[0], -shear * along[1]}, step.rest);
+    step.potential += open ? pull * jump[0] - 0.5 * pull * pull / k : 0.5 * normal * normal / k;
+    step.potential += slips ? limit * slip - 0.5 * limit * limit / s : 0.5 * shear * slip;
+    step.pressure[c] = normal;
+    Eigen::Matrix3d& tangent = step.tangent[c];
     tangent.setZero();
     tangent(0, 0) = open ? 0 : k;
-    const Real secant = slips ? limit * over : s;
     tangent.bottomRightCorner<2, 2>() = secant * Eigen::Matrix2d::Identity();
     if (slips) tangent.bottomRightCorner<2, 2>() -= secant * along * along.transpose();
+    if (slips && own_friction && normal > 0)
+      tangent.bottomLeftCorner<2, 1>() = -step.share * corner.friction * k * along;
   }
-  return look;
 }
 
-/// To the least potential with the limits that the state's pressure makes.
-void SpringMass::relax(Real share, State& state, Look& found) {
-  const Real enough = balanced * size_of(load_);
-  for (Index n = 0; n < most_newton; ++n) {
-    found = look(share, state, true);
-    if (size_of(found.rest) < enough) return;
-    const std::vector<Real> step = equations_->step(found.rest, drag);
-    Real slope = 0;
-    for (std::size_t r = 0; r < step.size(); ++r) slope -= found.rest[r] * step[r];
-    State next = state;
+/// With the friction of the pressure that is found; false where it does not converge.
+bool SpringMass::newton(Step& step) {
+  const Real loads = vector_of(load_).norm();
+  look(step, true);
+  // On the way the drag is none of the mass' own.
+  const auto good = [&] {
+    const Real enough = step.span < long_span ? on_the_way * step.drag : 0;
+    return step.rest.norm() < std::max(balanced * loads, enough);
+  };
+  Real least = step.rest.norm();
+  for (Index n = 0, idle = 0; n < most_newton && idle < most_idle; ++n) {
+    if (n > 0 && good()) return true;
+    const Real left = step.rest.norm();
+    const Vector from = step.now, change = equations_->solve(step, mass_, true);
+    if (!change.allFinite()) return false;
+    for (Real part = 1; part > 0.1; part *= 0.5) {
+      step.now = from + part * change;
+      look(step, true);
+      if (step.rest.norm() < left) break;
+    }
+    idle = step.rest.norm() < 0.5 * least ? 0 : idle + 1;
+    least = std::min(least, step.rest.norm());
+  }
+  return good();
+}
+
+/// To the least potential, with the friction of the pressure that is given.
+bool SpringMass::relax(Step& step) {
+  const Real loads = vector_of(load_).norm();
+  look(step, false);
+  for (Index n = 0; n < most_relaxing; ++n) {
+    if (step.rest.norm() < std::max(relaxed * loads, on_the_way * step.drag))
+      return n <= most_relaxing / 4;
+    const Vector from = step.now, change = equations_->solve(step, mass_, false);
+    const Real slope = step.rest.dot(change), potential = step.potential;
     for (Real part = 1; part > 1e-9; part *= 0.5) {
-      for (std::size_t r = 0; r < step.size(); ++r)
-        next.displacement[r] = state.displacement[r] + part * step[r];
-      const Real potential = look(share, next, false).potential;
-      if (potential <= found.potential + 1e-4 * part * slope + 1e-13 * std::abs(found.potential))
-        break;
+      step.now = from + part * change;
+      look(step, false);
+      if (step.potential <= potential - 1e-4 * part * slope + 1e-13 * std::abs(potential)) break;
     }
-    state.displacement = std::move(next.displacement);
   }
+  return false;
 }
 
-SpringMass::State SpringMass::settle(Real share, State state) {
-  // Anderson's mixing of the last pressures.
-  std::vector<Eigen::VectorXd> pressures, changes;
-  state.settled = false;
-  for (Index pass = 0; pass < most_passes; ++pass) {
-    Look found;
-    relax(share, state, found);
-    state.fastest = found.fastest;
-    const auto count = static_cast<Eigen::Index>(corners_.size());
-    const Eigen::VectorXd limits = Eigen::Map<const Eigen::VectorXd>(state.pressure.data(), count);
-    const Eigen::VectorXd change =
-        Eigen::Map<const Eigen::VectorXd>(found.pressure.data(), count) - limits;
-    if (change.lpNorm<1>() <= agreed * (limits + change).lpNorm<1>()) {
-      state.settled = true;
-      return state;
+SpringMass::State SpringMass::settle(Real share, State state, Real steady) {
+  Step step;
+  step.share = share;
+  step.span = first_span;
+  step.now = vector_of(state.displacement);
+  step.pressure = state.pressure;
+  Vector velocity = Vector::Zero(step.now.size());
+  const Real loads = vector_of(load_).norm();
+  state.ending = Ending::undecided;
+  for (Index n = 0; n < most_steps && state.ending == Ending::undecided; ++n) {
+    step.before = step.now;
+    step.given = step.pressure;
+    const bool smooth = newton(step);
+    Real growth = 8, wrong = 0;
+    if (!smooth) {
+      step.now = step.before;
+      const bool easy = relax(step);
+      const Real changed = pressure_change(step);
+      growth = !easy || changed > 0.15 ? 0.5 : 2;
+      look(step, true);
+      wrong = step.rest.norm() / loads;
     }
-    Eigen::VectorXd next = limits + 0.5 * change;
-    if (!pressures.empty()) {
-      Eigen::MatrixXd by(count, static_cast<Eigen::Index>(pressures.size())), of = by;
-      for (std::size_t k = 0; k < pressures.size(); ++k) {
-        by.col(static_cast<Eigen::Index>(k)) = change - changes[k];
-        of.col(static_cast<Eigen::Index>(k)) = limits - pressures[k];
-      }
-      Eigen::VectorXd weight = by.colPivHouseholderQr().solve(change);
-      constexpr Real most_weight = 3;
-      if (weight.lpNorm<1>() > most_weight) weight *= most_weight / weight.lpNorm<1>();
-      next -= (of + 0.5 * by) * weight;
-    }
-    pressures.push_back(limits);
-    changes.push_back(change);
-    if (pressures.size() > remembered) {
-      pressures.erase(pressures.begin());
-      changes.erase(changes.begin());
-    }
-    constexpr Real nothing = 1e-13;
-    for (Eigen::Index c = 0; c < count; ++c) state.pressure[c] = std::max(next[c], nothing);
+    const Vector last = std::exchange(velocity, (step.now - step.before) / step.span);
+    const bool is_steady =
+        step.span >= last_span ||
+        (step.span >= long_span && (velocity - last).norm() <= steady * velocity.norm());
+    if (wrong <= agreed && step.drag <= at_rest * loads)
+      state.ending = Ending::stands;
+    else if (smooth && is_steady && vector_of(load_).dot(velocity) > 0)
+      state.ending = Ending::creeps;
+    step.span = std::min(step.span * growth, last_span);
   }
+  state.displacement.assign(step.now.data(), step.now.data() + step.now.size());
+  state.velocity.assign(velocity.data(), velocity.data() + velocity.size());
+  state.pressure = step.pressure;
   return state;
 }
 
 Real SpringMass::factor(const State& state) const {
-  Real driven = 0, resisted = 0;
-  for (std::size_t r = 0; r < load_.size(); ++r) driven += load_[r] * state.displacement[r];
+  const Vector velocity = vector_of(state.velocity);
+  std::vector<Index> part(scaled_.mass().bodies.size());
+  std::iota(part.begin(), part.end(), 0);
+  const auto root = [&](Index b) {
+    while (part[b] != b) b = part[b] = part[part[b]];
+    return b;
+  };
+  for (std::size_t c = 0; c < corners_.size(); ++c)
+    if (const auto& [a, b] = corners_[c].body; a != none && b != none && state.pressure[c] > 0)
+      part[root(a)] = root(b);
+  std::vector<Real> driven(part.size(), 0), resisted(part.size(), 0);
+  for (std::size_t r = 0; r < load_.size(); ++r)
+    driven[root(static_cast<Index>(r / 6))] += load_[r] * velocity[r];
   for (std::size_t c = 0; c < corners_.size(); ++c) {
-    const Eigen::Vector3d jump = equations_->jump(c, state.displacement);
-    resisted += (corners_[c].friction * state.pressure[c] + corners_[c].cohesion) *
-                    std::hypot(jump[1], jump[2]) +
-                corners_[c].tension * std::max(0.0, jump[0]);
+    const Corner& corner = corners_[c];
+    const Eigen::Vector3d jump = equations_->jump(c, velocity);
+    const Index body = corner.body[0] == none ? corner.body[1] : corner.body[0];
+    resisted[root(body)] += (corner.friction * std::max(0.0, state.pressure[c]) + corner.cohesion) *
+                                std::hypot(jump[1], jump[2]) +
+                            corner.tension * std::max(0.0, jump[0]);
   }
-  return resisted / driven;
+  constexpr Real counts = 1e-3;  // of all power: the rest is noise of blocks at rest
+  const Real all = std::accumulate(driven.begin(), driven.end(), 0.0);
+  Real least = std::numeric_limits<Real>::infinity();
+  for (std::size_t b = 0; b < part.size(); ++b)
+    if (driven[b] > counts * all) least = std::min(least, resisted[b] / driven[b]);
+  return least;
 }
 
 }  // namespace rockfold

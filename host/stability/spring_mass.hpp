@@ -1,8 +1,9 @@
-// A rigid mass on springs in its contacts: how pressure spreads, and how the mass creeps where friction does not hold it.
+// A rigid mass on springs in its contacts: how pressure spreads, and whether friction without dilation holds the mass or lets it creep.
 //
-// Springs press where areas close and hold slips up to a limit a point, which is given: so the state is the least of a convex potential, found by
-// Newton's method with a line search. Limits that are friction times pressure follow by iteration over the pressure (settle()). A little drag
-// on all velocities keeps a mass that nothing holds from running away: it creeps, as fast as what drives it over the drag.
+// Springs press where areas close, and hold slips up to the strength there: friction times the pressure, and cohesion. What does not balance
+// moves against a drag, as masses do in the first instant of a fall: mass · (x − x_before) / span, steps with an ever longer span. A mass that
+// stands comes to rest; of one that does not, the velocity becomes steady, and that is how it fails. Each step is solved by Newton's method with
+// Coulomb's law in its tangent; where that does not converge, with the friction of the step before: then springs have a convex potential.
 #pragma once
 
 #include <array>
@@ -13,6 +14,8 @@
 
 namespace rockfold {
 
+enum class Ending : std::uint8_t { stands, creeps, undecided };
+
 class SpringMass {
  public:
   explicit SpringMass(const ScaledMass& scaled);
@@ -20,52 +23,41 @@ class SpringMass {
 
   /// In the scaled mass' units; a spring of one mean area gives way by 1 under one force.
   struct State {
-    std::vector<Real> displacement;  ///< [rows]
-    std::vector<Real> pressure;  ///< [corners of all contacts, in order] that limits are made of
-    bool settled = false;        ///< pressure and limits agree
-    Real fastest = 0;            ///< the largest jump across a contact
+    std::vector<Real> displacement, velocity;  ///< [rows]
+    std::vector<Real> pressure;                ///< [corners of all contacts, in order]
+    Ending ending = Ending::undecided;
   };
-  /// Undeformed, under an even pressure.
   State start() const;
 
-  /// With all strength times `share` = 1/F, from a state near by.
-  State settle(Real share, State from);
+  /// With all strength times `share` = 1/F, from a state near by, until it is at rest or the change of velocity from step to step is no more
+  /// than `steady` of it.
+  State settle(Real share, State from, Real steady);
 
-  /// Whether what holds the mass gives way by so little that it is no creep.
-  static bool stands(const State& state) { return state.fastest < creeping; }
-
-  /// Of a state that creeps: all that resists its motion, over what drives it, at full strength: its own factor.
+  /// Of a state that creeps: all that resists its motion, over what drives it, at full strength: its own factor; the least of those parts
+  /// that do not press on each other.
   Real factor(const State& state) const;
 
   std::vector<BodyVelocity> velocities(const State& state) const {
-    return scaled_.velocities(state.displacement);
+    return scaled_.velocities(state.velocity);
   }
 
  private:
-  static constexpr Real drag = 1e-8;
-  /// Half way, in powers of ten, between what springs give and what drag leaves of a motion that nothing resists.
-  static constexpr Real creeping = 1e5;
-
   struct Corner {
-    ForcePoint point;
-    std::array<Vec3, 3> axis;                      ///< normal and tangents
+    std::array<Index, 2> body{};
     Real stiffness = 0;                            ///< along the normal; half of it across
     Real friction = 0, cohesion = 0, tension = 0;  ///< tan φ; forces
   };
-  struct Look {
-    Real potential = 0;
-    std::vector<Real> rest;      ///< [rows] forces that do not balance
-    std::vector<Real> pressure;  ///< [corners]
-    Real fastest = 0;
-  };
+  struct Step;
   struct Equations;
 
-  Look look(Real share, const State& state, bool with_tangent);
-  void relax(Real share, State& state, Look& look);
+  static Real pressure_change(const Step& step);
+  void look(Step& step, bool own_friction) const;
+  bool newton(Step& step);
+  bool relax(Step& step);
 
   const ScaledMass& scaled_;
   std::vector<Corner> corners_;
-  std::vector<Real> load_;  ///< [rows]
+  std::vector<Real> load_, mass_;  ///< [rows]
   std::unique_ptr<Equations> equations_;
 };
 

@@ -4,7 +4,9 @@
 //   rigid_mass.hpp       bodies, areas of contact, their points      rock_mass.hpp   those of a cut model
 //   mass_scale.hpp       the same in numbers near 1                  contact_columns.hpp  forces that contacts may pass on
 //   linear_program.hpp   CLP                                         bound.hpp       the factor that no mass without dilation exceeds
-//   spring_mass.hpp      springs in the contacts: how a mass without dilation creeps
+//   part_of_mass.hpp     some blocks, all others held               movement.hpp    what a mechanism does, block by block
+//   sliding.hpp          the factor of a mass that does not dilate   spring_mass.hpp springs in its contacts: how it creeps
+//   collapse_forces.hpp  forces at their strength on its slips
 //   certificate.hpp      what proves a factor                        verify.hpp      its check in rational arithmetic
 #pragma once
 
@@ -13,6 +15,8 @@
 #include "host/cut/cut.hpp"
 #include "host/stability/bound.hpp"
 #include "host/stability/certificate.hpp"
+#include "host/stability/movement.hpp"
+#include "host/stability/sliding.hpp"
 #include "src/arrays/block_arrays.hpp"
 #include "src/base/progress.hpp"
 #include "src/base/stage_keys.hpp"
@@ -23,23 +27,22 @@ namespace rockfold {
 /// More blocks that may move than this are refused: the time grows with some n² to n³.
 constexpr Index most_moving_blocks = 2000;
 
-/// How one block moves in the mechanism of the bound.
-struct MovingBlock {
-  Index body = none;  ///< into RigidMass::bodies
-  Vec3 velocity{};    ///< of its centre; the fastest point of the mass moves with 1 m/s
-  Vec3 spin{};        ///< rad/s
-  /// Joints that press on it and on which it slips, and those that it leaves; sorted.
-  std::vector<std::string> slides_on, parts_from;
-};
-
 struct StabilityReport {
   RigidMass mass;
   std::vector<Index>
       partly_held;  ///< blocks that a [[fixed]] holds in some directions alone: they count as free
   Bound bound;
-  std::vector<MovingBlock> moving;  ///< by mass times speed, the largest first
+  Sliding sliding;
+  std::vector<MovingBlock> at_bound, at_sliding;  ///< how its mechanisms move
 
-  Certificate certificate() const { return {mass, bound.below, bound.above, {}, {}}; }
+  Certificate certificate() const {
+    Certificate all{mass, bound.below, bound.above, {}, {}};
+    if (sliding.proved()) {
+      all.sliding_balance = sliding.balance;
+      all.sliding_mechanism = sliding.mechanism;
+    }
+    return all;
+  }
 };
 
 StageKeys keys_of_stability();

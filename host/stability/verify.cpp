@@ -69,7 +69,11 @@ class Verification {
       throw WrongCertificate{
           fmt::format("the bound from below, {:.10g}, is over the one from above, {:.10g}",
                       certificate_.below.factor, certificate_.above.factor)};
-    if (has_sliding()) within("sliding", [&] { require_collapse(); });
+    if (has_sliding()) run_sliding();
+  }
+
+  void run_sliding() const {
+    within("sliding", [&] { require_collapse(); });
   }
 
  private:
@@ -204,10 +208,9 @@ class Verification {
     return power;
   }
 
+  static bool moves(const BodyVelocity& v) { return v.velocity != Vec3{} || v.spin != Vec3{}; }
+
   static void require_motion(const Mechanism& mechanism) {
-    const auto moves = [](const BodyVelocity& v) {
-      return v.velocity != Vec3{} || v.spin != Vec3{};
-    };
     if (std::none_of(mechanism.velocity.begin(), mechanism.velocity.end(), moves))
       throw WrongCertificate{"no body moves"};
   }
@@ -233,8 +236,8 @@ class Verification {
     return largest;
   }
 
-  /// What areas that overlap a little could hide, W: ten times the pressure of `below` on each, or all loads on the worst.
-  Exact hidden_power(const std::vector<Exact>& overlaps) const {
+  /// What areas that overlap a little could hide, W: ten times the pressure of `below` on each, or the loads of all that moves on the worst.
+  Exact hidden_power(const std::vector<Exact>& overlaps, const Mechanism& mechanism) const {
     Exact sum = 0;
     for_each_force(certificate_.below,
                    [&](const CertifiedArea& area, const ExactVec3&, const SafeRoot&, const char*,
@@ -242,7 +245,10 @@ class Verification {
                      const Exact pressure = positive(dot(force, area.normal));
                      sum += hidden_pressures * pressure * overlaps[&area - areas_.data()];
                    });
-    for (const Exact& worst : overlaps) sum = std::max(sum, Exact(worst * all_load_));
+    Exact moving_load = 0;
+    for (std::size_t b = 0; b < mass_.bodies.size(); ++b)
+      if (moves(mechanism.velocity[b])) moving_load += size(rational(mass_.bodies[b].force));
+    for (const Exact& worst : overlaps) sum = std::max(sum, Exact(worst * moving_load));
     return sum;
   }
 
@@ -252,7 +258,7 @@ class Verification {
     const auto dilation = [&](const CertifiedArea& area, const ExactVec3& slip) {
       return Exact(area.friction / factor * shear(slip, area));
     };
-    const Exact hidden = hidden_power(overlaps(mechanism, dilation_tolerance, dilation));
+    const Exact hidden = hidden_power(overlaps(mechanism, dilation_tolerance, dilation), mechanism);
     Exact taken = 0;
     for (const CertifiedArea& area : areas_) taken += dissipation(area, mechanism, factor);
     const Exact power = load_power(mechanism);
@@ -341,6 +347,17 @@ Verdict verify(const Certificate& certificate) {
     const Verification verification(certificate);
     verdict.residual = verification.residual();
     verification.run();
+  } catch (const WrongCertificate& wrong) {
+    verdict.wrong = wrong.what;
+  }
+  return verdict;
+}
+
+Verdict verify_sliding(const RigidMass& mass, const Balance& balance, const Mechanism& mechanism) {
+  Verdict verdict;
+  const Certificate certificate{mass, {}, {}, balance, mechanism};
+  try {
+    Verification(certificate).run_sliding();
   } catch (const WrongCertificate& wrong) {
     verdict.wrong = wrong.what;
   }

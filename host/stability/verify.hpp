@@ -20,4 +20,7 @@ namespace rockfold {
 /// Doubles are taken as they are, roots are rounded to the safe side.
 Verdict verify(const Certificate& certificate);
 
+/// Of the same, the state of sliding alone; its sizes are those of the mass.
+Verdict verify_sliding(const RigidMass& mass, const Balance& balance, const Mechanism& mechanism);
+
 }  // namespace rockfold

@@ -49,11 +49,12 @@ constexpr std::array<CommandHelp, 14> helps{{
      "  rockfold support slope.toml --set support.target_factor_of_safety=1.3\n"
      "      the same model for another factor of safety\n"},
     {Command::stability, "stability", "MODEL.toml",
-     "upper limit of the whole mass' factor, by limit analysis",
+     "the factor at which the whole mass fails, and its bound",
      "Cuts the rock into blocks and asks of all of them together, as rigid blocks, by how much "
      "the\n"
-     "strength of all joints may be divided before no forces balance them any more. Tells that\n"
-     "factor, between what forces and what velocities prove, and how the blocks move at it.\n"
+     "strength of all joints may be divided before they fail: the factor that no mass of these\n"
+     "blocks exceeds (bound), proved by forces and by velocities, and the one at which a mass\n"
+     "without dilation fails (sliding), how it moves, and forces that make a state of collapse.\n"
      "--certificate keeps the proof, and `rockfold verify` checks it in rational arithmetic.\n",
      "  rockfold stability slope.toml --certificate slope.certificate.json\n"
      "  rockfold verify slope.certificate.json\n"},

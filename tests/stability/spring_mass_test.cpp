@@ -9,50 +9,54 @@
 namespace rockfold {
 namespace {
 
+using test::block_on_plane;
 using test::degree;
-using test::PlanarMass;
-using test::Point2;
 
-/// A flat block on a plane that dips by 30° towards +x.
-RigidMass block_on_plane(Real friction, Real cohesion = 0) {
-  const Real dip = 30 * degree;
-  const auto at = [&](Real s, Real t) {
-    return Point2{s * std::cos(dip) + t * std::sin(dip), -s * std::sin(dip) + t * std::cos(dip)};
-  };
-  PlanarMass planar;
-  planar.add_block({at(0, 0), at(4, 0), at(4, 1), at(0, 1)});
-  planar.add_contact(0, none, at(0, 0), at(4, 0), friction, cohesion);
-  return planar.mass();
+constexpr Real steady = 1e-6;
+
+SpringMass::State settled(const RigidMass& mass, Real factor) {
+  const ScaledMass scaled(mass);
+  SpringMass springs(scaled);
+  return springs.settle(1 / factor, springs.start(), steady);
+}
+
+Real own_factor(const RigidMass& mass, const SpringMass::State& state) {
+  const ScaledMass scaled(mass);
+  return SpringMass(scaled).factor(state);
 }
 
 TEST(SpringMass, PressureOfABlockThatStandsIsItsWeightAcrossThePlane) {
-  const RigidMass mass = block_on_plane(0.7);
-  const ScaledMass scaled(mass);
-  SpringMass springs(scaled);
-  const SpringMass::State state = springs.settle(1, springs.start());
-  EXPECT_TRUE(state.settled);
-  EXPECT_TRUE(SpringMass::stands(state));
+  const SpringMass::State state = settled(block_on_plane(30 * degree, 0.7), 1);
+  EXPECT_EQ(state.ending, Ending::stands);
   const Real sum = std::accumulate(state.pressure.begin(), state.pressure.end(), 0.0);
   EXPECT_NEAR(sum, std::cos(30 * degree), 1e-5);
 }
 
 TEST(SpringMass, CreepsAboveTheFactorAtWhichABlockSlides) {
   for (const Real cohesion : {0.0, 5e3}) {
-    const RigidMass mass = block_on_plane(0.7, cohesion);
-    const ScaledMass scaled(mass);
-    SpringMass springs(scaled);
+    const RigidMass mass = block_on_plane(30 * degree, 0.7, cohesion);
     const Real expected =
         0.7 / std::tan(30 * degree) + 4 * cohesion / (4 * 25e3 * std::sin(30 * degree));
-    EXPECT_TRUE(SpringMass::stands(springs.settle(1 / (0.99 * expected), springs.start())));
-    const SpringMass::State creeping = springs.settle(1 / (1.02 * expected), springs.start());
-    EXPECT_FALSE(SpringMass::stands(creeping));
-    EXPECT_NEAR(springs.factor(creeping), expected, 1e-4 * expected);
+    EXPECT_EQ(settled(mass, 0.99 * expected).ending, Ending::stands);
+    for (const Real above : {1.02, 2.0, 20.0}) {
+      const SpringMass::State creeping = settled(mass, above * expected);
+      EXPECT_EQ(creeping.ending, Ending::creeps);
+      EXPECT_NEAR(own_factor(mass, creeping), expected, 1e-5 * expected);
+    }
   }
+}
+
+// It creeps as it falls in its first instant: at g sin β (1 − expected / F), here in parts of g, along the plane.
+TEST(SpringMass, CreepsAsFastAsABlockBeginsToSlide) {
+  const Real dip = 30 * degree, expected = 0.7 / std::tan(dip);
+  const SpringMass::State creeping = settled(block_on_plane(dip, 0.7), 2 * expected);
+  EXPECT_NEAR(creeping.velocity[0], std::sin(dip) * 0.5 * std::cos(dip), 1e-5);
+  EXPECT_NEAR(creeping.velocity[2], -std::sin(dip) * 0.5 * std::sin(dip), 1e-5);
 }
 
 TEST(SpringMass, AWedgeBetweenTwoWallsNeedsNoRoomToSlip) {
   // Walls that touch the sides of a block do not hold it by friction where nothing presses it against them; slips that dilate would.
-  RigidMass mass = block_on_plane(0.7);
+  RigidMass mass = block_on_plane(30 * degree, 0.7);
   ContactArea side;
   side.friction = 0.7;
   side.joint = "side";
@@ -65,13 +69,11 @@ TEST(SpringMass, AWedgeBetweenTwoWallsNeedsNoRoomToSlip) {
     side.corner = {a, b, b + up, a + up};
     mass.contacts.push_back(side);
   }
-  const ScaledMass scaled(mass);
-  SpringMass springs(scaled);
   const Real expected = 0.7 / std::tan(30 * degree);
-  EXPECT_TRUE(SpringMass::stands(springs.settle(1 / (0.99 * expected), springs.start())));
-  const SpringMass::State creeping = springs.settle(1 / (1.02 * expected), springs.start());
-  EXPECT_FALSE(SpringMass::stands(creeping));
-  EXPECT_NEAR(springs.factor(creeping), expected, 1e-3 * expected);
+  EXPECT_EQ(settled(mass, 0.99 * expected).ending, Ending::stands);
+  const SpringMass::State creeping = settled(mass, 1.02 * expected);
+  EXPECT_EQ(creeping.ending, Ending::creeps);
+  EXPECT_NEAR(own_factor(mass, creeping), expected, 1e-3 * expected);
 }
 
 }  // namespace

@@ -7,15 +7,33 @@ namespace rockfold {
 
 namespace {
 
-Json mechanism_json(const StabilityReport& report) {
+Json mechanism_json(const RigidMass& mass, const std::vector<MovingBlock>& moving) {
   Json list = Json::array();
-  for (const MovingBlock& m : report.moving)
-    list.push_back({{"block", report.mass.bodies[m.body].block + 1},
+  for (const MovingBlock& m : moving) {
+    Json pushed_by = Json::array();
+    for (const Index b : m.pushed_by) pushed_by.push_back(mass.bodies[b].block + 1);
+    list.push_back({{"block", mass.bodies[m.body].block + 1},
                     {"velocity", m.velocity},
                     {"spin", m.spin},
                     {"slides_on", m.slides_on},
-                    {"parts_from", m.parts_from}});
+                    {"parts_from", m.parts_from},
+                    {"pushed_by", std::move(pushed_by)}});
+  }
   return list;
+}
+
+const char* answer_text(Sliding::Answer answer) {
+  switch (answer) {
+    case Sliding::Answer::fails:
+      return "fails";
+    case Sliding::Answer::falls:
+      return "falls";
+    case Sliding::Answer::stands:
+      return "stands";
+    case Sliding::Answer::not_found:
+      break;
+  }
+  return "not found";
 }
 
 }  // namespace
@@ -25,9 +43,17 @@ Json stability_json(const StabilityReport& report) {
       {"factor", report.bound.factor},  // infinite is written as null
       {"below", report.bound.below.factor},
       {"above", report.bound.above.velocity.empty() ? Json() : Json(report.bound.above.factor)},
-      {"mechanism", mechanism_json(report)}};
+      {"mechanism", mechanism_json(report.mass, report.at_bound)}};
   if (report.bound.below.force.empty()) bound["below"] = nullptr;
-  return {{"bound", std::move(bound)}};
+  const Sliding& sliding = report.sliding;
+  const bool found = sliding.answer != Sliding::Answer::not_found;
+  return {{"bound", std::move(bound)},
+          {"sliding",
+           {{"factor", found ? Json(sliding.factor) : Json()},
+            {"answer", answer_text(sliding.answer)},
+            {"proved", sliding.proved()},
+            {"stands_below", sliding.stands_below},
+            {"mechanism", mechanism_json(report.mass, report.at_sliding)}}}};
 }
 
 Json stability_document(const DocumentHead& head, const BlockArrays& blocks,

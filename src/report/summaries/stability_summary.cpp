@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "src/base/vector.hpp"
 #include "src/report/progress_line.hpp"
@@ -19,23 +19,72 @@ std::string bound_text(const StabilityReport& report) {
   if (report.mass.bodies.empty()) return "none: no block may move";
   if (std::isinf(bound.factor)) return "none: the mass stands without friction and cohesion";
   if (bound.factor == 0) return "0: no strength of the joints balances the mass";
-  return fmt::format(
-      "{:.4f}  ({:.6f} to {:.6f} proved): no factor of safety but its upper limit; without "
-      "dilation the mass may fail at less",
-      bound.factor, bound.below.factor, bound.above.factor);
+  return fmt::format("{:.4f}  ({:.6f} to {:.6f} proved): the upper limit of any factor of safety",
+                     bound.factor, bound.below.factor, bound.above.factor);
 }
 
-std::string moving_table(const StabilityReport& report, const BlockArrays& blocks,
-                         std::size_t most) {
+std::string sliding_text(const Sliding& sliding) {
+  switch (sliding.answer) {
+    case Sliding::Answer::stands:
+      return "none: nothing moves";
+    case Sliding::Answer::falls:
+      return "0: it moves at any strength that was tried, without dilation";
+    case Sliding::Answer::not_found:
+      return "not found: the mass on springs came to no rest and to no steady motion; try "
+             "[reduction]";
+    case Sliding::Answer::fails:
+      break;
+  }
+  return fmt::format("{:.4f}  without dilation; {}{}", sliding.factor,
+                     sliding.proved() ? "a state of collapse, proved" : "not proved",
+                     sliding.stands_below ? "" : "; the whole mass may fail at less");
+}
+
+/// "blocks 12, 14"
+std::string blocks_text(const RigidMass& mass, const std::vector<Index>& bodies) {
+  std::vector<std::string> ids;
+  for (const Index b : bodies) ids.push_back(fmt::format("{}", mass.bodies[b].block + 1));
+  return fmt::format("block{} {}", ids.size() == 1 ? "" : "s", fmt::join(ids, ", "));
+}
+
+/// "blocks 12, 14 push block 9 out along bedding"
+std::string motion_text(const RigidMass& mass, const MovingBlock& m) {
+  const std::string own = blocks_text(mass, {m.body});
+  const std::string on = m.slides_on.empty() ? "" : fmt::format("{}", fmt::join(m.slides_on, ", "));
+  if (!m.pushed_by.empty())
+    return fmt::format("{} push{} {} {}{}", blocks_text(mass, m.pushed_by),
+                       m.pushed_by.size() == 1 ? "es" : "", own, m.turns ? "over" : "out",
+                       on.empty() ? "" : " along " + on);
+  if (on.empty()) return fmt::format("{} {}", own, m.turns ? "turns freely" : "falls");
+  return fmt::format("{} {} on {}", own, m.turns ? "turns" : "slides", on);
+}
+
+/// Of the blocks with most momentum.
+std::string words(const StabilityReport& report, const std::vector<MovingBlock>& moving) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> told;
+  for (std::size_t k = 0; k < std::min(most, moving.size()); ++k)
+    told.push_back(motion_text(report.mass, moving[k]));
+  const std::size_t more = moving.size() - told.size();
+  return fmt::format(
+      "{}{}", fmt::join(told, "; "),
+      more > 0 ? fmt::format("; and {} more move{}", more, more == 1 ? "s" : "") : "");
+}
+
+std::string moving_table(const StabilityReport& report, const std::vector<MovingBlock>& moving,
+                         const BlockArrays& blocks, std::size_t most) {
   std::vector<std::vector<std::string>> rows;
-  for (std::size_t k = 0; k < std::min(most, report.moving.size()); ++k) {
-    const MovingBlock& m = report.moving[k];
+  for (std::size_t k = 0; k < std::min(most, moving.size()); ++k) {
+    const MovingBlock& m = moving[k];
     const Index b = report.mass.bodies[m.body].block;
     const Vec3& v = m.velocity;
+    std::vector<std::string> pushed_by;
+    for (const Index other : m.pushed_by)
+      pushed_by.push_back(fmt::format("{}", report.mass.bodies[other].block + 1));
     rows.push_back({fmt::format("{}", b + 1), fixed_text(blocks.volume[b], 2),
                     fmt::format("{:.3f} {:.3f} {:.3f}", v[0], v[1], v[2]), fixed_text(norm(v), 3),
                     fixed_text(norm(m.spin), 3), joined_names(m.slides_on),
-                    joined_names(m.parts_from)});
+                    joined_names(m.parts_from), joined_names(pushed_by)});
   }
   std::string text = table_text({{"block", ""},
                                  {"volume", "m3"},
@@ -43,10 +92,11 @@ std::string moving_table(const StabilityReport& report, const BlockArrays& block
                                  {"speed", "of the fastest"},
                                  {"turns", "rad/m"},
                                  {"slides on", "", true},
-                                 {"parts from", "", true}},
+                                 {"parts from", "", true},
+                                 {"pushed by", "", true}},
                                 rows);
-  if (report.moving.size() > most)
-    text += fmt::format("  … and {} more: --json lists them\n", report.moving.size() - most);
+  if (moving.size() > most)
+    text += fmt::format("  … and {} more: --json lists them\n", moving.size() - most);
   return text;
 }
 
@@ -58,11 +108,13 @@ std::string stability_summary(const StabilityReport& report, const BlockArrays& 
                           fmt::format("{}, which touch in {} areas", report.mass.bodies.size(),
                                       report.mass.contacts.size()));
   text += fact("bound", bound_text(report));
-  if (report.moving.empty()) return text;
-  text += fact("at it", report.moving.size() == 1
-                            ? "one block moves:"
-                            : fmt::format("{} blocks move at once:", report.moving.size()));
-  return text + "\n" + moving_table(report, blocks, most);
+  if (report.mass.bodies.empty()) return text;
+  text += fact("sliding", sliding_text(report.sliding));
+  const bool slides = !report.at_sliding.empty();
+  const std::vector<MovingBlock>& moving = slides ? report.at_sliding : report.at_bound;
+  if (moving.empty()) return text;
+  text += fact(slides ? "how it fails" : "at the bound", words(report, moving));
+  return text + "\n" + moving_table(report, moving, blocks, most);
 }
 
 }  // namespace rockfold

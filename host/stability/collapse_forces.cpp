@@ -1,0 +1,56 @@
+#include "host/stability/collapse_forces.hpp"
+
+#include <algorithm>
+
+#include "host/stability/contact_columns.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+namespace {
+
+constexpr Index most_rounds = 40, most_tries = 12;
+constexpr Real gap = 1e-4;        // of the largest jump: what a rounder cone could save
+constexpr Real balanced = 1e-9;   // sum of what is left over, each of its body's load
+constexpr Real unbalanced = 1e3;  // costs more than any slip, which are 1 at most
+constexpr Real used_up = 5e-4;    // of the loads' power: half of what the verifier allows
+constexpr Real nearby = 1e-4;     // of a factor, from try to try
+
+std::vector<BodyVelocity> difference(std::vector<BodyVelocity> a,
+                                     const std::vector<BodyVelocity>& b) {
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    a[k].velocity = a[k].velocity - b[k].velocity;
+    a[k].spin = a[k].spin - b[k].spin;
+  }
+  return a;
+}
+
+}  // namespace
+
+std::optional<Balance> find_collapse_forces(const RigidMass& mass, const Mechanism& mechanism) {
+  const ScaledMass scaled(mass);
+  ContactColumns columns(scaled);
+  const std::vector<BodyVelocity>& slips = mechanism.velocity;
+  const Real power = scaled.power(slips) / scaled.force_scale();
+  Real factor = mechanism.factor;
+  columns.round_off(1 / factor, slips, gap);
+  for (Index n = 0; n < most_tries; ++n) {
+    LinearSolution solution;
+    Real left = 0, unused = 0;
+    for (Index round = 0; round < most_rounds; ++round) {
+      LinearProgram program = columns.program(1 / factor, ContactColumns::Units::own);
+      columns.price(program, 1 / factor, slips, unbalanced);
+      solution = solve(program);
+      left = columns.imbalance(solution);
+      unused = solution.cost - unbalanced * left;
+      if (left <= balanced && unused <= used_up * power)
+        return Balance{factor, columns.forces(1 / factor, solution)};
+      const std::vector<BodyVelocity> dual = difference(slips, scaled.velocities(solution.price));
+      if (columns.round_off(1 / factor, dual, gap, &slips) == 0) break;
+    }
+    const bool balances = left <= balanced;
+    factor *= balances ? 1 + unused / power : 1 - nearby;
+  }
+  return std::nullopt;
+}
+
+}  // namespace rockfold

@@ -1,0 +1,14 @@
+// Forces that are at their strength on the slips of a mechanism: what makes a state of collapse of it.
+#pragma once
+
+#include <optional>
+
+#include "host/stability/certificate.hpp"
+
+namespace rockfold {
+
+/// Forces that balance the mass at a factor near `mechanism.factor`, and of all those the ones whose strength the slips use up most
+/// nearly: a linear programme. None where the mass does not balance there.
+std::optional<Balance> find_collapse_forces(const RigidMass& mass, const Mechanism& mechanism);
+
+}  // namespace rockfold

@@ -1,0 +1,169 @@
+#include "host/stability/sliding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "host/stability/collapse_forces.hpp"
+#include "host/stability/part_of_mass.hpp"
+#include "host/stability/spring_mass.hpp"
+#include "host/stability/verify.hpp"
+#include "src/base/vector.hpp"
+
+namespace rockfold {
+namespace {
+
+/// Of velocities from step to step: enough to see which parts move, and to write down how.
+constexpr Real about = 1e-2, exact = 1e-6;
+constexpr Index most_trials = 40;
+constexpr Real unlimited = std::numeric_limits<Real>::infinity();
+
+/// Failure of a mass on springs, all of it at once.
+struct Failure {
+  enum class Answer : std::uint8_t { fails, stands, undecided };
+  Answer answer = Answer::undecided;
+  Real factor = 0;  ///< that its motion can bear; 0: it falls
+  Mechanism mechanism;
+  Real stood_at = 0;  ///< the factor at which it was seen to stand
+};
+
+/// The fastest point of a contact moves with 1 m/s.
+std::vector<BodyVelocity> at_unit_speed(const ScaledMass& scaled,
+                                        std::vector<BodyVelocity> velocity) {
+  Real fastest = 0;
+  for (const ForcePoint& point : scaled.points())
+    fastest = std::max(fastest, norm(scaled.jump(point, velocity)));
+  for (const BodyVelocity& v : velocity)
+    if (scaled.points().empty()) fastest = std::max(fastest, norm(v.velocity));
+  for (BodyVelocity& v : velocity) {
+    v.velocity = (1 / fastest) * v.velocity;
+    v.spin = (1 / fastest) * v.spin;
+  }
+  return velocity;
+}
+
+class FailureSearch {
+ public:
+  explicit FailureSearch(const RigidMass& mass) : scaled_(mass), springs_(scaled_) {}
+
+  /// From `first` down: the creeping mass tells what its own motion can bear, and a little below is tried next, until it stands. Joints that
+  /// stick may hold a mass a little above what its motion can bear, as friction at rest does; that motion is its failure all the same. Stands, if
+  /// the motion at `first` can bear `most` or more.
+  Failure find(Real first, Real most) {
+    Real factor = first, fails = 0, own = 0;
+    for (Index n = 0; n < most_trials; ++n) {
+      const SpringMass::State state = springs_.settle(1 / factor, springs_.start(), about);
+      if (state.ending == Ending::undecided) return {};
+      if (state.ending == Ending::stands) {
+        if (fails == 0) return {Failure::Answer::stands, 0, {}, factor};
+        return failure(own, fails, factor);
+      }
+      own = std::min(springs_.factor(state), factor);
+      if (fails == 0 && own >= most) return {Failure::Answer::stands, 0, {}, 0};
+      fails = factor;
+      if (fails < least_factor) return failure(0, fails, 0);
+      // By its own account, which is poor far above.
+      factor = std::max(own * (1 - 0.5 * sliding_tolerance), 0.5 * fails);
+    }
+    return {};
+  }
+
+ private:
+  /// Of a mass that stands at `stood_at` and creeps at `fails` by a motion that can bear `own`.
+  Failure failure(Real own, Real fails, Real stood_at) {
+    if (fails < least_factor) return motion(fails, 0, stood_at);
+    const Real close = own * (1 + 2 * sliding_tolerance);
+    if (close >= fails || own < least_factor) return motion(fails, own, stood_at);
+    for (Real next = close; fails > stood_at * (1 + 3 * sliding_tolerance);
+         next = std::sqrt(stood_at * fails)) {
+      const SpringMass::State state = springs_.settle(1 / next, springs_.start(), about);
+      if (state.ending == Ending::undecided) return {};
+      (state.ending == Ending::stands ? stood_at : fails) = next;
+      // It is at rest there, held by joints that stick: that it may move is proved by a state of collapse.
+      if (next == close && state.ending == Ending::stands)
+        if (Failure moves = motion(fails, own, stood_at);
+            find_collapse_forces(scaled_.mass(), at_unit_speed(moves)))
+          return moves;
+    }
+    return motion(fails, stood_at, stood_at);
+  }
+
+  /// As exact as can be.
+  Failure motion(Real fails, Real least, Real stood_at) {
+    const SpringMass::State state = springs_.settle(1 / fails, springs_.start(), exact);
+    if (state.ending != Ending::creeps) return {};
+    const Real own = fails < least_factor ? 0 : std::clamp(springs_.factor(state), least, fails);
+    return {Failure::Answer::fails, own, {own, springs_.velocities(state)}, stood_at};
+  }
+
+  Mechanism at_unit_speed(const Failure& failure) const {
+    return {failure.factor, rockfold::at_unit_speed(scaled_, failure.mechanism.velocity)};
+  }
+
+  ScaledMass scaled_;
+  SpringMass springs_;
+};
+
+/// The failure at the least factor of any block with all others held; `most` where none fails below.
+Failure weakest_block(const RigidMass& mass, Real most, Progress& progress) {
+  const PartsOfMass parts(mass);
+  Failure weakest{Failure::Answer::stands, most, {}, 0};
+  progress.begin("blocks without dilation", static_cast<std::int64_t>(mass.bodies.size()),
+                 "blocks");
+  for (Index b = 0; b < static_cast<Index>(mass.bodies.size()) && weakest.factor > 0; ++b) {
+    const PartOfMass part = parts.part({b});
+    constexpr Real far_above = 2;  // there friction at rest holds nothing that could move below
+    Failure failure = FailureSearch(part.mass).find(far_above * weakest.factor, weakest.factor);
+    if (failure.answer == Failure::Answer::fails && failure.factor < weakest.factor) {
+      failure.mechanism = part.of_whole(failure.mechanism, mass.bodies.size());
+      weakest = std::move(failure);
+    }
+    progress.done(b + 1);
+  }
+  progress.end();
+  return weakest;
+}
+
+Sliding failing(const RigidMass& mass, const Failure& failure, bool stands_below) {
+  const std::vector<BodyVelocity> velocity =
+      at_unit_speed(ScaledMass(mass), failure.mechanism.velocity);
+  if (failure.factor == 0) return {Sliding::Answer::falls, 0, {0, velocity}, {}, false};
+  Sliding sliding{
+      Sliding::Answer::fails, failure.factor, {failure.factor, velocity}, {}, stands_below};
+  std::optional<Balance> balance = find_collapse_forces(mass, sliding.mechanism);
+  if (balance) {
+    Mechanism mechanism{balance->factor, sliding.mechanism.velocity};
+    if (verify_sliding(mass, *balance, mechanism).holds()) {
+      sliding.factor = balance->factor;
+      sliding.mechanism = std::move(mechanism);
+      sliding.balance = *std::move(balance);
+    }
+  }
+  if (!sliding.proved()) sliding.factor = std::max(sliding.factor, failure.stood_at);
+  sliding.mechanism.factor = sliding.factor;
+  return sliding;
+}
+
+}  // namespace
+
+Sliding find_sliding(const RigidMass& mass, const Bound& bound, Progress& progress) {
+  using Answer = Failure::Answer;
+  if (std::isinf(bound.factor)) return {Sliding::Answer::stands, bound.factor, {}, {}, true};
+  if (bound.factor == 0) return {Sliding::Answer::falls, 0, bound.above, {}, false};
+  const Failure block = weakest_block(mass, bound.factor, progress);
+  if (block.answer == Answer::fails && block.factor == 0) return failing(mass, block, false);
+  progress.begin("the whole mass without dilation", 0, "trials");
+  // A little over the bound, or where a block fails, it fails for sure, unless friction at rest holds it.
+  const Failure whole =
+      FailureSearch(mass).find(block.factor * (1 + 2 * sliding_tolerance), unlimited);
+  progress.end();
+  const bool stood = whole.answer != Answer::undecided;
+  if (whole.answer == Answer::fails && whole.factor < block.factor * (1 - sliding_tolerance))
+    return failing(mass, whole, whole.stood_at > 0);
+  if (block.answer == Answer::fails) return failing(mass, block, stood);
+  if (whole.answer == Answer::fails) return failing(mass, whole, true);
+  return {Sliding::Answer::not_found, 0, {}, {}, false};
+}
+
+}  // namespace rockfold
