@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include "host/direct/multifrontal.hpp"
+#include "src/base/error.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -172,7 +173,7 @@ Vector SpringMass::Equations::solve(const Step& step, const std::vector<Real>& m
     right[0] = size;
     best = h.householderQr().solve(right);
     if ((h * best - right).norm() <= enough * size || hessenberg(n + 1, n) == 0) break;
-    basis.push_back(next / hessenberg(n + 1, n));
+    basis.emplace_back(next / hessenberg(n + 1, n));
   }
   Vector sum = Vector::Zero(step.rest.size());
   for (Eigen::Index k = 0; k < best.size(); ++k) sum += best[k] * basis[k];
@@ -226,7 +227,9 @@ SpringMass::SpringMass(const ScaledMass& scaled)
     equations_->corner.push_back(entries);
   }
   equations_->find_places(static_cast<Index>(mass.bodies.size()));
-  equations_->factors->analyse(equations_->matrix);
+  if (!equations_->factors->analyse(equations_->matrix))
+    throw Error(ErrorKind::analysis,
+                "the springs between these blocks have factors too large to be computed");
 }
 
 SpringMass::~SpringMass() = default;
