@@ -8,6 +8,8 @@
 namespace rockfold {
 namespace {
 
+constexpr Real least_of_all =
+    1e-3;  // strength a thousand times what there is balances nothing more
 constexpr Index most_rounds = 40, most_tries = 12;
 constexpr Real gap = 1e-4;        // of the largest jump: what a rounder cone could save
 constexpr Real balanced = 1e-9;   // sum of what is left over, each of its body's load
@@ -28,12 +30,14 @@ std::vector<BodyVelocity> difference(std::vector<BodyVelocity> a,
 
 std::optional<Balance> find_collapse_forces(const RigidMass& mass, const Mechanism& mechanism) {
   const ScaledMass scaled(mass);
+  if (!(mechanism.factor >= least_of_all) || scaled.power(mechanism.velocity) <= 0)
+    return std::nullopt;
   ContactColumns columns(scaled);
   const std::vector<BodyVelocity>& slips = mechanism.velocity;
   const Real power = scaled.power(slips) / scaled.force_scale();
   Real factor = mechanism.factor;
   columns.round_off(1 / factor, slips, gap);
-  for (Index n = 0; n < most_tries; ++n) {
+  for (Index n = 0; n < most_tries && factor < 2 * mechanism.factor; ++n) {
     LinearSolution solution;
     Real left = 0, unused = 0;
     for (Index round = 0; round < most_rounds; ++round) {

@@ -72,21 +72,33 @@ class FailureSearch {
  private:
   /// Of a mass that stands at `stood_at` and creeps at `fails` by a motion that can bear `own`.
   Failure failure(Real own, Real fails, Real stood_at) {
-    if (fails < least_factor) return motion(fails, 0, stood_at);
-    const Real close = own * (1 + 2 * sliding_tolerance);
-    if (close >= fails || own < least_factor) return motion(fails, own, stood_at);
-    for (Real next = close; fails > stood_at * (1 + 3 * sliding_tolerance);
-         next = std::sqrt(stood_at * fails)) {
-      const SpringMass::State state = springs_.settle(1 / next, springs_.start(), about);
-      if (state.ending == Ending::undecided) return {};
-      (state.ending == Ending::stands ? stood_at : fails) = next;
-      // It is at rest there, held by joints that stick: that it may move is proved by a state of collapse.
-      if (next == close && state.ending == Ending::stands)
+    Real in_vain = 0;  // the motion whose state of collapse was looked for last
+    for (Index n = 0;
+         n < most_trials && fails >= least_factor && fails > stood_at * (1 + 3 * sliding_tolerance);
+         ++n) {
+      // It stood at more than its motion can bear, held by joints that stick: that it may move is proved by a state of collapse.
+      if (own > 0.5 * stood_at && own < stood_at && own != in_vain) {
         if (Failure moves = motion(fails, own, stood_at);
+            moves.answer == Failure::Answer::fails &&
             find_collapse_forces(scaled_.mass(), at_unit_speed(moves)))
           return moves;
+        in_vain = own;
+      }
+      const Real next = between(stood_at, fails, own);
+      const SpringMass::State state = springs_.settle(1 / next, springs_.start(), about);
+      if (state.ending == Ending::undecided) return {};
+      if (state.ending == Ending::creeps) own = std::min(springs_.factor(state), next);
+      (state.ending == Ending::stands ? stood_at : fails) = next;
     }
     return motion(fails, stood_at, stood_at);
+  }
+
+  /// A little below or above what the motion can bear, by its own account, if that is between.
+  static Real between(Real stood_at, Real fails, Real own) {
+    const Real low = own * (1 - 0.5 * sliding_tolerance), high = own * (1 + 2 * sliding_tolerance);
+    if (low > stood_at * (1 + sliding_tolerance) && low < fails) return low;
+    if (high > stood_at && high < fails) return high;
+    return std::sqrt(stood_at * fails);
   }
 
   /// As exact as can be.
@@ -153,17 +165,20 @@ Sliding find_sliding(const RigidMass& mass, const Bound& bound, Progress& progre
   if (bound.factor == 0) return {Sliding::Answer::falls, 0, bound.above, {}, false};
   const Failure block = weakest_block(mass, bound.factor, progress);
   if (block.answer == Answer::fails && block.factor == 0) return failing(mass, block, false);
+  Sliding alone;
+  if (block.answer == Answer::fails) alone = failing(mass, block, false);
+  // What others put on a block may hold it: then its motion is none of the mass, and the mass is looked at from its bound on, where it
+  // fails for sure.
+  const Real most = alone.proved() ? block.factor : bound.factor;
   progress.begin("the whole mass without dilation", 0, "trials");
-  // A little over the bound, or where a block fails, it fails for sure, unless friction at rest holds it.
-  const Failure whole =
-      FailureSearch(mass).find(block.factor * (1 + 2 * sliding_tolerance), unlimited);
+  const Failure whole = FailureSearch(mass).find(most * (1 + 2 * sliding_tolerance), unlimited);
   progress.end();
-  const bool stood = whole.answer != Answer::undecided;
-  if (whole.answer == Answer::fails && whole.factor < block.factor * (1 - sliding_tolerance))
+  const bool settled = whole.answer != Answer::undecided;
+  if (whole.answer == Answer::fails &&
+      (!alone.proved() || whole.factor < block.factor * (1 - sliding_tolerance)))
     return failing(mass, whole, whole.stood_at > 0);
-  if (block.answer == Answer::fails) return failing(mass, block, stood);
-  if (whole.answer == Answer::fails) return failing(mass, whole, true);
-  return {Sliding::Answer::not_found, 0, {}, {}, false};
+  alone.stands_below = settled && alone.proved();
+  return alone;
 }
 
 }  // namespace rockfold

@@ -17,6 +17,14 @@ StageKeys keys_of_stability() {
        "water", "point_load", "traction", "fixed.where", "fixed.components"}};
 }
 
+Index moving_block_count(const BlockArrays& blocks, const Model& model) {
+  const std::vector<std::uint8_t> held = held_blocks(blocks, model).held;
+  Index count = 0;
+  for (Index b = 0; b < blocks.block_count(); ++b)
+    if (!held[b] && blocks.stage[b] == 0) ++count;
+  return count;
+}
+
 StabilityReport find_stability(const Cutting& cutting, const BlockArrays& blocks,
                                const Model& model, Progress& progress) {
   StabilityReport report;

@@ -47,6 +47,12 @@ struct StabilityReport {
 
 StageKeys keys_of_stability();
 
+/// Up to so many take little longer than their key blocks do: `support` asks the whole mass too.
+constexpr Index most_blocks_beside_keys = 200;
+
+/// Blocks that may move, after all stages.
+Index moving_block_count(const BlockArrays& blocks, const Model& model);
+
 /// Throws Error(model) for more than most_moving_blocks.
 StabilityReport find_stability(const Cutting& cutting, const BlockArrays& blocks,
                                const Model& model, Progress& progress);

@@ -34,7 +34,7 @@ RunReport run_report(const Answer& answer) {
 Json answer_document(const Answer& answer, BlockList list = BlockList::whole) {
   const DocumentHead head{command_name(answer.options.command), answer.model.title,
                           answer.options.seed};
-  if (answer.stability) {
+  if (answer.options.command == Command::stability) {
     Json document = stability_document(head, answer.blocks, *answer.stability);
     add_specks(document, answer.totals);
     add_body_fit(document, answer.model);
@@ -48,6 +48,7 @@ Json answer_document(const Answer& answer, BlockList list = BlockList::whole) {
   Json document = answer.run ? run_document(head, run_report(answer), list)
                              : support_document(head, answer.model, answer.blocks,
                                                 *answer.keyblocks, *answer.design, list);
+  if (answer.stability) document["stability"] = stability_json(*answer.stability);
   add_specks(document, answer.totals);
   add_body_fit(document, answer.model);
   return document;
@@ -110,9 +111,10 @@ std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
   text += cut_summary(answer.totals, answer.blocks);
   if (answer.options.command == Command::cut)
     text.append("\n").append(measure_summary(*answer.measures));
-  if (answer.stability)
+  if (answer.options.command == Command::stability)
     text.append("\n").append(stability_summary(*answer.stability, answer.blocks));
-  if (answer.keyblocks) text.append("\n").append(support_summary(*answer.keyblocks, answer.blocks));
+  if (answer.keyblocks)
+    text.append("\n").append(support_summary(*answer.keyblocks, answer.blocks, answer.stability));
   if (answer.design) text += design_summary(answer.model, *answer.keyblocks, *answer.design);
   if (answer.reduction) text.append("\n").append(reduction_summary(run_report(answer)));
   if (answer.run) text.append("\n").append(run_summary(run_report(answer)));

@@ -233,6 +233,22 @@ Real most_blocks(const Options& options, const Model& model) {
   return options.yes || given ? any_number_of_blocks : blocks_without_asking;
 }
 
+/// Of `support`, beside key blocks, where the mass is small enough. That it is not found is no reason to lose the key blocks.
+std::optional<StabilityReport> whole_mass_beside(const Cutting& cutting, const BlockArrays& blocks,
+                                                 const Model& model, PhaseClock& clock,
+                                                 Terminal& terminal) {
+  const Index count = moving_block_count(blocks, model);
+  if (count == 0 || count > most_blocks_beside_keys) return std::nullopt;
+  try {
+    return clock.measure("stability", "the whole mass",
+                         [&] { return find_stability(cutting, blocks, model, terminal); });
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::analysis) throw;
+    terminal.warn(fmt::format("the whole mass was not looked at: {}", error.what()));
+    return std::nullopt;
+  }
+}
+
 /// demo, cut, support, run: each is the same way, left earlier or later.
 int analyse_rock(const Options& options, Terminal& terminal, const Resumption* resumption = nullptr,
                  Probe* probe = nullptr) {
@@ -294,7 +310,9 @@ int analyse_rock(const Options& options, Terminal& terminal, const Resumption* r
   }
 
   std::optional<StabilityReport> stability;
-  if (options.command == Command::stability) {
+  if (options.command == Command::support) {
+    stability = whole_mass_beside(cutting, blocks, model, clock, terminal);
+  } else if (options.command == Command::stability) {
     stability = clock.measure("stability", "the whole mass",
                               [&] { return find_stability(cutting, blocks, model, terminal); });
     warn_of_partly_held(*stability, terminal);

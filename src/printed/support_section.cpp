@@ -159,7 +159,11 @@ void add_keyblocks(Html& html, const ReportSource& source) {
   html.heading(2, "Key blocks", "keyblocks");
   const Real smallest = smallest_block(source);
   std::vector<Json> keys = by_safety(support.at("keyblocks"));
-  if (keys.empty()) html.paragraph("No block moves under these loads.");
+  if (keys.empty())
+    html.paragraph("No block, and no group that fails one way, moves under these loads.");
+  if (support.contains("stability"))
+    html.paragraph(fmt::format("The whole mass, all blocks at once, {}.",
+                               support.at("stability").at("in_words").get<std::string>()));
   const Json& totals = support.at("totals");
   if (const Json doubtful = totals.value("below_target", Json{{"blocks", 0}});
       doubtful.at("blocks") > 0)

@@ -10,6 +10,7 @@ expected.json holds numbers of the document of `rockfold cut --json`:
     planes_identified, vertices_identified, near_decisions         as under "intent"; 0 where left out
     flagged                          as the key of this name
     keyblocks                        key blocks of each batch, from `rockfold support`
+    stability                        {"bound": factor, "sliding": factor}, to 1e-3
     run                              {"a path in the document of `rockfold run`": [value, relative tolerance], …}; lists by number
                                      (from 0, -1 is the last) or by the name of an entry
     warnings                         how many `cut` gives; 0 where left out
@@ -27,7 +28,7 @@ from program import CASES, ProgramTest
 CASES_BY_NAME = {path.parent.name: path.parent for path in sorted(CASES.glob("*/model.toml"))}
 INTENT = ("planes_identified", "vertices_identified", "near_decisions")
 KEYS = {"blocks", "faces", "solid_volume", "joint_area", "dangling_joint_area", "convex", "finite", "shells", "genus",
-        "smallest", "largest", "stages", "flagged", "keyblocks", "run", "warnings", *INTENT}
+        "smallest", "largest", "stages", "flagged", "keyblocks", "stability", "run", "warnings", *INTENT}
 
 
 def at_path(value, path):
@@ -96,6 +97,18 @@ class Examples(ProgramTest):
                     shutil.copytree(folder, self.folder / f"{name}-support")
                     document = self.json_of("support", f"{name}-support/model.toml", "-q")
                     self.assertEqual(document["totals"]["batches"], expected["keyblocks"])
+
+    def test_fails_at_the_factors_that_it_must_give(self):
+        for name, folder in CASES_BY_NAME.items():
+            expected = json.loads((folder / "expected.json").read_text(encoding="utf-8"))
+            if "stability" in expected:
+                with self.subTest(example=name):
+                    shutil.copytree(folder, self.folder / f"{name}-stability")
+                    document = self.json_of("stability", f"{name}-stability/model.toml", "-q")
+                    for key, factor in expected["stability"].items():
+                        self.close(document["stability"][key]["factor"], factor, key, 1e-3)
+                    beside = self.json_of("support", f"{name}-stability/model.toml", "-q")
+                    self.assertEqual(beside["stability"], document["stability"])
 
     def test_moves_as_it_must(self):
         for name, folder in CASES_BY_NAME.items():

@@ -2,6 +2,7 @@
 
 #include "src/report/documents/document_parts.hpp"
 #include "src/report/documents/documents.hpp"
+#include "src/report/stability_words.hpp"
 
 namespace rockfold {
 
@@ -47,7 +48,8 @@ Json stability_json(const StabilityReport& report) {
   if (report.bound.below.force.empty()) bound["below"] = nullptr;
   const Sliding& sliding = report.sliding;
   const bool found = sliding.answer != Sliding::Answer::not_found;
-  return {{"bound", std::move(bound)},
+  return {{"in_words", whole_mass_words(report)},
+          {"bound", std::move(bound)},
           {"sliding",
            {{"factor", found ? Json(sliding.factor) : Json()},
             {"answer", answer_text(sliding.answer)},

@@ -6,6 +6,7 @@
 
 #include "src/base/vector.hpp"
 #include "src/report/progress_line.hpp"
+#include "src/report/stability_words.hpp"
 #include "src/report/summaries/keyblock_words.hpp"
 #include "src/report/summaries/summary.hpp"
 #include "src/report/summaries/table.hpp"
@@ -38,37 +39,6 @@ std::string sliding_text(const Sliding& sliding) {
   return fmt::format("{:.4f}  without dilation; {}{}", sliding.factor,
                      sliding.proved() ? "a state of collapse, proved" : "not proved",
                      sliding.stands_below ? "" : "; the whole mass may fail at less");
-}
-
-/// "blocks 12, 14"
-std::string blocks_text(const RigidMass& mass, const std::vector<Index>& bodies) {
-  std::vector<std::string> ids;
-  for (const Index b : bodies) ids.push_back(fmt::format("{}", mass.bodies[b].block + 1));
-  return fmt::format("block{} {}", ids.size() == 1 ? "" : "s", fmt::join(ids, ", "));
-}
-
-/// "blocks 12, 14 push block 9 out along bedding"
-std::string motion_text(const RigidMass& mass, const MovingBlock& m) {
-  const std::string own = blocks_text(mass, {m.body});
-  const std::string on = m.slides_on.empty() ? "" : fmt::format("{}", fmt::join(m.slides_on, ", "));
-  if (!m.pushed_by.empty())
-    return fmt::format("{} push{} {} {}{}", blocks_text(mass, m.pushed_by),
-                       m.pushed_by.size() == 1 ? "es" : "", own, m.turns ? "over" : "out",
-                       on.empty() ? "" : " along " + on);
-  if (on.empty()) return fmt::format("{} {}", own, m.turns ? "turns freely" : "falls");
-  return fmt::format("{} {} on {}", own, m.turns ? "turns" : "slides", on);
-}
-
-/// Of the blocks with most momentum.
-std::string words(const StabilityReport& report, const std::vector<MovingBlock>& moving) {
-  constexpr std::size_t most = 3;
-  std::vector<std::string> told;
-  for (std::size_t k = 0; k < std::min(most, moving.size()); ++k)
-    told.push_back(motion_text(report.mass, moving[k]));
-  const std::size_t more = moving.size() - told.size();
-  return fmt::format(
-      "{}{}", fmt::join(told, "; "),
-      more > 0 ? fmt::format("; and {} more move{}", more, more == 1 ? "s" : "") : "");
 }
 
 std::string moving_table(const StabilityReport& report, const std::vector<MovingBlock>& moving,
@@ -113,7 +83,7 @@ std::string stability_summary(const StabilityReport& report, const BlockArrays& 
   const bool slides = !report.at_sliding.empty();
   const std::vector<MovingBlock>& moving = slides ? report.at_sliding : report.at_bound;
   if (moving.empty()) return text;
-  text += fact(slides ? "how it fails" : "at the bound", words(report, moving));
+  text += fact(slides ? "how it fails" : "at the bound", motion_words(report.mass, moving));
   return text + "\n" + moving_table(report, moving, blocks, most);
 }
 

@@ -24,8 +24,9 @@ std::string cut_summary(const CutTotals& totals, const BlockArrays& blocks);
 /// Sizes and shapes of the blocks, joints and their intensities, stages.
 std::string measure_summary(const RockMeasures& measures);
 /// The key blocks that need the greatest support force, `most` of them, and the batches.
+/// With a line on the whole mass, where it was asked.
 std::string support_summary(const KeyblockReport& report, const BlockArrays& blocks,
-                            std::size_t most = most_keyblocks);
+                            const StabilityReport* whole, std::size_t most = most_keyblocks);
 /// The factor that no mass without dilation exceeds, and how blocks move at it, `most` of them.
 std::string stability_summary(const StabilityReport& report, const BlockArrays& blocks,
                               std::size_t most = most_keyblocks);

@@ -9,6 +9,7 @@
 #include "src/report/design_names.hpp"
 #include "src/report/joint_strength.hpp"
 #include "src/report/progress_line.hpp"
+#include "src/report/stability_words.hpp"
 #include "src/report/summaries/keyblock_words.hpp"
 #include "src/report/summaries/summary.hpp"
 #include "src/report/summaries/table.hpp"
@@ -242,11 +243,14 @@ std::string stable_table(const KeyblockReport& report) {
 }  // namespace
 
 std::string support_summary(const KeyblockReport& report, const BlockArrays& blocks,
-                            std::size_t most) {
+                            const StabilityReport* whole, std::size_t most) {
+  const std::string whole_mass = whole ? fact("whole mass", whole_mass_words(*whole)) : "";
   if (report.keyblocks.empty())
-    return fact("key blocks", any_removable(report) ? "none: no block moves under these loads"
-                                                    : "none: no block can move") +
-           doubtful_summary(report) + mesh_fact(report) + stable_table(report);
+    return fact("key blocks",
+                any_removable(report)
+                    ? "none: no block or group that fails one way moves under these loads"
+                    : "none: no block can move by itself") +
+           whole_mass + doubtful_summary(report) + mesh_fact(report) + stable_table(report);
   std::vector<Keyblock> first;
   for (const Keyblock& key : report.keyblocks)
     if (key.batch == 1) first.push_back(key);
@@ -257,7 +261,7 @@ std::string support_summary(const KeyblockReport& report, const BlockArrays& blo
       fact("batches", fmt::format("{} ({})", report.batches.size(), batches_text(report.batches)));
   text += fact("first batch", sums_text(sums_of(first)));
   if (report.batches.size() > 1) text += fact("all batches", sums_text(sums_of(report.keyblocks)));
-  text += doubtful_summary(report) + unexamined_summary(report) + mesh_fact(report);
+  text += whole_mass + doubtful_summary(report) + unexamined_summary(report) + mesh_fact(report);
   return text + "\n" +
          keyblock_table(first, most, report.smallest_block, {true, any_residual_factor(report)}) +
          later_batches(report, most) + stable_table(report);
