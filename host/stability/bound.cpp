@@ -36,7 +36,7 @@ class BoundSearch {
       before = &solution_;
       ++programs_;
       if (columns_.imbalance(solution_) <= balanced) {
-        below_ = {1 / share, columns_.forces(share, solution_)};
+        below_ = {1 / share, columns_.forces(share, solution_), columns_.tensions(solution_)};
         return true;
       }
       std::vector<Real> reversed = solution_.price;

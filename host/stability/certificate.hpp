@@ -9,10 +9,11 @@
 
 namespace rockfold {
 
-/// Forces on the first body of each contact, N, at force_points() of the mass and in their order; all strength divided by `factor`.
+/// Forces on the first body of each contact, N, at force_points() of the mass and in their order; all strength of joints divided by `factor`.
 struct Balance {
   Real factor = 0;
   std::vector<Vec3> force;
+  std::vector<Real> tension;  ///< N, of the mass' ties
 };
 
 struct BodyVelocity {

@@ -67,6 +67,30 @@ std::string lack_of_contacts(const RigidMass& mass) {
   return "";
 }
 
+std::string lack_of_tie(const RigidMass& mass, const BoltTie& tie) {
+  constexpr Real unit = 1e-9;  // of an axis' length
+  for (const Index body : tie.body)
+    if (body != none && !is_body(mass, body))
+      return fmt::format("body {} of {} is not there", static_cast<long>(body) + 1,
+                         mass.bodies.size());
+  if (tie.body[0] == tie.body[1])
+    return tie.body[0] == none ? "holds no body" : "holds a body on itself";
+  if (!is_finite(tie.at)) return "its place is not finite";
+  if (!is_finite(tie.axis) ||
+      std::abs(std::hypot(tie.axis[0], tie.axis[1], tie.axis[2]) - 1) > unit)
+    return "its axis has not the length 1";
+  if (!is_strength(tie.least) || !is_strength(tie.most) || tie.least > tie.most)
+    return "its tensions are no numbers from 0 up, the least first";
+  return "";
+}
+
+std::string lack_of_ties(const RigidMass& mass) {
+  for (std::size_t t = 0; t < mass.ties.size(); ++t)
+    if (std::string lack = lack_of_tie(mass, mass.ties[t]); !lack.empty())
+      return tie_text(mass, static_cast<Index>(t)) + ": " + lack;
+  return "";
+}
+
 std::string lack_of_factor(Real factor) {
   return std::isfinite(factor) && factor > 0
              ? ""
@@ -83,6 +107,10 @@ std::string lack_of_balance(const RigidMass& mass, const Balance& balance) {
                        points);
   for (std::size_t i = 0; i < points; ++i)
     if (!is_finite(balance.force[i])) return fmt::format("force {} is not finite", i + 1);
+  if (balance.tension.size() != mass.ties.size())
+    return fmt::format("has {} tensions for {} bolts", balance.tension.size(), mass.ties.size());
+  for (std::size_t t = 0; t < balance.tension.size(); ++t)
+    if (!std::isfinite(balance.tension[t])) return fmt::format("tension {} is not finite", t + 1);
   return "";
 }
 
@@ -111,10 +139,16 @@ std::string contact_text(const RigidMass& mass, Index contact) {
                      joint.empty() ? "" : " (" + joint + ")");
 }
 
+std::string tie_text(const RigidMass& mass, Index tie) {
+  const std::string& bolt = mass.ties[tie].bolt;
+  return fmt::format("tie {}{}", static_cast<long>(tie) + 1, bolt.empty() ? "" : " (" + bolt + ")");
+}
+
 std::string lack_of_form(const Certificate& certificate) {
   const RigidMass& mass = certificate.mass;
   if (std::string lack = lack_of_bodies(mass); !lack.empty()) return lack;
   if (std::string lack = lack_of_contacts(mass); !lack.empty()) return lack;
+  if (std::string lack = lack_of_ties(mass); !lack.empty()) return lack;
   if (std::string lack = lack_of_balance(mass, certificate.below); !lack.empty())
     return "bound from below: " + lack;
   if (std::string lack = lack_of_mechanism(mass, certificate.above); !lack.empty())

@@ -16,6 +16,8 @@ inline bool is_strong(const ContactArea& area) {
 std::string body_text(const RigidMass& mass, Index body);
 /// "contact 3 (J1)", counted from 1.
 std::string contact_text(const RigidMass& mass, Index contact);
+/// "tie 3 (north.12)", counted from 1.
+std::string tie_text(const RigidMass& mass, Index tie);
 
 /// What is missing, out of range or no number in a certificate, the first such thing; empty: nothing.
 std::string lack_of_form(const Certificate& certificate);

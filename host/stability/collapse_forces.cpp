@@ -35,6 +35,10 @@ std::optional<Balance> find_collapse_forces(const RigidMass& mass, const Mechani
   ContactColumns columns(scaled);
   const std::vector<BodyVelocity>& slips = mechanism.velocity;
   const Real power = scaled.power(slips) / scaled.force_scale();
+  Real at_their_most = 0;  // power of ties that lengthen
+  for (const BoltTie& tie : mass.ties)
+    at_their_most += std::max(0.0, scaled.lengthening(tie, slips)) * (tie.most - tie.least) /
+                     scaled.force_scale();
   Real factor = mechanism.factor;
   columns.round_off(1 / factor, slips, gap);
   for (Index n = 0; n < most_tries && factor < 2 * mechanism.factor; ++n) {
@@ -45,9 +49,9 @@ std::optional<Balance> find_collapse_forces(const RigidMass& mass, const Mechani
       columns.price(program, 1 / factor, slips, unbalanced);
       solution = solve(program);
       left = columns.imbalance(solution);
-      unused = solution.cost - unbalanced * left;
+      unused = solution.cost - unbalanced * left + at_their_most;
       if (left <= balanced && unused <= used_up * power)
-        return Balance{factor, columns.forces(1 / factor, solution)};
+        return Balance{factor, columns.forces(1 / factor, solution), columns.tensions(solution)};
       const std::vector<BodyVelocity> dual = difference(slips, scaled.velocities(solution.price));
       if (columns.round_off(1 / factor, dual, gap, &slips) == 0) break;
     }

@@ -32,6 +32,7 @@ ContactColumns::ContactColumns(const ScaledMass& scaled) : scaled_(scaled), rows
       columns_.push_back({p, ContactColumn::Kind::disc, part_of_circle(k, first_corners)});
   }
   slack_ = scaled.rows() + rows_;
+  ties_ = static_cast<Index>(scaled.mass().ties.size());
 }
 
 Real ContactColumns::tension_force(const ForcePoint& point) const {
@@ -72,6 +73,11 @@ LinearProgram ContactColumns::program(Real share, Units units) const {
       program.add_entry(r, 1);
       program.add_column(0, unlimited, row_size(r, scaled_.load(scaled_.points()[p])));
     }
+  for (const BoltTie& tie : scaled_.mass().ties) {
+    const Real span = (tie.most - tie.least) / scaled_.force_scale();
+    scaled_.add_tension(program, tie);
+    program.add_column(0, span, span > 0 ? span : 1);
+  }
   for (const ContactColumn& column : columns_) {
     const ForcePoint& point = scaled_.points()[column.point];
     const ContactArea& area = scaled_.contact(point);
@@ -87,7 +93,7 @@ LinearProgram ContactColumns::program(Real share, Units units) const {
   return program;
 }
 
-/// Minus the loads and what areas pull with; the radii of polygons.
+/// Minus the loads, what areas pull with and what ties bear at least; the radii of polygons.
 std::vector<Real> ContactColumns::right_side(Real share) const {
   std::vector<Real> right = scaled_.right_side();
   right.resize(static_cast<std::size_t>(rows_), 0);
@@ -99,6 +105,12 @@ std::vector<Real> ContactColumns::right_side(Real share) const {
       scaled_.add_force(pull, point, -t * scaled_.contact(point).normal);
   }
   for (std::size_t e = 0; e < pull.row.size(); ++e) right[pull.row[e]] -= pull.value[e];
+  for (const BoltTie& tie : scaled_.mass().ties) {
+    LinearProgram always({});
+    scaled_.add_tension(always, tie);
+    for (std::size_t e = 0; e < always.row.size(); ++e)
+      right[always.row[e]] -= tie.least / scaled_.force_scale() * always.value[e];
+  }
   return right;
 }
 
@@ -115,7 +127,7 @@ Real ContactColumns::slope(const LinearSolution& solution,
     if (columns_[c].kind == ContactColumn::Kind::disc) continue;
     const ForcePoint& point = scaled_.points()[columns_[c].point];
     const Real along = dot(direction(columns_[c]), scaled_.jump(point, velocity));
-    slope -= solution.x[slack_ + c] * scaled_.contact(point).friction * along;
+    slope -= solution.x[slack_ + ties_ + c] * scaled_.contact(point).friction * along;
   }
   for (std::size_t p = 0; p < disc_row_.size(); ++p) {
     const ForcePoint& point = scaled_.points()[p];
@@ -135,7 +147,7 @@ std::vector<Vec3> ContactColumns::forces(Real share, const LinearSolution& solut
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     const ContactColumn& column = columns_[c];
     const ContactArea& area = scaled_.contact(scaled_.points()[column.point]);
-    const Real x = std::max(0.0, solution.x[slack_ + c]);
+    const Real x = std::max(0.0, solution.x[slack_ + ties_ + c]);
     const bool edge = column.kind == ContactColumn::Kind::edge;
     parts[column.point].normal += edge ? x : 0;
     parts[column.point].slip += (edge ? x * share * area.friction : x) * direction(column);
@@ -158,16 +170,28 @@ void ContactColumns::price(LinearProgram& program, Real share,
     if (disc_row_[p] != none)
       program.cost[balance + disc_row_[p] - scaled_.rows()] =
           scaled_.slip(scaled_.points()[p], scaled_.jump(scaled_.points()[p], slips));
+  for (Index t = 0; t < ties_; ++t)
+    program.cost[slack_ + t] = -scaled_.lengthening(scaled_.mass().ties[t], slips);
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     const ForcePoint& point = scaled_.points()[columns_[c].point];
     const ContactArea& area = scaled_.contact(point);
     const Vec3 jump = scaled_.jump(point, slips);
     const Real lacks = scaled_.slip(point, jump) + dot(direction(columns_[c]), jump);
-    program.cost[slack_ + c] =
+    program.cost[slack_ + ties_ + c] =
         columns_[c].kind == ContactColumn::Kind::disc
             ? lacks
             : std::abs(dot(area.normal, jump)) + share * area.friction * lacks;
   }
+}
+
+std::vector<Real> ContactColumns::tensions(const LinearSolution& solution) const {
+  std::vector<Real> tension;
+  for (Index t = 0; t < ties_; ++t) {
+    const BoltTie& tie = scaled_.mass().ties[t];
+    tension.push_back(std::clamp(tie.least + scaled_.force_scale() * solution.x[slack_ + t],
+                                 tie.least, tie.most));
+  }
+  return tension;
 }
 
 Index ContactColumns::round_off(Real share, const std::vector<BodyVelocity>& velocity, Real gap,

@@ -32,6 +32,8 @@ class ContactColumns {
   Real slope(const LinearSolution& solution, const std::vector<BodyVelocity>& velocity) const;
   /// N on the first bodies, [points].
   std::vector<Vec3> forces(Real share, const LinearSolution& solution) const;
+  /// N, of the ties.
+  std::vector<Real> tensions(const LinearSolution& solution) const;
   /// More edges where a mechanism parts areas by less than a round cone asks for, by more than `gap` of its largest jump; how many. With
   /// `priced`: of a programme of these costs, whose dual is `priced` − `velocity`.
   Index round_off(Real share, const std::vector<BodyVelocity>& velocity, Real gap,
@@ -51,7 +53,9 @@ class ContactColumns {
   std::vector<ContactColumn> columns_;
   std::vector<Index> disc_row_;  ///< [points] none where there is no polygon
   Index rows_ = 0;               ///< of the balance and of polygons
-  Index slack_ = 0;  ///< columns before these: what is added to the loads, and what polygons leave
+  Index slack_ =
+      0;  ///< columns before those of ties: what is added to the loads, and what polygons leave
+  Index ties_ = 0;
 };
 
 }  // namespace rockfold

@@ -63,19 +63,26 @@ std::vector<Real> ScaledMass::right_side() const {
   return right;
 }
 
+void ScaledMass::add_pull(LinearProgram& program, Index body, const Vec3& at,
+                          const Vec3& force) const {
+  if (body == none) return;
+  const Vec3 moment = (1 / size_[body]) * cross(at - mass_.bodies[body].centre, force);
+  for (Index d = 0; d < 3; ++d) {
+    if (force[d] != 0) program.add_entry(6 * body + d, force[d]);
+    if (moment[d] != 0) program.add_entry(6 * body + 3 + d, moment[d]);
+  }
+}
+
 void ScaledMass::add_force(LinearProgram& program, const ForcePoint& point,
                            const Vec3& force) const {
   const ContactArea& area = contact(point);
-  for (std::size_t side = 0; side < 2; ++side) {
-    const Index b = area.body[side];
-    if (b == none) continue;
-    const Vec3 own = side == 0 ? force : -force;
-    const Vec3 moment = (1 / size_[b]) * cross(point.at - mass_.bodies[b].centre, own);
-    for (Index d = 0; d < 3; ++d) {
-      if (own[d] != 0) program.add_entry(6 * b + d, own[d]);
-      if (moment[d] != 0) program.add_entry(6 * b + 3 + d, moment[d]);
-    }
-  }
+  add_pull(program, area.body[0], point.at, force);
+  add_pull(program, area.body[1], point.at, -force);
+}
+
+void ScaledMass::add_tension(LinearProgram& program, const BoltTie& tie) const {
+  add_pull(program, tie.body[0], tie.at, tie.axis);
+  add_pull(program, tie.body[1], tie.at, -tie.axis);
 }
 
 std::vector<BodyVelocity> ScaledMass::velocities(const std::vector<Real>& price) const {
@@ -88,17 +95,24 @@ std::vector<BodyVelocity> ScaledMass::velocities(const std::vector<Real>& price)
   return velocity;
 }
 
-Vec3 ScaledMass::jump(const ForcePoint& point, const std::vector<BodyVelocity>& velocity) const {
-  const ContactArea& area = contact(point);
+Vec3 ScaledMass::apart(const std::array<Index, 2>& body, const Vec3& at,
+                       const std::vector<BodyVelocity>& velocity) const {
   Vec3 jump{};
   for (std::size_t side = 0; side < 2; ++side) {
-    const Index b = area.body[side];
+    const Index b = body[side];
     if (b == none) continue;
-    const Vec3 own =
-        velocity[b].velocity + cross(velocity[b].spin, point.at - mass_.bodies[b].centre);
+    const Vec3 own = velocity[b].velocity + cross(velocity[b].spin, at - mass_.bodies[b].centre);
     jump += side == 0 ? own : -own;
   }
   return jump;
+}
+
+Vec3 ScaledMass::jump(const ForcePoint& point, const std::vector<BodyVelocity>& velocity) const {
+  return apart(contact(point).body, point.at, velocity);
+}
+
+Real ScaledMass::lengthening(const BoltTie& tie, const std::vector<BodyVelocity>& velocity) const {
+  return -dot(apart(tie.body, tie.at, velocity), tie.axis);
 }
 
 Real ScaledMass::slip(const ForcePoint& point, const Vec3& jump) const {

@@ -36,6 +36,11 @@ class ScaledMass {
   /// The entries of a force (of force_scale()) on the first body of a point's contact, for the column that is added next.
   void add_force(LinearProgram& program, const ForcePoint& point, const Vec3& force) const;
 
+  /// The entries of the tension 1 in a tie, likewise.
+  void add_tension(LinearProgram& program, const BoltTie& tie) const;
+  /// How fast a tie lengthens, m/s.
+  Real lengthening(const BoltTie& tie, const std::vector<BodyVelocity>& velocity) const;
+
   /// Velocities, m/s, of prices of the rows.
   std::vector<BodyVelocity> velocities(const std::vector<Real>& price) const;
   /// Of the first body of a point's contact from the second.
@@ -46,6 +51,10 @@ class ScaledMass {
   Real power(const std::vector<BodyVelocity>& velocity) const;
 
  private:
+  void add_pull(LinearProgram& program, Index body, const Vec3& at, const Vec3& force) const;
+  Vec3 apart(const std::array<Index, 2>& body, const Vec3& at,
+             const std::vector<BodyVelocity>& velocity) const;
+
   const RigidMass& mass_;
   std::vector<ForcePoint> points_;
   std::vector<std::array<Vec3, 2>> tangents_;  ///< [contacts]

@@ -1,7 +1,8 @@
 #include "host/stability/part_of_mass.hpp"
 
-#include <algorithm>
+#include <array>
 #include <map>
+#include <set>
 
 namespace rockfold {
 
@@ -11,30 +12,40 @@ Mechanism PartOfMass::of_whole(const Mechanism& own, std::size_t bodies) const {
   return mechanism;
 }
 
-PartsOfMass::PartsOfMass(const RigidMass& whole) : whole_(whole), contacts_(whole.bodies.size()) {
+PartsOfMass::PartsOfMass(const RigidMass& whole)
+    : whole_(whole), contacts_(whole.bodies.size()), ties_(whole.bodies.size()) {
+  const auto note = [](std::vector<std::vector<Index>>& of_body, const std::array<Index, 2>& body,
+                       std::size_t number) {
+    for (const Index b : body)
+      if (b != none) of_body[b].push_back(static_cast<Index>(number));
+  };
   for (std::size_t c = 0; c < whole.contacts.size(); ++c)
-    for (const Index b : whole.contacts[c].body)
-      if (b != none) contacts_[b].push_back(static_cast<Index>(c));
+    note(contacts_, whole.contacts[c].body, c);
+  for (std::size_t t = 0; t < whole.ties.size(); ++t) note(ties_, whole.ties[t].body, t);
 }
 
 PartOfMass PartsOfMass::part(std::vector<Index> bodies) const {
   PartOfMass part;
   part.body = std::move(bodies);
   std::map<Index, Index> number{{none, none}};
+  std::set<Index> contacts, ties;
   for (const Index b : part.body) {
     number[b] = static_cast<Index>(part.mass.bodies.size());
     part.mass.bodies.push_back(whole_.bodies[b]);
-    part.contact.insert(part.contact.end(), contacts_[b].begin(), contacts_[b].end());
+    contacts.insert(contacts_[b].begin(), contacts_[b].end());
+    ties.insert(ties_[b].begin(), ties_[b].end());
   }
-  std::sort(part.contact.begin(), part.contact.end());
-  part.contact.erase(std::unique(part.contact.begin(), part.contact.end()), part.contact.end());
-  for (const Index c : part.contact) {
-    part.mass.contacts.push_back(whole_.contacts[c]);
-    for (Index& b : part.mass.contacts.back().body) {
-      const auto found = number.find(b);
-      b = found == number.end() ? none : found->second;
+  const auto take = [&](const std::set<Index>& which, const auto& from, auto& to) {
+    for (const Index k : which) {
+      to.push_back(from[k]);
+      for (Index& b : to.back().body) {
+        const auto found = number.find(b);
+        b = found == number.end() ? none : found->second;
+      }
     }
-  }
+  };
+  take(contacts, whole_.contacts, part.mass.contacts);
+  take(ties, whole_.ties, part.mass.ties);
   return part;
 }
 

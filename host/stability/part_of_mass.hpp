@@ -11,7 +11,6 @@ namespace rockfold {
 struct PartOfMass {
   std::vector<Index> body;  ///< of the whole
   RigidMass mass;
-  std::vector<Index> contact;  ///< of the whole
 
   /// Velocities of the whole mass, of so many bodies, where these alone move.
   Mechanism of_whole(const Mechanism& own, std::size_t bodies) const;
@@ -26,7 +25,7 @@ class PartsOfMass {
 
  private:
   const RigidMass& whole_;
-  std::vector<std::vector<Index>> contacts_;  ///< [bodies] ascending
+  std::vector<std::vector<Index>> contacts_, ties_;  ///< [bodies] ascending
 };
 
 }  // namespace rockfold

@@ -29,9 +29,21 @@ struct ContactArea {
   std::string joint;         ///< its name
 };
 
+/// What a bolt passes between two bodies: tension along it. No factor divides it.
+struct BoltTie {
+  /// Into RigidMass::bodies; none = rock that is held. It pulls the first along `axis`, and the second back.
+  std::array<Index, 2> body{none, none};
+  Vec3 at{};    ///< m, a point of its line
+  Vec3 axis{};  ///< unit, from the collar into the rock
+  Real least = 0,
+       most = 0;  ///< N, 0 ≤ least ≤ most; the same of a bolt that is stressed to what it bears
+  std::string bolt;  ///< its name
+};
+
 struct RigidMass {
   std::vector<RigidBody6> bodies;
   std::vector<ContactArea> contacts;
+  std::vector<BoltTie> ties;
 };
 
 /// A place where a contact area passes on force. Strength is spread over the area: each of its triangles between the middle and an edge passes a

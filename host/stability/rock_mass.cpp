@@ -13,6 +13,7 @@
 #include "host/keyblock/face_shape.hpp"
 #include "host/keyblock/water/joint_pressure.hpp"
 #include "host/keyblock/water/wet_faces.hpp"
+#include "host/stability/bolt_ties.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -281,6 +282,7 @@ class RockMass {
     add_bodies();
     add_contacts();
     press_by_water();
+    mass_.ties = bolt_ties(blocks_, model_, body_of_);
     return std::move(mass_);
   }
 

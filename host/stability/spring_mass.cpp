@@ -38,8 +38,9 @@ struct SpringMass::Step {
   std::vector<Real> given;     ///< [corners] pressure that friction comes from while relaxing
   std::vector<Real> pressure;  ///< [corners] found
   std::vector<Eigen::Matrix3d> tangent;
-  Vector rest;    ///< forces that do not balance, the drag among them
-  Real drag = 0;  ///< size of that alone
+  std::vector<Real> tension, tie_stiffness;  ///< [ties]
+  Vector rest;                               ///< forces that do not balance, the drag among them
+  Real drag = 0;                             ///< size of that alone
   Real potential = 0;
 };
 
@@ -55,6 +56,21 @@ struct SpringMass::Equations {
     std::array<Index, 2> body;
     std::array<Index, 4> place;
   };
+  /// A bolt: what the tension 1 does.
+  struct Tie {
+    std::array<Index, 12> row;
+    Eigen::Matrix<Real, 12, 1> pull;
+    Index pair = none;
+    Real least = 0, most = 0;  ///< of the scaled mass' forces
+
+    Real lengthening(const Vector& displacement) const {
+      Real sum = 0;
+      for (int k = 0; k < 12; ++k)
+        if (row[k] != none) sum -= pull[k] * displacement[row[k]];
+      return sum;
+    }
+  };
+  std::vector<Tie> tie;
   std::vector<Entries> corner;
   std::vector<Pair> pair;
   BlockMatrix matrix;          ///< its symmetric part
@@ -69,9 +85,12 @@ struct SpringMass::Equations {
     return corner[c].of_axis * own;
   }
   void add(std::size_t c, const Eigen::Vector3d& force, Vector& rest) const {
-    const Eigen::Matrix<Real, 12, 1> own = corner[c].of_axis.transpose() * force;
+    add(corner[c].row, corner[c].of_axis.transpose() * force, rest);
+  }
+  static void add(const std::array<Index, 12>& row, const Eigen::Matrix<Real, 12, 1>& own,
+                  Vector& rest) {
     for (int k = 0; k < 12; ++k)
-      if (corner[c].row[k] != none) rest[corner[c].row[k]] += own[k];
+      if (row[k] != none) rest[row[k]] += own[k];
   }
   void find_places(Index bodies);
   void fill(const Step& step, const std::vector<Real>& mass);
@@ -130,6 +149,12 @@ void SpringMass::Equations::fill(const Step& step, const std::vector<Real>& mass
     add_block(c, even, matrix.value);
     if (!odd.isZero(0)) add_block(c, odd, coupling);
   }
+  for (std::size_t t = 0; t < tie.size(); ++t)
+    for (Index k = 0; k < 4; ++k)
+      if (const Index place = pair[tie[t].pair].place[k]; place != none)
+        Eigen::Map<Six>(&matrix.value[36 * place]) +=
+            step.tie_stiffness[t] * tie[t].pull.segment<6>(6 * (k / 2)) *
+            tie[t].pull.segment<6>(6 * (k % 2)).transpose();
   for (std::size_t b = 0; b < diagonal.size(); ++b)
     for (Index d = 0; d < 6; ++d)
       matrix.value[36 * diagonal[b] + 7 * d] += mass[6 * b + d] / step.span;
@@ -199,7 +224,22 @@ SpringMass::SpringMass(const ScaledMass& scaled)
     sum += share[k] * static_cast<Real>(x.size());
     count += static_cast<Real>(x.size());
   }
-  std::map<std::array<Index, 2>, Index> pair;
+  std::map<std::array<Index, 2>, Index> pairs;
+  const auto pair_of = [&](const std::array<Index, 2>& body) {
+    const auto [place, is_new] =
+        pairs.try_emplace(body, static_cast<Index>(equations_->pair.size()));
+    if (is_new) equations_->pair.push_back({body, {}});
+    return place->second;
+  };
+  const auto rows_of = [](const std::array<Index, 2>& body) {
+    std::array<Index, 12> row;
+    for (int k = 0; k < 12; ++k) row[k] = body[k / 6] == none ? none : 6 * body[k / 6] + k % 6;
+    return row;
+  };
+  /// Where an entry of the balance stands among the rows of two bodies.
+  const auto place_of = [](Index row, const std::array<Index, 2>& body) {
+    return row % 6 + (body[0] == none || row / 6 != body[0] ? 6 : 0);
+  };
   for (const ForcePoint& point : scaled.points()) {
     if (point.area > 0) continue;  // strength inside an area counts at its corners here
     const ContactArea& area = scaled.contact(point);
@@ -210,21 +250,28 @@ SpringMass::SpringMass(const ScaledMass& scaled)
                         area.tension * own / scaled.force_scale()});
     Equations::Entries entries;
     entries.of_axis.setZero();
-    for (int k = 0; k < 12; ++k)
-      entries.row[k] = area.body[k / 6] == none ? none : 6 * area.body[k / 6] + k % 6;
+    entries.row = rows_of(area.body);
     for (int axis = 0; axis < 3; ++axis) {
       LinearProgram column({});
       scaled.add_force(column, point, axis == 0 ? area.normal : t[axis - 1]);
-      for (std::size_t e = 0; e < column.row.size(); ++e) {
-        const bool second = area.body[0] == none || column.row[e] / 6 != area.body[0];
-        entries.of_axis(axis, column.row[e] % 6 + (second ? 6 : 0)) = column.value[e];
-      }
+      for (std::size_t e = 0; e < column.row.size(); ++e)
+        entries.of_axis(axis, place_of(column.row[e], area.body)) = column.value[e];
     }
-    const auto [place, is_new] =
-        pair.try_emplace(area.body, static_cast<Index>(equations_->pair.size()));
-    if (is_new) equations_->pair.push_back({area.body, {}});
-    entries.pair = place->second;
+    entries.pair = pair_of(area.body);
     equations_->corner.push_back(entries);
+  }
+  for (const BoltTie& bolt : mass.ties) {
+    Equations::Tie tie;
+    tie.row = rows_of(bolt.body);
+    tie.pull.setZero();
+    LinearProgram column({});
+    scaled.add_tension(column, bolt);
+    for (std::size_t e = 0; e < column.row.size(); ++e)
+      tie.pull[place_of(column.row[e], bolt.body)] = column.value[e];
+    tie.pair = pair_of(bolt.body);
+    tie.least = bolt.least / scaled.force_scale();
+    tie.most = bolt.most / scaled.force_scale();
+    equations_->tie.push_back(tie);
   }
   equations_->find_places(static_cast<Index>(mass.bodies.size()));
   if (!equations_->factors->analyse(equations_->matrix))
@@ -236,7 +283,8 @@ SpringMass::~SpringMass() = default;
 
 SpringMass::State SpringMass::start() const {
   return {std::vector<Real>(load_.size(), 0), std::vector<Real>(load_.size(), 0),
-          std::vector<Real>(corners_.size(), 0), Ending::undecided};
+          std::vector<Real>(corners_.size(), 0), std::vector<Real>(equations_->tie.size(), 0),
+          Ending::undecided};
 }
 
 /// Of the friction's pressure against the pressure that is found, of all.
@@ -287,6 +335,23 @@ void SpringMass::look(Step& step, bool own_friction) const {
     if (slips) tangent.bottomRightCorner<2, 2>() -= secant * along * along.transpose();
     if (slips && own_friction && normal > 0)
       tangent.bottomLeftCorner<2, 1>() = -step.share * corner.friction * k * along;
+  }
+  pull(step);
+}
+
+/// Bolts: at their most when their ends are a spring's unit apart.
+void SpringMass::pull(Step& step) const {
+  step.tension.clear();
+  step.tie_stiffness.clear();
+  for (const Equations::Tie& tie : equations_->tie) {
+    const Real stiffness = tie.most - tie.least, long_by = tie.lengthening(step.now);
+    const Real stretch = std::clamp(long_by, 0.0, 1.0);
+    const Real tension = tie.least + stiffness * stretch;
+    Equations::add(tie.row, tension * tie.pull, step.rest);
+    step.potential += tie.least * long_by + 0.5 * stiffness * stretch * stretch +
+                      stiffness * std::max(0.0, long_by - 1);
+    step.tension.push_back(tension);
+    step.tie_stiffness.push_back(long_by > 0 && long_by < 1 ? stiffness : 0);
   }
 }
 
@@ -369,6 +434,7 @@ SpringMass::State SpringMass::settle(Real share, State state, Real steady) {
   state.displacement.assign(step.now.data(), step.now.data() + step.now.size());
   state.velocity.assign(velocity.data(), velocity.data() + velocity.size());
   state.pressure = step.pressure;
+  state.tension = step.tension;
   return state;
 }
 
@@ -383,7 +449,16 @@ Real SpringMass::factor(const State& state) const {
   for (std::size_t c = 0; c < corners_.size(); ++c)
     if (const auto& [a, b] = corners_[c].body; a != none && b != none && state.pressure[c] > 0)
       part[root(a)] = root(b);
+  for (std::size_t t = 0; t < equations_->tie.size(); ++t)
+    if (const auto& [a, b] = equations_->pair[equations_->tie[t].pair].body;
+        a != none && b != none && state.tension[t] > 0)
+      part[root(a)] = root(b);
   std::vector<Real> driven(part.size(), 0), resisted(part.size(), 0);
+  // No factor divides what bolts take up.
+  for (std::size_t t = 0; t < equations_->tie.size(); ++t) {
+    const auto& [a, b] = equations_->pair[equations_->tie[t].pair].body;
+    driven[root(a == none ? b : a)] -= state.tension[t] * equations_->tie[t].lengthening(velocity);
+  }
   for (std::size_t r = 0; r < load_.size(); ++r)
     driven[root(static_cast<Index>(r / 6))] += load_[r] * velocity[r];
   for (std::size_t c = 0; c < corners_.size(); ++c) {

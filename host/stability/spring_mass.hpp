@@ -25,6 +25,7 @@ class SpringMass {
   struct State {
     std::vector<Real> displacement, velocity;  ///< [rows]
     std::vector<Real> pressure;                ///< [corners of all contacts, in order]
+    std::vector<Real> tension;                 ///< [ties]
     Ending ending = Ending::undecided;
   };
   State start() const;
@@ -52,6 +53,7 @@ class SpringMass {
 
   static Real pressure_change(const Step& step);
   void look(Step& step, bool own_friction) const;
+  void pull(Step& step) const;
   bool newton(Step& step);
   bool relax(Step& step);
 

@@ -113,19 +113,29 @@ class Verification {
     }
     for_each_force(balance, [&](const CertifiedArea& area, const ExactVec3& x, const SafeRoot&,
                                 const char*, std::size_t, const ExactVec3& force) {
-      for (int side = 0; side < 2; ++side) {
-        if (area.body[side] == none) continue;
-        Acting& on = result[area.body[side]];
-        const Exact sign = side == 0 ? 1 : -1;
-        const ExactVec3 arm = x - centres_[area.body[side]], moment = cross(arm, force);
-        on.force = on.force + sign * force;
-        on.moment = on.moment + sign * moment;
-        on.forces += size(force);
-        on.moments += size(moment);
-        on.reach = std::max(on.reach, size(arm));
-      }
+      add(result, area.body[0], x, force);
+      add(result, area.body[1], x, Exact(-1) * force);
     });
+    for (std::size_t t = 0; t < mass_.ties.size(); ++t) {
+      const BoltTie& tie = mass_.ties[t];
+      const ExactVec3 pull = rational(balance.tension[t]) * rational(tie.axis);
+      add(result, tie.body[0], rational(tie.at), pull);
+      add(result, tie.body[1], rational(tie.at), Exact(-1) * pull);
+    }
     return result;
+  }
+
+  /// A force on a body, if it is one.
+  void add(std::vector<Acting>& all, Index body, const ExactVec3& at,
+           const ExactVec3& force) const {
+    if (body == none) return;
+    Acting& on = all[body];
+    const ExactVec3 arm = at - centres_[body], moment = cross(arm, force);
+    on.force = on.force + force;
+    on.moment = on.moment + moment;
+    on.forces += size(force);
+    on.moments += size(moment);
+    on.reach = std::max(on.reach, size(arm));
   }
 
   Exact imbalance(const Balance& balance) const {
@@ -162,6 +172,12 @@ class Verification {
       require_nothing_left(body, "moments", size(on.moment), on.moment_scale(), moment,
                            on.reach * rounding);
     }
+    for (std::size_t t = 0; t < mass_.ties.size(); ++t)
+      if (balance.tension[t] < mass_.ties[t].least || balance.tension[t] > mass_.ties[t].most)
+        throw WrongCertificate{
+            fmt::format("{}: the tension, {:.10g} N, is not between {:.10g} and {:.10g}",
+                        tie_text(mass_, static_cast<Index>(t)), balance.tension[t],
+                        mass_.ties[t].least, mass_.ties[t].most)};
     const Exact factor = rational(balance.factor);
     for_each_force(balance,
                    [&](const CertifiedArea& area, const ExactVec3&, const SafeRoot& point_area,
@@ -261,6 +277,7 @@ class Verification {
     const Exact hidden = hidden_power(overlaps(mechanism, dilation_tolerance, dilation), mechanism);
     Exact taken = 0;
     for (const CertifiedArea& area : areas_) taken += dissipation(area, mechanism, factor);
+    for (const BoltTie& tie : mass_.ties) taken += most_power(tie, mechanism);
     const Exact power = load_power(mechanism);
     if (power <= taken)
       throw WrongCertificate{fmt::format(
@@ -271,6 +288,19 @@ class Verification {
           "the loads' power is {} W over what strength can take up, but slips that open areas too "
           "little may hide {} W",
           short_text(power - taken), short_text(hidden))};
+  }
+
+  /// m/s
+  Exact lengthening(const BoltTie& tie, const Mechanism& mechanism) const {
+    const ExactVec3 at = rational(tie.at);
+    return dot(rational(tie.axis),
+               velocity_at(at, tie.body[1], mechanism) - velocity_at(at, tie.body[0], mechanism));
+  }
+
+  /// The most that a tie can take up, W.
+  Exact most_power(const BoltTie& tie, const Mechanism& mechanism) const {
+    const Exact longer = lengthening(tie, mechanism);
+    return longer * rational(longer > 0 ? tie.most : tie.least);
   }
 
   /// The most that cohesion and tensile strength of an area can take up, W: convex over each triangle, so not over the mean of its vertices.
@@ -315,6 +345,9 @@ class Verification {
   Exact unused_power(const Balance& balance, const Mechanism& mechanism) const {
     const Exact factor = rational(balance.factor);
     Exact sum = 0;
+    for (std::size_t t = 0; t < mass_.ties.size(); ++t)
+      sum += most_power(mass_.ties[t], mechanism) -
+             rational(balance.tension[t]) * lengthening(mass_.ties[t], mechanism);
     for_each_force(
         balance, [&](const CertifiedArea& area, const ExactVec3& x, const SafeRoot& point_area,
                      const char*, std::size_t, const ExactVec3& force) {

@@ -72,7 +72,7 @@ Real known_factor(const Certificate& certificate) {
 
 Certificate block_on_plane() {
   Certificate certificate;
-  certificate.mass = {{slab(6, 0, 1)}, {unit_area(0, none, 0, friction, "floor")}};
+  certificate.mass = {{slab(6, 0, 1)}, {unit_area(0, none, 0, friction, "floor")}, {}};
   const Real factor = known_factor(certificate);
   certificate.below.factor = factor * (1 - gap);
   press_corners(certificate.below, certificate.mass.contacts[0], weight, 0, 0.5);
@@ -82,7 +82,7 @@ Certificate block_on_plane() {
 
 Certificate bonded_block() {
   Certificate certificate;
-  certificate.mass = {{slab(6, 0, 1)}, {unit_area(0, none, 0, friction, "bond")}};
+  certificate.mass = {{slab(6, 0, 1)}, {unit_area(0, none, 0, friction, "bond")}, {}};
   ContactArea& area = certificate.mass.contacts[0];
   area.cohesion = 5e3;
   area.tension = 2e3;
@@ -100,9 +100,9 @@ Certificate hanging_block() {
   ContactArea roof{{0, none}, {0, 0, -1}, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
                    friction,  100e3,      40e3,
                    "roof"};
-  certificate.mass = {{{0, {0.5, 0.5, 0.5}, {0, 0, -weight}, {}}}, {roof}};
+  certificate.mass = {{{0, {0.5, 0.5, 0.5}, {0, 0, -weight}, {}}}, {roof}, {}};
   const Real factor = roof.tension / weight;
-  certificate.below = {factor * (1 - gap), std::vector<Vec3>(4)};
+  certificate.below = {factor * (1 - gap), std::vector<Vec3>(4), {}};
   certificate.below.force.resize(8, {0, 0, weight / 4});
   certificate.above = {factor * (1 + gap), {{{0, 0, -1}, {}}}};
   certificate.sliding_balance = certificate.below;
@@ -114,7 +114,8 @@ Certificate two_slabs() {
   Certificate certificate;
   certificate.mass = {
       {slab(3, 0, 0.5), slab(8, 0.5, 0.5)},
-      {unit_area(0, none, 0, friction, "floor"), unit_area(1, 0, 0.5, 0.9, "bedding")}};
+      {unit_area(0, none, 0, friction, "floor"), unit_area(1, 0, 0.5, 0.9, "bedding")},
+      {}};
   const Real factor = known_factor(certificate);
   certificate.below.factor = factor * (1 - gap);
   press_corners(certificate.below, certificate.mass.contacts[0], weight, 0, 0.5);

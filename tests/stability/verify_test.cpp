@@ -102,7 +102,7 @@ Certificate jammed_block() {
   right.normal = {-1, 0, 0};
   for (Vec3& x : right.corner) x[0] = 1;
   certificate.mass.contacts = {left, right};
-  certificate.below = {1, std::vector<Vec3>(4, {1e14, 0, 0})};
+  certificate.below = {1, std::vector<Vec3>(4, {1e14, 0, 0}), {}};
   certificate.below.force.resize(8, {-1e14, 0, 0});
   return certificate;
 }

@@ -39,6 +39,16 @@ Json contact_json(const ContactArea& area) {
           {"tension", area.tension}};
 }
 
+Json tie_json(const BoltTie& tie) {
+  const auto number = [](Index body) { return static_cast<std::int64_t>(body) + 1; };
+  return {{"bodies", {number(tie.body[0]), number(tie.body[1])}},
+          {"bolt", tie.bolt},
+          {"at", tie.at},
+          {"axis", tie.axis},
+          {"least", tie.least},
+          {"most", tie.most}};
+}
+
 Json velocities_json(const Mechanism& mechanism) {
   Json list = Json::array();
   for (const auto& [v, w] : mechanism.velocity)
@@ -140,8 +150,16 @@ ContactArea contact_from(const Reader& in) {
           in.at("joint").text()};
 }
 
+BoltTie tie_from(const Reader& in) {
+  return {pair_from(in.at("bodies")), in.at("at").vector(),   in.at("axis").vector(),
+          in.at("least").number(),    in.at("most").number(), in.at("bolt").text()};
+}
+
 Balance balance_from(const Reader& in) {
-  return {in.at("factor").number(), in.at("forces").vectors()};
+  Balance balance{in.at("factor").number(), in.at("forces").vectors(), {}};
+  for (const Reader& tension : in.at("tensions").list())
+    balance.tension.push_back(tension.number());
+  return balance;
 }
 
 Mechanism mechanism_from(const Reader& in) {
@@ -159,14 +177,17 @@ Json certificate_document(const Certificate& certificate) {
   Json document{{"rockfold", format_name}};
   document["bodies"] = list_json(certificate.mass.bodies, body_json);
   document["contacts"] = list_json(certificate.mass.contacts, contact_json);
+  document["ties"] = list_json(certificate.mass.ties, tie_json);
   document["bound"]["below"] = {{"factor", certificate.below.factor},
-                                {"forces", certificate.below.force}};
+                                {"forces", certificate.below.force},
+                                {"tensions", certificate.below.tension}};
   document["bound"]["above"] = {{"factor", certificate.above.factor},
                                 {"velocities", velocities_json(certificate.above)}};
   document["sliding"] = nullptr;
   if (!certificate.sliding_mechanism.velocity.empty())
     document["sliding"] = {{"factor", certificate.sliding_balance.factor},
                            {"forces", certificate.sliding_balance.force},
+                           {"tensions", certificate.sliding_balance.tension},
                            {"velocities", velocities_json(certificate.sliding_mechanism)}};
   return document;
 }
@@ -182,6 +203,7 @@ Certificate certificate_from(const std::string& text, const std::string& file) {
     certificate.mass.bodies.push_back(body_from(body));
   for (const Reader& contact : in.at("contacts").list())
     certificate.mass.contacts.push_back(contact_from(contact));
+  for (const Reader& tie : in.at("ties").list()) certificate.mass.ties.push_back(tie_from(tie));
   certificate.below = balance_from(in.at("bound").at("below"));
   certificate.above = mechanism_from(in.at("bound").at("above"));
   const Reader sliding = in.at("sliding");
