@@ -76,7 +76,7 @@ LinearProgram ContactColumns::program(Real share, Units units) const {
   for (const BoltTie& tie : scaled_.mass().ties) {
     const Real span = (tie.most - tie.least) / scaled_.force_scale();
     scaled_.add_tension(program, tie);
-    program.add_column(0, span, span > 0 ? span : 1);
+    program.add_column(0, span, unit(scaled_.load(tie.body)));
   }
   for (const ContactColumn& column : columns_) {
     const ForcePoint& point = scaled_.points()[column.point];
@@ -213,12 +213,15 @@ Index ContactColumns::round_off(Real share, const std::vector<BodyVelocity>& vel
     const ContactArea& area = scaled_.contact(point);
     const auto& t = scaled_.tangents(point);
     const Real a = -dot(jumps[p], t[0]), b = -dot(jumps[p], t[1]), slip = std::hypot(a, b);
-    const Real paid = priced ? scaled_.slip(point, scaled_.jump(point, *priced)) : 0;
+    const Vec3 of_priced = priced ? scaled_.jump(point, *priced) : Vec3{};
+    const Real paid = scaled_.slip(point, of_priced);
+    const Real opening = dot(jumps[p], area.normal) +
+                         2 * std::max(0.0, -dot(of_priced, area.normal));  // overlaps are paid for
     const auto add = [&](ContactColumn::Kind kind) {
       columns_.push_back({static_cast<Index>(p), kind, std::atan2(b, a)});
       ++added;
     };
-    if (dot(jumps[p], area.normal) < share * area.friction * (slip - paid) - gap * largest)
+    if (opening < share * area.friction * (slip - paid) - gap * largest)
       add(ContactColumn::Kind::edge);
     if (disc_row_[p] != none && taken_up[p] < slip - gap * largest) add(ContactColumn::Kind::disc);
   }

@@ -48,8 +48,8 @@ ScaledMass::ScaledMass(const RigidMass& mass)
     load_.push_back(std::max(least_load, norm(body.force) / force_));
 }
 
-Real ScaledMass::load(const ForcePoint& point) const {
-  const auto& [a, b] = contact(point).body;
+Real ScaledMass::load(const std::array<Index, 2>& body) const {
+  const auto& [a, b] = body;
   if (a == none || b == none) return load(a == none ? b : a);
   return std::min(load(a), load(b));
 }

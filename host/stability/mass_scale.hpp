@@ -27,8 +27,9 @@ class ScaledMass {
   }
   Real force_scale() const { return force_; }          ///< N
   Real load(Index body) const { return load_[body]; }  ///< of one body, of force_scale(); never 0
-  /// The smaller one of a contact's bodies.
-  Real load(const ForcePoint& point) const;
+  /// The smaller one of two bodies; none has no load.
+  Real load(const std::array<Index, 2>& body) const;
+  Real load(const ForcePoint& point) const { return load(contact(point).body); }
 
   Index rows() const { return 6 * static_cast<Index>(mass_.bodies.size()); }
   /// Of the balance: minus the loads.

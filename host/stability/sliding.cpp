@@ -72,17 +72,17 @@ class FailureSearch {
  private:
   /// Of a mass that stands at `stood_at` and creeps at `fails` by a motion that can bear `own`.
   Failure failure(Real own, Real fails, Real stood_at) {
-    Real in_vain = 0;  // the motion whose state of collapse was looked for last
+    bool tried = false;
     for (Index n = 0;
          n < most_trials && fails >= least_factor && fails > stood_at * (1 + 3 * sliding_tolerance);
          ++n) {
       // It stood at more than its motion can bear, held by joints that stick: that it may move is proved by a state of collapse.
-      if (own > 0.5 * stood_at && own < stood_at && own != in_vain) {
+      if (!tried && own > 0.5 * stood_at && own < stood_at) {
+        tried = true;
         if (Failure moves = motion(fails, own, stood_at);
             moves.answer == Failure::Answer::fails &&
             find_collapse_forces(scaled_.mass(), at_unit_speed(moves)))
           return moves;
-        in_vain = own;
       }
       const Real next = between(stood_at, fails, own);
       const SpringMass::State state = springs_.settle(1 / next, springs_.start(), about);

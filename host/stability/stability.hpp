@@ -48,7 +48,7 @@ struct StabilityReport {
 StageKeys keys_of_stability();
 
 /// Up to so many take little longer than their key blocks do: `support` asks the whole mass too.
-constexpr Index most_blocks_beside_keys = 200;
+constexpr Index most_blocks_beside_keys = 50;
 
 /// Blocks that may move, after all stages.
 Index moving_block_count(const BlockArrays& blocks, const Model& model);
