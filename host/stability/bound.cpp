@@ -49,6 +49,8 @@ class BoundSearch {
 
   Bound find() {
     if (stands(0, coarse, Units::common)) return bound(std::numeric_limits<Real>::infinity());
+    if (stands(1 / most_factor, coarse, Units::own)) return bound(most_factor);
+    low_ = 1 / most_factor;
     for (;;) {
       while (!std::isfinite(high_) || high_ - low_ > bound_tolerance * high_) {
         if (low_ >= most_strength && !std::isfinite(high_)) return bound(0);
@@ -101,7 +103,7 @@ class BoundSearch {
 
   Bound bound(Real factor) {
     Bound bound{factor, std::move(below_), std::move(above_), programs_};
-    if (std::isinf(factor)) bound.above = {};
+    if (factor >= most_factor) bound.above = {};
     if (factor == 0) bound.below = {};
     return bound;
   }
@@ -149,7 +151,7 @@ class WholeSearch {
                        search.stands(1 / above_.factor, coarse, ContactColumns::Units::common);
     if (!safer && factor_ > 0) {
       const Bound bound = search.find();
-      if (bound.factor < factor_) {
+      if (bound.factor < std::min(factor_, most_factor)) {
         factor_ = bound.factor;
         below_factor_ = bound.below.factor;
         above_ = part.of_whole(bound.above, mass_.bodies.size());

@@ -18,7 +18,8 @@ namespace rockfold {
 
 /// below.factor ≤ bound ≤ above.factor.
 struct Bound {
-  /// Infinite: the mass stands without friction or cohesion, and `above` is empty. 0: nothing balances it, and `below` is empty.
+  /// Infinite: the mass stands without friction or cohesion; most_factor: it stands at that; then `above` is empty. 0: nothing balances it, and
+  /// `below` is empty.
   Real factor = 0;
   Balance below;
   Mechanism above;
@@ -29,6 +30,8 @@ struct Bound {
 constexpr Real bound_tolerance = 1e-5;
 /// A mass that no strength this many times larger balances has factor 0.
 constexpr Real most_strength = 100;
+/// A mass that stands at this factor is held by forces that press on each other, not by its strength: no bound is looked for beyond.
+constexpr Real most_factor = 1000;
 
 Bound find_bound(const RigidMass& mass, Progress& progress);
 

@@ -32,7 +32,7 @@ struct Certificate {
   /// The mass stands at `below.factor` if its slips dilate, and none moves at any factor above `above.factor` … in the sense of limit
   /// analysis: below.factor ≤ bound ≤ above.factor.
   Balance below;
-  Mechanism above;
+  Mechanism above;  ///< empty where none is known
   /// A state of collapse without dilation; empty where none was found.
   Balance sliding_balance;
   Mechanism sliding_mechanism;

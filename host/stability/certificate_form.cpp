@@ -151,8 +151,9 @@ std::string lack_of_form(const Certificate& certificate) {
   if (std::string lack = lack_of_ties(mass); !lack.empty()) return lack;
   if (std::string lack = lack_of_balance(mass, certificate.below); !lack.empty())
     return "bound from below: " + lack;
-  if (std::string lack = lack_of_mechanism(mass, certificate.above); !lack.empty())
-    return "bound from above: " + lack;
+  if (!certificate.above.velocity.empty())
+    if (std::string lack = lack_of_mechanism(mass, certificate.above); !lack.empty())
+      return "bound from above: " + lack;
   if (certificate.sliding_mechanism.velocity.empty()) return "";
   std::string lack = lack_of_balance(mass, certificate.sliding_balance);
   if (lack.empty()) lack = lack_of_mechanism(mass, certificate.sliding_mechanism);

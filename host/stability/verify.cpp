@@ -64,12 +64,16 @@ class Verification {
   void run() const {
     for (const CertifiedArea& area : areas_) require_shape(area);
     within("bound from below", [&] { require_balance(certificate_.below); });
+    if (!certificate_.above.velocity.empty()) run_above();
+    if (has_sliding()) run_sliding();
+  }
+
+  void run_above() const {
     within("bound from above", [&] { require_mechanism(certificate_.above); });
     if (certificate_.below.factor > certificate_.above.factor)
       throw WrongCertificate{
           fmt::format("the bound from below, {:.10g}, is over the one from above, {:.10g}",
                       certificate_.below.factor, certificate_.above.factor)};
-    if (has_sliding()) run_sliding();
   }
 
   void run_sliding() const {

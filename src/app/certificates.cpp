@@ -24,6 +24,10 @@ bool has_sliding(const Certificate& certificate) {
   return !certificate.sliding_mechanism.velocity.empty();
 }
 
+bool has_above(const Certificate& certificate) {
+  return !certificate.above.velocity.empty();
+}
+
 std::string counted(std::size_t n, const std::string& one) {
   return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
 }
@@ -37,7 +41,8 @@ std::string bound_text(Real factor, Real (*whole)(Real)) {
 Json verdict_document(const Certificate& certificate, const Verdict& verdict) {
   Json document = head_json({"verify", "", {}});
   document["holds"] = verdict.holds();
-  document["bound"] = {{"below", certificate.below.factor}, {"above", certificate.above.factor}};
+  document["bound"] = {{"below", certificate.below.factor}, {"above", nullptr}};
+  if (has_above(certificate)) document["bound"]["above"] = certificate.above.factor;
   document["sliding"] =
       has_sliding(certificate) ? Json(certificate.sliding_balance.factor) : Json();
   document["residual"] = verdict.residual;
@@ -50,10 +55,13 @@ std::string verdict_text(const Certificate& certificate, const Verdict& verdict)
                                  counted(mass.contacts.size(), "contact area"));
   const auto floor = [](Real x) { return std::floor(x); };
   const auto ceil = [](Real x) { return std::ceil(x); };
-  text += fact("bound", fmt::format("{} <= F <= {}  (proved: forces that balance every block, and "
-                                    "a motion that no strength withstands)",
-                                    bound_text(certificate.below.factor, floor),
-                                    bound_text(certificate.above.factor, ceil)));
+  const std::string below = bound_text(certificate.below.factor, floor);
+  text += fact("bound",
+               has_above(certificate)
+                   ? fmt::format("{} <= F <= {}  (proved: forces that balance every block, and "
+                                 "a motion that no strength withstands)",
+                                 below, bound_text(certificate.above.factor, ceil))
+                   : fmt::format("{} <= F  (proved: forces that balance every block)", below));
   text += fact("sliding", has_sliding(certificate)
                               ? fmt::format("{:.{}g}  (a state of collapse without dilation)",
                                             certificate.sliding_balance.factor, digits)
@@ -65,7 +73,7 @@ std::string verdict_text(const Certificate& certificate, const Verdict& verdict)
 }  // namespace
 
 void write_certificate(const std::string& path, const StabilityReport& report, Terminal& terminal) {
-  if (report.bound.above.velocity.empty() || report.bound.below.force.empty())
+  if (report.bound.below.force.empty() || std::isinf(report.bound.factor))
     return terminal.warn(
         fmt::format("{} is not written: a mass without a bound needs no proof of one", path));
   const Certificate certificate = report.certificate();

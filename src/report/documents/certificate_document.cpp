@@ -181,8 +181,10 @@ Json certificate_document(const Certificate& certificate) {
   document["bound"]["below"] = {{"factor", certificate.below.factor},
                                 {"forces", certificate.below.force},
                                 {"tensions", certificate.below.tension}};
-  document["bound"]["above"] = {{"factor", certificate.above.factor},
-                                {"velocities", velocities_json(certificate.above)}};
+  document["bound"]["above"] = nullptr;
+  if (!certificate.above.velocity.empty())
+    document["bound"]["above"] = {{"factor", certificate.above.factor},
+                                  {"velocities", velocities_json(certificate.above)}};
   document["sliding"] = nullptr;
   if (!certificate.sliding_mechanism.velocity.empty())
     document["sliding"] = {{"factor", certificate.sliding_balance.factor},
@@ -205,7 +207,11 @@ Certificate certificate_from(const std::string& text, const std::string& file) {
     certificate.mass.contacts.push_back(contact_from(contact));
   for (const Reader& tie : in.at("ties").list()) certificate.mass.ties.push_back(tie_from(tie));
   certificate.below = balance_from(in.at("bound").at("below"));
-  certificate.above = mechanism_from(in.at("bound").at("above"));
+  if (const Reader above = in.at("bound").at("above"); !above.is_null()) {
+    certificate.above = mechanism_from(above);
+    if (certificate.above.velocity.empty())
+      above.at("velocities").fail("is empty; where there is no bound from above, null is wanted");
+  }
   const Reader sliding = in.at("sliding");
   if (sliding.is_null()) return certificate;
   certificate.sliding_balance = balance_from(sliding);

@@ -19,6 +19,9 @@ std::string bound_text(const StabilityReport& report) {
   const Bound& bound = report.bound;
   if (report.mass.bodies.empty()) return "none: no block may move";
   if (std::isinf(bound.factor)) return "none: the mass stands without friction and cohesion";
+  if (bound.factor >= most_factor)
+    return fmt::format("more than {:g}: forces that press on each other hold the mass",
+                       most_factor);
   if (bound.factor == 0) return "0: no strength of the joints balances the mass";
   return fmt::format("{:.4f}  ({:.6f} to {:.6f} proved): the upper limit of any factor of safety",
                      bound.factor, bound.below.factor, bound.above.factor);
