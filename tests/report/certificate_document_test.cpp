@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Two bodies and two contacts, of numbers that have no short decimal.
+/// Two bodies, two contacts and a bolt, of numbers that have no short decimal.
 Certificate odd_certificate() {
   const Real tiny = std::numeric_limits<Real>::denorm_min();
   const Real huge = std::numeric_limits<Real>::max();
@@ -26,9 +26,10 @@ Certificate odd_certificate() {
   c.mass.contacts = {
       {{0, none}, {0, 0, 1}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 0.7, 0, 0, "J1"},
       {{1, 0}, {1, 0, 0}, {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 0.1, 1e5 / 3, 1e4 / 3, "\u00e4\"\n"}};
-  c.below = {1.1, std::vector<Vec3>(9, {std::nextafter(1.0, 2), 0.3, 0.1 + 0.2})};
+  c.mass.ties = {{{none, 1}, {0.1, 0.2, 0.3}, {0, 0, 1}, 1.0 / 3, 1e5 / 3, "b.1"}};
+  c.below = {1.1, std::vector<Vec3>(9, {std::nextafter(1.0, 2), 0.3, 0.1 + 0.2}), {1e5 / 3}};
   c.above = {1.3, {{{1, 2, 3}, {4, 5, 6}}, {{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}}}};
-  c.sliding_balance = {1.2, std::vector<Vec3>(9, {-1, 1e22, 123456789.123456789})};
+  c.sliding_balance = {1.2, std::vector<Vec3>(9, {-1, 1e22, 123456789.123456789}), {-0.0}};
   c.sliding_mechanism = {1.2, {{{6, 5, 4}, {3, 2, 1}}, {}}};
   return c;
 }
@@ -60,6 +61,18 @@ void expect_same(const Certificate& a, const Certificate& b) {
     EXPECT_EQ(p.joint, q.joint);
     EXPECT_EQ((Vec3{p.friction, p.cohesion, p.tension}), (Vec3{q.friction, q.cohesion, q.tension}));
   }
+  ASSERT_EQ(a.mass.ties.size(), b.mass.ties.size());
+  for (std::size_t i = 0; i < a.mass.ties.size(); ++i) {
+    const BoltTie &p = a.mass.ties[i], &q = b.mass.ties[i];
+    EXPECT_EQ(p.body, q.body);
+    EXPECT_EQ(p.at, q.at);
+    EXPECT_EQ(p.axis, q.axis);
+    EXPECT_EQ(p.least, q.least);
+    EXPECT_EQ(p.most, q.most);
+    EXPECT_EQ(p.bolt, q.bolt);
+  }
+  EXPECT_EQ(a.below.tension, b.below.tension);
+  EXPECT_EQ(a.sliding_balance.tension, b.sliding_balance.tension);
   EXPECT_EQ(a.below.factor, b.below.factor);
   EXPECT_EQ(a.below.force, b.below.force);
   EXPECT_EQ(a.sliding_balance.factor, b.sliding_balance.factor);
@@ -81,6 +94,14 @@ TEST(CertificateDocument, ComesBackWithoutSliding) {
   before.sliding_mechanism = {};
   const Json document = certificate_document(before);
   EXPECT_TRUE(document["sliding"].is_null());
+  expect_same(before, certificate_from(document.dump(), "odd.json"));
+}
+
+TEST(CertificateDocument, ComesBackWithoutABoundFromAbove) {
+  Certificate before = odd_certificate();
+  before.above = {};
+  const Json document = certificate_document(before);
+  EXPECT_TRUE(document["bound"]["above"].is_null());
   expect_same(before, certificate_from(document.dump(), "odd.json"));
 }
 
