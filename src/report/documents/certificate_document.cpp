@@ -79,6 +79,11 @@ class Reader {
 
   bool is_null() const { return value_.is_null(); }
 
+  /// The entries of a list that may be missing.
+  std::vector<Reader> list_if_any(const std::string& key) const {
+    return value_.is_object() && !value_.contains(key) ? std::vector<Reader>{} : at(key).list();
+  }
+
   Real number() const {
     if (!value_.is_number()) fail("a number is wanted");
     return value_.get<Real>();
@@ -157,7 +162,7 @@ BoltTie tie_from(const Reader& in) {
 
 Balance balance_from(const Reader& in) {
   Balance balance{in.at("factor").number(), in.at("forces").vectors(), {}};
-  for (const Reader& tension : in.at("tensions").list())
+  for (const Reader& tension : in.list_if_any("tensions"))
     balance.tension.push_back(tension.number());
   return balance;
 }
@@ -205,7 +210,7 @@ Certificate certificate_from(const std::string& text, const std::string& file) {
     certificate.mass.bodies.push_back(body_from(body));
   for (const Reader& contact : in.at("contacts").list())
     certificate.mass.contacts.push_back(contact_from(contact));
-  for (const Reader& tie : in.at("ties").list()) certificate.mass.ties.push_back(tie_from(tie));
+  for (const Reader& tie : in.list_if_any("ties")) certificate.mass.ties.push_back(tie_from(tie));
   certificate.below = balance_from(in.at("bound").at("below"));
   if (const Reader above = in.at("bound").at("above"); !above.is_null()) {
     certificate.above = mechanism_from(above);
