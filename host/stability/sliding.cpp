@@ -15,8 +15,10 @@ namespace rockfold {
 namespace {
 
 /// Of velocities from step to step: enough to see which parts move, and to write down how.
-constexpr Real about = 1e-2, exact = 1e-6;
+constexpr Real about = 5e-2, exact = 1e-6;
 constexpr Index most_trials = 40;
+/// Of a factor: what the whole mass may fail below the weakest block without its being looked for.
+constexpr Real a_little = 0.01;
 constexpr Real unlimited = std::numeric_limits<Real>::infinity();
 
 /// Failure of a mass on springs, all of it at once.
@@ -47,66 +49,53 @@ class FailureSearch {
  public:
   explicit FailureSearch(const RigidMass& mass) : scaled_(mass), springs_(scaled_) {}
 
-  /// From `first` down: the creeping mass tells what its own motion can bear, and a little below is tried next, until it stands. Joints that
-  /// stick may hold a mass a little above what its motion can bear, as friction at rest does; that motion is its failure all the same. Stands, if
-  /// the motion at `first` can bear `most` or more.
+  /// From `first` down: the creeping mass tells what its own motion can bear, and a little below is tried next, until it stands; then between
+  /// the two. Joints that stick may hold a mass a little above what its motion can bear, as friction at rest does; that motion is its failure all
+  /// the same, if a state of collapse proves it. Stands, if the motion at `first` can bear `most` or more.
   Failure find(Real first, Real most) {
-    Real factor = first, fails = 0, own = 0;
+    Real next = first, own = 0;
+    bool tried = false;
     for (Index n = 0; n < most_trials; ++n) {
-      const SpringMass::State state = springs_.settle(1 / factor, springs_.start(), about);
+      SpringMass::State state = springs_.settle(1 / next, springs_.start(), about);
       if (state.ending == Ending::undecided) return {};
       if (state.ending == Ending::stands) {
-        if (fails == 0) return {Failure::Answer::stands, 0, {}, factor};
-        return failure(own, fails, factor);
+        stood_at_ = next;
+        if (n == 0) return {Failure::Answer::stands, 0, {}, stood_at_};
+      } else {
+        fails_ = next;
+        creeping_ = std::move(state);
+        own = std::min(springs_.factor(creeping_), fails_);
+        if (n == 0 && own >= most) return {Failure::Answer::stands, 0, {}, 0};
+        if (fails_ < least_factor) return motion(0);
       }
-      own = std::min(springs_.factor(state), factor);
-      if (fails == 0 && own >= most) return {Failure::Answer::stands, 0, {}, 0};
-      fails = factor;
-      if (fails < least_factor) return failure(0, fails, 0);
-      // By its own account, which is poor far above.
-      factor = std::max(own * (1 - 0.5 * sliding_tolerance), 0.5 * fails);
+      if (fails_ <= stood_at_ * (1 + 3 * sliding_tolerance)) return motion(stood_at_);
+      if (!tried && own > 0.5 * stood_at_ && own < stood_at_) {
+        tried = true;
+        if (Failure moves = motion(own); moves.answer == Failure::Answer::fails &&
+                                         find_collapse_forces(scaled_.mass(), at_unit_speed(moves)))
+          return moves;
+      }
+      next = between(own);
     }
     return {};
   }
 
  private:
-  /// Of a mass that stands at `stood_at` and creeps at `fails` by a motion that can bear `own`.
-  Failure failure(Real own, Real fails, Real stood_at) {
-    bool tried = false;
-    for (Index n = 0;
-         n < most_trials && fails >= least_factor && fails > stood_at * (1 + 3 * sliding_tolerance);
-         ++n) {
-      // It stood at more than its motion can bear, held by joints that stick: that it may move is proved by a state of collapse.
-      if (!tried && own > 0.5 * stood_at && own < stood_at) {
-        tried = true;
-        if (Failure moves = motion(fails, own, stood_at);
-            moves.answer == Failure::Answer::fails &&
-            find_collapse_forces(scaled_.mass(), at_unit_speed(moves)))
-          return moves;
-      }
-      const Real next = between(stood_at, fails, own);
-      const SpringMass::State state = springs_.settle(1 / next, springs_.start(), about);
-      if (state.ending == Ending::undecided) return {};
-      if (state.ending == Ending::creeps) own = std::min(springs_.factor(state), next);
-      (state.ending == Ending::stands ? stood_at : fails) = next;
-    }
-    return motion(fails, stood_at, stood_at);
-  }
-
-  /// A little below or above what the motion can bear, by its own account, if that is between.
-  static Real between(Real stood_at, Real fails, Real own) {
+  /// A little below or above what the motion can bear, by its own account, which is poor far above; where that is known already, the middle.
+  Real between(Real own) const {
     const Real low = own * (1 - 0.5 * sliding_tolerance), high = own * (1 + 2 * sliding_tolerance);
-    if (low > stood_at * (1 + sliding_tolerance) && low < fails) return low;
-    if (high > stood_at && high < fails) return high;
-    return std::sqrt(stood_at * fails);
+    if (stood_at_ == 0) return std::max(low, 0.5 * fails_);
+    if (low > stood_at_ * (1 + sliding_tolerance) && low < fails_) return low;
+    if (high > stood_at_ && high < fails_) return high;
+    return std::sqrt(stood_at_ * fails_);
   }
 
-  /// As exact as can be.
-  Failure motion(Real fails, Real least, Real stood_at) {
-    const SpringMass::State state = springs_.settle(1 / fails, springs_.start(), exact);
+  /// As exact as can be, of the mass that creeps.
+  Failure motion(Real least) {
+    const SpringMass::State state = springs_.settle(1 / fails_, creeping_, exact);
     if (state.ending != Ending::creeps) return {};
-    const Real own = fails < least_factor ? 0 : std::clamp(springs_.factor(state), least, fails);
-    return {Failure::Answer::fails, own, {own, springs_.velocities(state)}, stood_at};
+    const Real own = fails_ < least_factor ? 0 : std::clamp(springs_.factor(state), least, fails_);
+    return {Failure::Answer::fails, own, {own, springs_.velocities(state)}, stood_at_};
   }
 
   Mechanism at_unit_speed(const Failure& failure) const {
@@ -115,6 +104,8 @@ class FailureSearch {
 
   ScaledMass scaled_;
   SpringMass springs_;
+  Real stood_at_ = 0, fails_ = unlimited;
+  SpringMass::State creeping_;  ///< at fails_
 };
 
 /// The failure at the least factor of any block with all others held; `most` where none fails below.
@@ -169,9 +160,10 @@ Sliding find_sliding(const RigidMass& mass, const Bound& bound, Progress& progre
   if (block.answer == Answer::fails) alone = failing(mass, block, false);
   // What others put on a block may hold it: then its motion is none of the mass, and the mass is looked at from its bound on, where it
   // fails for sure.
-  const Real most = alone.proved() ? block.factor : bound.factor;
+  const Real first =
+      alone.proved() ? alone.factor * (1 - a_little) : bound.factor * (1 + 2 * sliding_tolerance);
   progress.begin("the whole mass without dilation", 0, "trials");
-  const Failure whole = FailureSearch(mass).find(most * (1 + 2 * sliding_tolerance), unlimited);
+  const Failure whole = FailureSearch(mass).find(first, unlimited);
   progress.end();
   const bool settled = whole.answer != Answer::undecided;
   if (whole.answer == Answer::fails &&

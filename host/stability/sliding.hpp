@@ -26,7 +26,7 @@ struct Sliding {
   Mechanism mechanism;  ///< empty where it stands or none is found
   /// Forces that make a state of collapse of it; empty where none were found.
   Balance balance;
-  /// A little below the factor the whole mass on springs was seen to stand; else it may fail earlier, by other blocks.
+  /// One per cent below the factor the whole mass on springs was seen to stand; else it may fail earlier, by other blocks.
   bool stands_below = false;
 
   bool proved() const { return !balance.force.empty(); }

@@ -18,12 +18,15 @@ namespace {
 using Vector = Eigen::VectorXd;
 using Six = Eigen::Matrix<Real, 6, 6>;
 
-constexpr Real shear_share = 0.5;  // of the normal stiffness, across
-constexpr Real balanced = 1e-7, at_rest = 1e-6, relaxed = 1e-5, agreed = 1e-4;  // of all loads
-constexpr Real on_the_way = 1e-2;                                               // of the drag
-constexpr Index most_newton = 12, most_idle = 4, most_relaxing = 40, most_steps = 200;
+constexpr Real shear_share = 0.5;                // of the normal stiffness, across
+constexpr Real balanced = 1e-7, at_rest = 1e-6;  // of all loads
+constexpr Index most_newton = 20, few_idle = 4, most_idle = 8, most_steps = 200, most_failed = 5,
+                most_shakes = 20;
+/// Of shaking: as long as the slowest of hundreds of blocks on each other swing, at least.
+constexpr Real past_peak = 0.9;
+constexpr Index least_swing = 2000, longest_swing = 40000;
 /// Of a step against the drag: a load moves a body by as much as it moves the spring under it; then longer, until springs count no more.
-constexpr Real first_span = 1, long_span = 1e3, last_span = 1e8;
+constexpr Real most_growth = 8, first_span = 1, long_span = 1e3, last_span = 1e8;
 
 Vector vector_of(const std::vector<Real>& x) {
   return Eigen::Map<const Vector>(x.data(), static_cast<Eigen::Index>(x.size()));
@@ -34,14 +37,15 @@ Vector vector_of(const std::vector<Real>& x) {
 /// One step on its way.
 struct SpringMass::Step {
   Real share = 0, span = 0;
-  Vector before, now;          ///< displacements
-  std::vector<Real> given;     ///< [corners] pressure that friction comes from while relaxing
-  std::vector<Real> pressure;  ///< [corners] found
+  Real precise = 0;    ///< of the drag: what need not balance
+  Vector before, now;  ///< displacements
+  std::vector<Eigen::Vector2d> slipped,
+      slip;                    ///< [corners] before, and now: no spring pulls it back
+  std::vector<Real> pressure;  ///< [corners]
   std::vector<Eigen::Matrix3d> tangent;
   std::vector<Real> tension, tie_stiffness;  ///< [ties]
   Vector rest;                               ///< forces that do not balance, the drag among them
   Real drag = 0;                             ///< size of that alone
-  Real potential = 0;
 };
 
 /// Unit forces along a corner's axes as entries of the balance; Newton's matrix, by blocks of two bodies.
@@ -101,7 +105,7 @@ struct SpringMass::Equations {
     return vector_of(z);
   }
   /// Newton's change.
-  Vector solve(const Step& step, const std::vector<Real>& mass, bool with_coupling);
+  Vector solve(const Step& step, const std::vector<Real>& mass);
 };
 
 void SpringMass::Equations::find_places(Index bodies) {
@@ -172,12 +176,10 @@ Vector SpringMass::Equations::product(const Vector& x) const {
 }
 
 /// GMRES (Saad & Schultz 1986), with the factors of the symmetric part from the right.
-Vector SpringMass::Equations::solve(const Step& step, const std::vector<Real>& mass,
-                                    bool with_coupling) {
+Vector SpringMass::Equations::solve(const Step& step, const std::vector<Real>& mass) {
   fill(step, mass);
   constexpr Real least_pivot = 1e-14;
   factors->factorise(matrix, least_pivot);
-  if (!with_coupling) return divided(step.rest);
   constexpr Eigen::Index most = 60;
   constexpr Real enough = 1e-5;
   const Real size = step.rest.norm();
@@ -273,6 +275,7 @@ SpringMass::SpringMass(const ScaledMass& scaled)
     tie.most = bolt.most / scaled.force_scale();
     equations_->tie.push_back(tie);
   }
+  weigh_for_shaking();
   equations_->find_places(static_cast<Index>(mass.bodies.size()));
   if (!equations_->factors->analyse(equations_->matrix))
     throw Error(ErrorKind::analysis,
@@ -281,59 +284,67 @@ SpringMass::SpringMass(const ScaledMass& scaled)
 
 SpringMass::~SpringMass() = default;
 
+/// Of each row the sum of its stiffness: no mode swings by more than 1 per step (Gershgorin 1931), and steps are stable up to 2.
+void SpringMass::weigh_for_shaking() {
+  shaken_mass_ = Vector::Zero(static_cast<Eigen::Index>(load_.size()));
+  const auto add = [&](const std::array<Index, 12>& row, const auto& stiffness) {
+    for (int k = 0; k < 12; ++k)
+      if (row[k] != none) shaken_mass_[row[k]] += stiffness.row(k).cwiseAbs().sum();
+  };
+  for (std::size_t c = 0; c < corners_.size(); ++c) {
+    const Real k = corners_[c].stiffness;
+    const auto& axes = equations_->corner[c].of_axis;
+    const Eigen::Matrix3d springs =
+        Eigen::Vector3d(k, shear_share * k, shear_share * k).asDiagonal();
+    add(equations_->corner[c].row, (axes.transpose() * springs * axes).eval());
+  }
+  for (const Equations::Tie& tie : equations_->tie)
+    add(tie.row, ((tie.most - tie.least) * tie.pull * tie.pull.transpose()).eval());
+  for (Real& m : shaken_mass_)
+    if (m == 0) m = 1;  // of a body that touches nothing
+}
+
 SpringMass::State SpringMass::start() const {
-  return {std::vector<Real>(load_.size(), 0), std::vector<Real>(load_.size(), 0),
-          std::vector<Real>(corners_.size(), 0), std::vector<Real>(equations_->tie.size(), 0),
+  return {std::vector<Real>(load_.size(), 0),
+          std::vector<Real>(load_.size(), 0),
+          std::vector<std::array<Real, 2>>(corners_.size(), {0, 0}),
+          std::vector<Real>(corners_.size(), 0),
+          std::vector<Real>(equations_->tie.size(), 0),
+          false,
           Ending::undecided};
 }
 
-/// Of the friction's pressure against the pressure that is found, of all.
-Real SpringMass::pressure_change(const Step& step) {
-  Real changed = 0, sum = 0;
-  for (std::size_t c = 0; c < step.pressure.size(); ++c) {
-    changed += std::abs(std::max(0.0, step.pressure[c]) - std::max(0.0, step.given[c]));
-    sum += std::max(0.0, step.pressure[c]);
-  }
-  return sum > 0 ? changed / sum : 0;
-}
-
-/// Forces, tangent and, where friction comes from a given pressure, the potential.
-void SpringMass::look(Step& step, bool own_friction) const {
+/// Forces, and what they change by.
+void SpringMass::look(Step& step) const {
   step.rest = vector_of(load_);
-  step.potential = 0;
   Real drag = 0;
   for (Eigen::Index r = 0; r < step.now.size(); ++r) {
-    const Real moved = step.now[r] - step.before[r], held = mass_[r] / step.span * moved;
+    const Real held = mass_[r] / step.span * (step.now[r] - step.before[r]);
     step.rest[r] -= held;
     drag += held * held;
-    step.potential += 0.5 * held * moved - load_[r] * step.now[r];
   }
   step.drag = std::sqrt(drag);
-  step.pressure.resize(corners_.size());
-  step.tangent.resize(corners_.size());
   for (std::size_t c = 0; c < corners_.size(); ++c) {
     const Corner& corner = corners_[c];
     const Real k = corner.stiffness, s = shear_share * k, pull = step.share * corner.tension;
     const Eigen::Vector3d jump = equations_->jump(c, step.now);
     const bool open = -k * jump[0] < -pull;
-    const Real normal = open ? -pull : -k * jump[0];
-    const Real pressure = std::max(0.0, own_friction ? normal : step.given[c]);
+    const Real normal = open ? -pull : -k * jump[0], pressure = std::max(0.0, normal);
     const Real limit = step.share * (corner.friction * pressure + corner.cohesion);
-    const Real slip = std::hypot(jump[1], jump[2]);
-    const bool slips = s * slip > limit;
-    const Real shear = slips ? limit : s * slip, secant = slips ? limit / slip : s;
-    const Eigen::Vector2d along =
-        slip > 0 ? Eigen::Vector2d(jump[1] / slip, jump[2] / slip) : Eigen::Vector2d(0, 0);
-    equations_->add(c, {normal, -shear * along[0], -shear * along[1]}, step.rest);
-    step.potential += open ? pull * jump[0] - 0.5 * pull * pull / k : 0.5 * normal * normal / k;
-    step.potential += slips ? limit * slip - 0.5 * limit * limit / s : 0.5 * shear * slip;
+    const Eigen::Vector2d stretch = jump.tail<2>() - step.slipped[c];
+    const Real length = stretch.norm();
+    const bool slips = s * length > limit;
+    const Real secant = slips ? limit / length : s;
+    const Eigen::Vector2d along = length > 0 ? stretch / length : stretch;
+    step.slip[c] = slips ? jump.tail<2>() - limit / s * along : step.slipped[c];
     step.pressure[c] = normal;
+    equations_->add(c, {normal, -secant * stretch[0], -secant * stretch[1]}, step.rest);
     Eigen::Matrix3d& tangent = step.tangent[c];
     tangent.setZero();
     tangent(0, 0) = open ? 0 : k;
     tangent.bottomRightCorner<2, 2>() = secant * Eigen::Matrix2d::Identity();
     if (slips) tangent.bottomRightCorner<2, 2>() -= secant * along * along.transpose();
-    if (slips && own_friction && normal > 0)
+    if (slips && normal > 0)
       tangent.bottomLeftCorner<2, 1>() = -step.share * corner.friction * k * along;
   }
   pull(step);
@@ -348,31 +359,28 @@ void SpringMass::pull(Step& step) const {
     const Real stretch = std::clamp(long_by, 0.0, 1.0);
     const Real tension = tie.least + stiffness * stretch;
     Equations::add(tie.row, tension * tie.pull, step.rest);
-    step.potential += tie.least * long_by + 0.5 * stiffness * stretch * stretch +
-                      stiffness * std::max(0.0, long_by - 1);
     step.tension.push_back(tension);
     step.tie_stiffness.push_back(long_by > 0 && long_by < 1 ? stiffness : 0);
   }
 }
 
-/// With the friction of the pressure that is found; false where it does not converge.
-bool SpringMass::newton(Step& step) {
+/// False where it does not converge.
+bool SpringMass::newton(Step& step, Index patience) {
   const Real loads = vector_of(load_).norm();
-  look(step, true);
-  // On the way the drag is none of the mass' own.
+  look(step);
   const auto good = [&] {
-    const Real enough = step.span < long_span ? on_the_way * step.drag : 0;
-    return step.rest.norm() < std::max(balanced * loads, enough);
+    return step.rest.norm() <=
+           (step.drag > at_rest * loads ? step.precise * step.drag : balanced * loads);
   };
   Real least = step.rest.norm();
-  for (Index n = 0, idle = 0; n < most_newton && idle < most_idle; ++n) {
+  for (Index n = 0, idle = 0; n < most_newton && idle < patience; ++n) {
     if (n > 0 && good()) return true;
     const Real left = step.rest.norm();
-    const Vector from = step.now, change = equations_->solve(step, mass_, true);
+    const Vector from = step.now, change = equations_->solve(step, mass_);
     if (!change.allFinite()) return false;
     for (Real part = 1; part > 0.1; part *= 0.5) {
       step.now = from + part * change;
-      look(step, true);
+      look(step);
       if (step.rest.norm() < left) break;
     }
     idle = step.rest.norm() < 0.5 * least ? 0 : idle + 1;
@@ -381,58 +389,85 @@ bool SpringMass::newton(Step& step) {
   return good();
 }
 
-/// To the least potential, with the friction of the pressure that is given.
-bool SpringMass::relax(Step& step) {
+/// Lets it swing without drag, from rest, and stops it wherever it is fastest, until it rests or no longer swings (dynamic relaxation with
+/// kinetic damping; Barnes 1999). Each row has the mass with which the steps are just stable.
+void SpringMass::shake(Step& step) const {
   const Real loads = vector_of(load_).norm();
-  look(step, false);
-  for (Index n = 0; n < most_relaxing; ++n) {
-    if (step.rest.norm() < std::max(relaxed * loads, on_the_way * step.drag))
-      return n <= most_relaxing / 4;
-    const Vector from = step.now, change = equations_->solve(step, mass_, false);
-    const Real slope = step.rest.dot(change), potential = step.potential;
-    for (Real part = 1; part > 1e-9; part *= 0.5) {
-      step.now = from + part * change;
-      look(step, false);
-      if (step.potential <= potential - 1e-4 * part * slope + 1e-13 * std::abs(potential)) break;
+  step.span = std::numeric_limits<Real>::infinity();
+  step.before = step.now;
+  Vector velocity = Vector::Zero(step.now.size());
+  Real most = 0;
+  for (Index n = 0, stopped = 0; n - stopped < std::max(least_swing, n / 2) && n < longest_swing;
+       ++n) {
+    look(step);
+    step.slipped = step.slip;
+    if (step.rest.norm() < balanced * loads) return;
+    velocity += step.rest.cwiseQuotient(shaken_mass_);
+    const Real now = velocity.dot(shaken_mass_.cwiseProduct(velocity));
+    most = std::max(most, now);
+    if (now < past_peak * most) {
+      velocity.setZero();
+      most = 0;
+      stopped = n;
     }
+    step.now += velocity;
   }
-  return false;
 }
 
 SpringMass::State SpringMass::settle(Real share, State state, Real steady) {
   Step step;
   step.share = share;
+  step.precise =
+      steady / 2;  // two velocities then differ by no more than `steady` where nothing changes
   step.span = first_span;
   step.now = vector_of(state.displacement);
-  step.pressure = state.pressure;
-  Vector velocity = Vector::Zero(step.now.size());
+  for (const auto& [a, b] : state.slip) step.slipped.emplace_back(a, b);
+  step.slip = step.slipped;
+  step.pressure.resize(corners_.size());
+  step.tangent.resize(corners_.size());
+  Vector velocity = vector_of(state.velocity);
   const Real loads = vector_of(load_).norm();
   state.ending = Ending::undecided;
-  for (Index n = 0; n < most_steps && state.ending == Ending::undecided; ++n) {
+  Vector steady_velocity = velocity;
+  Real growth = most_growth, steady_for = 0;
+  for (Index n = 0, failed = 0, shakes = state.shaken ? 1 : 0;
+       n < most_steps && state.ending == Ending::undecided; ++n) {
     step.before = step.now;
-    step.given = step.pressure;
-    const bool smooth = newton(step);
-    Real growth = 8, wrong = 0;
-    if (!smooth) {
+    step.now += step.span * velocity;
+    if (!newton(step, shakes == 0 ? few_idle : most_idle)) {
       step.now = step.before;
-      const bool easy = relax(step);
-      const Real changed = pressure_change(step);
-      growth = !easy || changed > 0.15 ? 0.5 : 2;
-      look(step, true);
-      wrong = step.rest.norm() / loads;
+      growth = 2;
+      if (shakes == 0 ? ++failed <= most_failed : step.span > first_span) {
+        step.span /= most_growth;
+      } else if (++shakes > most_shakes) {
+        break;
+      } else {
+        shake(step);
+        state.shaken = true;
+        velocity.setZero();
+        step.span = first_span;
+        growth = most_growth;
+      }
+      continue;
     }
-    const Vector last = std::exchange(velocity, (step.now - step.before) / step.span);
-    const bool is_steady =
-        step.span >= last_span ||
-        (step.span >= long_span && (velocity - last).norm() <= steady * velocity.norm());
-    if (wrong <= agreed && step.drag <= at_rest * loads)
+    if (state.shaken) step.slipped = step.slip;
+    velocity = (step.now - step.before) / step.span;
+    if ((velocity - steady_velocity).norm() <= steady * velocity.norm()) {
+      steady_for += step.span;
+    } else {
+      steady_velocity = velocity;
+      steady_for = 0;
+    }
+    if (step.drag <= at_rest * loads)
       state.ending = Ending::stands;
-    else if (smooth && is_steady && vector_of(load_).dot(velocity) > 0)
+    else if (steady_for >= long_span && vector_of(load_).dot(velocity) > 0)
       state.ending = Ending::creeps;
     step.span = std::min(step.span * growth, last_span);
   }
   state.displacement.assign(step.now.data(), step.now.data() + step.now.size());
   state.velocity.assign(velocity.data(), velocity.data() + velocity.size());
+  for (std::size_t c = 0; c < corners_.size(); ++c)
+    state.slip[c] = {step.slipped[c][0], step.slipped[c][1]};
   state.pressure = step.pressure;
   state.tension = step.tension;
   return state;

@@ -10,6 +10,8 @@
 #include <memory>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "host/stability/mass_scale.hpp"
 
 namespace rockfold {
@@ -24,8 +26,10 @@ class SpringMass {
   /// In the scaled mass' units; a spring of one mean area gives way by 1 under one force.
   struct State {
     std::vector<Real> displacement, velocity;  ///< [rows]
+    std::vector<std::array<Real, 2>> slip;     ///< [corners] that stays
     std::vector<Real> pressure;                ///< [corners of all contacts, in order]
     std::vector<Real> tension;                 ///< [ties]
+    bool shaken = false;                       ///< then slips are remembered
     Ending ending = Ending::undecided;
   };
   State start() const;
@@ -51,15 +55,16 @@ class SpringMass {
   struct Step;
   struct Equations;
 
-  static Real pressure_change(const Step& step);
-  void look(Step& step, bool own_friction) const;
+  void weigh_for_shaking();
+  void look(Step& step) const;
   void pull(Step& step) const;
-  bool newton(Step& step);
-  bool relax(Step& step);
+  bool newton(Step& step, Index patience);
+  void shake(Step& step) const;
 
   const ScaledMass& scaled_;
   std::vector<Corner> corners_;
   std::vector<Real> load_, mass_;  ///< [rows]
+  Eigen::VectorXd shaken_mass_;    ///< [rows]
   std::unique_ptr<Equations> equations_;
 };
 
