@@ -71,9 +71,8 @@ class FailureSearch {
       if (fails_ <= stood_at_ * (1 + 3 * sliding_tolerance)) return motion(stood_at_);
       if (!tried && own > 0.5 * stood_at_ && own < stood_at_) {
         tried = true;
-        if (Failure moves = motion(own); moves.answer == Failure::Answer::fails &&
-                                         find_collapse_forces(scaled_.mass(), at_unit_speed(moves)))
-          return moves;
+        Failure moves = motion(own);
+        if (find_collapse_forces(scaled_.mass(), at_unit_speed(moves))) return moves;
       }
       next = between(own);
     }
@@ -90,10 +89,10 @@ class FailureSearch {
     return std::sqrt(stood_at_ * fails_);
   }
 
-  /// As exact as can be, of the mass that creeps.
+  /// Of the mass that creeps, as exact as can be: so near its limit that it comes to rest after all, as it was seen to creep.
   Failure motion(Real least) {
-    const SpringMass::State state = springs_.settle(1 / fails_, creeping_, exact);
-    if (state.ending != Ending::creeps) return {};
+    const SpringMass::State longer = springs_.settle(1 / fails_, creeping_, exact);
+    const SpringMass::State& state = longer.ending == Ending::creeps ? longer : creeping_;
     const Real own = fails_ < least_factor ? 0 : std::clamp(springs_.factor(state), least, fails_);
     return {Failure::Answer::fails, own, {own, springs_.velocities(state)}, stood_at_};
   }

@@ -32,6 +32,19 @@ Vector vector_of(const std::vector<Real>& x) {
   return Eigen::Map<const Vector>(x.data(), static_cast<Eigen::Index>(x.size()));
 }
 
+/// What the forces at a corner lose, by the jump of its ends along its axes. `drawn`: friction by an opening.
+Eigen::Matrix3d tangent_of(Real normal, Real across, const Eigen::Vector2d& along, bool slips,
+                           Real drawn) {
+  Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();
+  tangent(0, 0) = normal;
+  tangent.bottomRightCorner<2, 2>() = across * Eigen::Matrix2d::Identity();
+  if (slips) {
+    tangent.bottomRightCorner<2, 2>() -= across * along * along.transpose();
+    tangent.bottomLeftCorner<2, 1>() = -drawn * along;
+  }
+  return tangent;
+}
+
 }  // namespace
 
 /// One step on its way.
@@ -80,6 +93,7 @@ struct SpringMass::Equations {
   BlockMatrix matrix;          ///< its symmetric part
   std::vector<Real> coupling;  ///< what friction adds as it grows with pressure: like matrix.value
   std::vector<Index> diagonal;
+  Vector shaken_mass;  ///< [rows]
   std::unique_ptr<DirectSolver> factors = host::make_direct_solver({8e9, 3e11});
 
   Eigen::Vector3d jump(std::size_t c, const Vector& displacement) const {
@@ -286,10 +300,10 @@ SpringMass::~SpringMass() = default;
 
 /// Of each row the sum of its stiffness: no mode swings by more than 1 per step (Gershgorin 1931), and steps are stable up to 2.
 void SpringMass::weigh_for_shaking() {
-  shaken_mass_ = Vector::Zero(static_cast<Eigen::Index>(load_.size()));
+  equations_->shaken_mass = Vector::Zero(static_cast<Eigen::Index>(load_.size()));
   const auto add = [&](const std::array<Index, 12>& row, const auto& stiffness) {
     for (int k = 0; k < 12; ++k)
-      if (row[k] != none) shaken_mass_[row[k]] += stiffness.row(k).cwiseAbs().sum();
+      if (row[k] != none) equations_->shaken_mass[row[k]] += stiffness.row(k).cwiseAbs().sum();
   };
   for (std::size_t c = 0; c < corners_.size(); ++c) {
     const Real k = corners_[c].stiffness;
@@ -300,7 +314,7 @@ void SpringMass::weigh_for_shaking() {
   }
   for (const Equations::Tie& tie : equations_->tie)
     add(tie.row, ((tie.most - tie.least) * tie.pull * tie.pull.transpose()).eval());
-  for (Real& m : shaken_mass_)
+  for (Real& m : equations_->shaken_mass)
     if (m == 0) m = 1;  // of a body that touches nothing
 }
 
@@ -315,7 +329,7 @@ SpringMass::State SpringMass::start() const {
 }
 
 /// Forces, and what they change by.
-void SpringMass::look(Step& step) const {
+void SpringMass::look(Step& step, bool with_tangents) const {
   step.rest = vector_of(load_);
   Real drag = 0;
   for (Eigen::Index r = 0; r < step.now.size(); ++r) {
@@ -339,13 +353,9 @@ void SpringMass::look(Step& step) const {
     step.slip[c] = slips ? jump.tail<2>() - limit / s * along : step.slipped[c];
     step.pressure[c] = normal;
     equations_->add(c, {normal, -secant * stretch[0], -secant * stretch[1]}, step.rest);
-    Eigen::Matrix3d& tangent = step.tangent[c];
-    tangent.setZero();
-    tangent(0, 0) = open ? 0 : k;
-    tangent.bottomRightCorner<2, 2>() = secant * Eigen::Matrix2d::Identity();
-    if (slips) tangent.bottomRightCorner<2, 2>() -= secant * along * along.transpose();
-    if (slips && normal > 0)
-      tangent.bottomLeftCorner<2, 1>() = -step.share * corner.friction * k * along;
+    if (with_tangents)
+      step.tangent[c] = tangent_of(open ? 0 : k, secant, along, slips,
+                                   normal > 0 ? step.share * corner.friction * k : 0);
   }
   pull(step);
 }
@@ -399,11 +409,11 @@ void SpringMass::shake(Step& step) const {
   Real most = 0;
   for (Index n = 0, stopped = 0; n - stopped < std::max(least_swing, n / 2) && n < longest_swing;
        ++n) {
-    look(step);
+    look(step, false);
     step.slipped = step.slip;
     if (step.rest.norm() < balanced * loads) return;
-    velocity += step.rest.cwiseQuotient(shaken_mass_);
-    const Real now = velocity.dot(shaken_mass_.cwiseProduct(velocity));
+    velocity += step.rest.cwiseQuotient(equations_->shaken_mass);
+    const Real now = velocity.dot(equations_->shaken_mass.cwiseProduct(velocity));
     most = std::max(most, now);
     if (now < past_peak * most) {
       velocity.setZero();

@@ -3,14 +3,14 @@
 // Springs press where areas close, and hold slips up to the strength there: friction times the pressure, and cohesion. What does not balance
 // moves against a drag, as masses do in the first instant of a fall: mass · (x − x_before) / span, steps with an ever longer span. A mass that
 // stands comes to rest; of one that does not, the velocity becomes steady, and that is how it fails. Each step is solved by Newton's method with
-// Coulomb's law in its tangent; where that does not converge, with the friction of the step before: then springs have a convex potential.
+// Coulomb's law in its tangent, slips counted from the start, as loads that only grow make them. That law has no potential, and where steps do
+// not converge it may even drive what swings: then the mass is shaken to rest, or to where it only creeps, with every slip that stays remembered,
+// as friction takes energy alone; steps go on from there with such slips.
 #pragma once
 
 #include <array>
 #include <memory>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include "host/stability/mass_scale.hpp"
 
@@ -56,7 +56,7 @@ class SpringMass {
   struct Equations;
 
   void weigh_for_shaking();
-  void look(Step& step) const;
+  void look(Step& step, bool with_tangents = true) const;
   void pull(Step& step) const;
   bool newton(Step& step, Index patience);
   void shake(Step& step) const;
@@ -64,7 +64,6 @@ class SpringMass {
   const ScaledMass& scaled_;
   std::vector<Corner> corners_;
   std::vector<Real> load_, mass_;  ///< [rows]
-  Eigen::VectorXd shaken_mass_;    ///< [rows]
   std::unique_ptr<Equations> equations_;
 };
 
