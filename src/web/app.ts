@@ -12,13 +12,14 @@ import { CameraControl } from './scene/camera';
 import { ContactPoints } from './scene/contact_points';
 import { DeadEnds } from './scene/dead_ends';
 import { Scene } from './scene/scene';
-import { boltRods, Marks, waterLevels } from './scene/symbols';
+import { boltRods, Marks, motionArrows, waterLevels } from './scene/symbols';
 import { type ClipPlane, sectionLines } from './scene/section';
 import { readSurface, type Surface } from './scene/surface';
 import { Controls, views } from './ui/controls';
 import { h } from './ui/dom';
 import { header, helpDialog } from './ui/header';
 import { Overlay } from './ui/overlay';
+import { movingBlocks } from './ui/format';
 import { overlayStyle, themes, variables } from './ui/overlay_style';
 import { sidePanel } from './ui/side_panel';
 import { Timeline } from './ui/timeline';
@@ -80,6 +81,8 @@ export class App implements Context {
     const marks = data.document.answer?.marks ?? [];
     this.waterLevel = waterLevels(marks, data.document.origin, this.scene.radius);
     this.scene.extras.add(boltRods(data.document.answer?.bolts ?? this.support.bolts ?? [], data.document.origin, this.scene.radius), this.waterLevel, this.marks.object);
+    const stability = data.document.answer?.stability;
+    if (stability) this.scene.extras.add(motionArrows(movingBlocks(stability), (id) => this.middleOf(id), this.scene.radius));
     this.scene.add(this.dots.object);
     this.deadEnds = new DeadEnds(data, this.surface);
     this.scene.add(this.deadEnds.object);
@@ -158,6 +161,13 @@ export class App implements Context {
     for (let d = 0; d < 3; ++d)
       middle.setComponent(d, middle.getComponent(d) + this.store.state.explode * (centroid[3 * b + d]! - this.data.document.origin[d]!));
     return { middle, size: box.getSize(p).length() };
+  }
+
+  /// Where a block's middle is before any motion, relative to the model's.
+  private middleOf(id: number): number[] | undefined {
+    const b = this.indexOf(id);
+    const centroid = this.data.arrays.get('centroid');
+    return b === undefined ? undefined : [0, 1, 2].map((d) => centroid[3 * b + d]! - this.data.document.origin[d]!);
   }
 
   flyToBlock(id: number): void {

@@ -114,6 +114,19 @@ export interface Reduction {
   blocks: number[]; // that fail
 }
 
+/// A block of a mechanism: the fastest point of the mass moves with 1 m/s.
+export interface MovingBlock {
+  block: number;
+  velocity: [number, number, number];
+}
+
+/// The whole mass by limit analysis: `sliding` without dilation, `bound` above it.
+export interface Stability {
+  in_words: string;
+  bound: { factor: number | null; mechanism: MovingBlock[] };
+  sliding: { factor: number | null; answer: string; mechanism: MovingBlock[] };
+}
+
 export interface Answer extends Support {
   setup?: Setup;
   totals?: Record<string, unknown>;
@@ -123,6 +136,7 @@ export interface Answer extends Support {
   support?: Support;
   marks?: Mark[];
   reduction?: Reduction;
+  stability?: Stability;
 }
 
 export interface PageDocument {

@@ -1,7 +1,7 @@
-// Bolts as rods, and marks (monitors, loads, fixings, water) as points and arrows that keep their size on the screen.
+// Bolts as rods, arrows of blocks that move, and marks (monitors, loads, fixings, water) as points and arrows that keep their size on the screen.
 import * as THREE from 'three';
 import { mapColour } from '../colour';
-import type { Bolt, Mark } from '../data';
+import type { Bolt, Mark, MovingBlock } from '../data';
 import type { ClipPlane } from './section';
 
 const kinds: Record<Mark['kind'], { shape: number; colour: string }> = {
@@ -42,6 +42,45 @@ export function boltRods(bolts: Bolt[], origin: number[], radius: number): THREE
     mesh.frustumCulled = false;
     mesh.renderOrder = hidden ? 4 : 3;
     group.add(mesh);
+  }
+  return group;
+}
+
+/// How blocks of a mechanism move: arrows from their middles, as long as they are fast, seen through the rock too, faintly. `middle` is none of
+/// a block that the page does not show.
+export function motionArrows(moving: MovingBlock[], middle: (block: number) => number[] | undefined, radius: number): THREE.Object3D {
+  const group = new THREE.Group();
+  const least = 0.02; // of the fastest point: too short for an arrow
+  const arrows = moving.flatMap(({ block, velocity }) => {
+    const from = middle(block);
+    const way = new THREE.Vector3(...velocity);
+    return from && way.length() > least ? [{ from: new THREE.Vector3().fromArray(from), way }] : [];
+  });
+  if (arrows.length === 0) return group;
+  const fastest = Math.max(...arrows.map(({ way }) => way.length()));
+  const longest = radius / 4;
+  const thickness = radius / 150;
+  const shaft = new THREE.CylinderGeometry(thickness, thickness, 1, 8, 1).translate(0, 0.5, 0);
+  const head = new THREE.ConeGeometry(3 * thickness, 8 * thickness, 12).translate(0, 4 * thickness, 0);
+  const place = new THREE.Object3D();
+  for (const hidden of [false, true]) {
+    const material = new THREE.MeshBasicMaterial({ color: new THREE.Color().setStyle('#c0266e', THREE.LinearSRGBColorSpace),
+      depthTest: !hidden, transparent: hidden, opacity: hidden ? 0.55 : 1, depthWrite: !hidden });
+    for (const geometry of [shaft, head]) {
+      const mesh = new THREE.InstancedMesh(geometry, material, arrows.length);
+      arrows.forEach(({ from, way }, i) => {
+        const length = (longest * way.length()) / fastest;
+        place.position.copy(from);
+        place.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), way.clone().normalize());
+        place.scale.set(1, geometry === shaft ? length : 1, 1);
+        if (geometry === head) place.position.addScaledVector(way, length / way.length());
+        place.updateMatrix();
+        mesh.setMatrixAt(i, place.matrix);
+      });
+      mesh.frustumCulled = false;
+      mesh.renderOrder = hidden ? 4 : 3;
+      group.add(mesh);
+    }
   }
   return group;
 }

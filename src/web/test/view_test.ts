@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { makeFields, paintMaterials, repainted } from '../fields';
 import { Motion } from '../motion';
 import { readSurface } from '../scene/surface';
-import { digits, dipText, niceStep, quantity, reductionText, ticks, unitFor } from '../ui/format';
+import { digits, dipText, niceStep, quantity, reductionText, stabilityText, ticks, unitFor } from '../ui/format';
 import { greatCircle, meanNormal, project } from '../ui/stereonet';
 import { thinned } from '../ui/plots';
 import { blockFlags } from '../visibility';
@@ -77,6 +77,19 @@ test('long curves keep their peaks', () => {
   const values = time.map((t) => (t === 4321 ? 50 : Math.sin(t)));
   const thin = thinned(time, values, 0, 9999, 100);
   assert.ok(thin.length <= 200 && thin.some(([t, v]) => t === 4321 && v === 50));
+});
+
+test('what limit analysis found of the whole mass is said, with whose motion the arrows show', () => {
+  const moving = [{ block: 3, velocity: [0, 0, -1] as [number, number, number] }];
+  const bound = { factor: 1.2, mechanism: moving };
+  const in_words = 'stands: factor of safety 1.05: block 3 slides on bed';
+  const found = stabilityText({ in_words, bound, sliding: { factor: 1.0512, answer: 'fails', mechanism: moving } });
+  assert.equal(found.factor, 'Whole mass: factor of safety 1.051');
+  assert.equal(found.more, 'By limit analysis: stands: factor of safety 1.05: block 3 slides on bed. Arrows: how fast blocks move, beside each other.');
+  const none = { factor: null, mechanism: [] };
+  assert.equal(stabilityText({ in_words, bound, sliding: { ...none, answer: 'not found' } }).factor, 'Whole mass: factor of safety at most 1.2');
+  assert.equal(stabilityText({ in_words, bound: none, sliding: { ...none, answer: 'stands' } }).factor, 'Whole mass: stands at any strength');
+  assert.equal(stabilityText({ in_words, bound, sliding: { factor: 0, answer: 'falls', mechanism: moving } }).factor, 'Whole mass: fails at any strength');
 });
 
 test('what a strength reduction found is said with what it bounds', () => {

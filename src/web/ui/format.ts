@@ -1,5 +1,5 @@
 // Numbers as an engineer writes them.
-import type { Reduction } from '../data';
+import type { MovingBlock, Reduction, Stability } from '../data';
 
 const prefixes: [number, string][] = [[1e9, 'G'], [1e6, 'M'], [1e3, 'k'], [1, ''], [1e-3, 'm'], [1e-6, 'µ']];
 const prefixed = new Set(['N', 'Pa', 'J', 'N/m']);
@@ -59,6 +59,20 @@ export function dipOf([x, y, z]: ArrayLike<number> & Iterable<number>): { dip: n
 export function dipText(normal: number[]): string {
   const { dip, direction } = dipOf(normal);
   return `${Math.round(dip)}°/${String(Math.round(direction) % 360).padStart(3, '0')}°`;
+}
+
+/// What limit analysis found of the whole mass, and whose motion the arrows show.
+export function stabilityText({ in_words, bound, sliding }: Stability): { factor: string; more: string } {
+  const factor = sliding.answer === 'fails' ? `factor of safety ${digits(sliding.factor!)}`
+    : sliding.answer === 'falls' ? 'fails at any strength'
+    : sliding.answer === 'stands' ? 'stands at any strength' : `factor of safety at most ${digits(bound.factor!)}`;
+  const arrows = movingBlocks({ in_words, bound, sliding }).length > 0 ? ' Arrows: how fast blocks move, beside each other.' : '';
+  return { factor: `Whole mass: ${factor}`, more: `By limit analysis: ${in_words}.${arrows}` };
+}
+
+/// Those of its mechanism without dilation; of that of the bound where none was found.
+export function movingBlocks({ bound, sliding }: Stability): MovingBlock[] {
+  return sliding.mechanism.length > 0 ? sliding.mechanism : bound.mechanism;
 }
 
 /// What a strength reduction found, and what the motion on the page is then of.

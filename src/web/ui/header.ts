@@ -1,7 +1,7 @@
 // The bar at the top: what is shown, search, picture, address, light or dark, help.
 import type { Context } from '../context';
 import { button, h } from './dom';
-import { reductionText } from './format';
+import { reductionText, stabilityText } from './format';
 
 export interface HeaderActions {
   picture: () => void;
@@ -43,11 +43,12 @@ export function header(context: Context, actions: HeaderActions, help: HTMLDialo
   const copy = button('Copy link', 'the address of this view', () => {
     void navigator.clipboard?.writeText(location.href).then(() => { copy.textContent = 'Copied'; setTimeout(() => { copy.textContent = 'Copy link'; }, 1200); });
   });
-  const reduction = result.answer?.reduction ? reductionText(result.answer.reduction) : undefined;
+  const { reduction, stability } = result.answer ?? {};
+  const safety = reduction ? reductionText(reduction) : stability ? stabilityText(stability) : undefined;
   return h('header', {},
     button('☰', 'show or hide the panel on the left', () => actions.panels('left'), { class: 'panel-button', 'aria-label': 'left panel' }),
     h('h1', {}, result.title || result.file),
-    ...(reduction ? [h('span', { class: 'reduction', title: reduction.more }, reduction.factor)] : []),
+    ...(safety ? [h('span', { class: 'safety', title: safety.more }, safety.factor)] : []),
     h('span', { class: 'origin' }, `${result.file} · Rockfold ${result.version}`),
     search,
     button('Picture', 'save as PNG', actions.picture, { id: 'png' }), copy,
