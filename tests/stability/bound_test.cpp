@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/stability/verify.hpp"
+#include "tests/stability/factors.hpp"
 #include "tests/stability/planar_mass.hpp"
 
 namespace rockfold {
@@ -10,22 +10,11 @@ namespace {
 
 using test::bilinear_slope;
 using test::block_on_plane;
+using test::bound_of;
 using test::degree;
 using test::PlanarMass;
 using test::Point2;
 using test::two_wedge_factor;
-
-Bound bound_of(const RigidMass& mass) {
-  Progress silent;
-  Bound bound = find_bound(mass, silent);
-  if (!bound.below.force.empty() && !bound.above.velocity.empty()) {
-    const Verdict verdict = verify({mass, bound.below, bound.above, {}, {}});
-    EXPECT_TRUE(verdict.holds()) << verdict.wrong;
-    EXPECT_LE(bound.above.factor / bound.below.factor - 1, 2 * bound_tolerance);
-    EXPECT_GE(bound.above.factor, bound.below.factor);
-  }
-  return bound;
-}
 
 TEST(Bound, OfABlockOnAPlaneIsTheRatioOfTheTangents) {
   for (const Real dip : {10.0, 30.0, 55.0}) {

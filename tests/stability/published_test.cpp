@@ -12,47 +12,18 @@
 #include "host/stability/movement.hpp"
 #include "host/stability/sliding.hpp"
 #include "host/stability/spring_mass.hpp"
-#include "host/stability/verify.hpp"
 #include "src/base/vector.hpp"
+#include "tests/stability/factors.hpp"
 #include "tests/stability/planar_mass.hpp"
 
 namespace rockfold {
 namespace {
 
+using test::bound_of;
 using test::degree;
+using test::factors_of;
 using test::PlanarMass;
 using test::Point2;
-
-struct Factors {
-  Bound bound;      ///< with dilation
-  Sliding sliding;  ///< without
-};
-
-Bound bound_of(const RigidMass& mass) {
-  Progress silent;
-  Bound bound = find_bound(mass, silent);
-  if (!bound.below.force.empty() && !bound.above.velocity.empty()) {
-    const Verdict verdict = verify({mass, bound.below, bound.above, {}, {}});
-    EXPECT_TRUE(verdict.holds()) << verdict.wrong;
-  }
-  return bound;
-}
-
-/// Checked: what is found is a state of collapse, not above the bound.
-Factors factors_of(const RigidMass& mass) {
-  Progress silent;
-  Factors found{bound_of(mass), {}};
-  found.sliding = find_sliding(mass, found.bound, silent);
-  if (const auto& [bound, sliding] = found; sliding.answer == Sliding::Answer::fails) {
-    EXPECT_TRUE(sliding.proved());
-    EXPECT_TRUE(sliding.stands_below);
-    EXPECT_LE(sliding.factor, bound.above.factor);
-    const Verdict verdict =
-        verify({mass, bound.below, bound.above, sliding.balance, sliding.mechanism});
-    EXPECT_TRUE(verdict.holds()) << verdict.wrong;
-  }
-  return found;
-}
 
 void expect_factor(const RigidMass& mass, Real expected) {
   const auto& [bound, sliding] = factors_of(mass);

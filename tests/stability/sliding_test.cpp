@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "host/stability/movement.hpp"
-#include "host/stability/verify.hpp"
 #include "src/base/vector.hpp"
+#include "tests/stability/factors.hpp"
 #include "tests/stability/planar_mass.hpp"
 
 namespace rockfold {
@@ -14,23 +14,8 @@ using test::bilinear_slope;
 using test::block_on_plane;
 using test::degree;
 using test::PlanarMass;
+using test::sliding_of;
 using test::two_wedge_factor;
-
-/// Checked: what is found is a state of collapse, not above the bound.
-Sliding sliding_of(const RigidMass& mass) {
-  Progress silent;
-  const Bound bound = find_bound(mass, silent);
-  Sliding sliding = find_sliding(mass, bound, silent);
-  if (sliding.answer == Sliding::Answer::fails) {
-    EXPECT_TRUE(sliding.proved());
-    EXPECT_TRUE(sliding.stands_below);
-    EXPECT_LE(sliding.factor, bound.above.factor);
-    const Verdict verdict =
-        verify({mass, bound.below, bound.above, sliding.balance, sliding.mechanism});
-    EXPECT_TRUE(verdict.holds()) << verdict.wrong;
-  }
-  return sliding;
-}
 
 TEST(Sliding, OfABlockOnAPlaneIsTheRatioOfTheTangents) {
   for (const Real dip : {10.0, 30.0, 55.0}) {

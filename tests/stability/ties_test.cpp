@@ -4,6 +4,7 @@
 #include "host/stability/sliding.hpp"
 #include "host/stability/verify.hpp"
 #include "src/base/vector.hpp"
+#include "tests/stability/factors.hpp"
 #include "tests/stability/planar_mass.hpp"
 
 namespace rockfold {
@@ -12,6 +13,8 @@ namespace {
 using test::bilinear_slope;
 using test::block_on_plane;
 using test::degree;
+using test::Factors;
+using test::factors_of;
 
 constexpr Real dip = 40 * degree, weight = 4 * 25e3;  // of block_on_plane
 
@@ -20,23 +23,6 @@ BoltTie bolt(const RigidMass& mass, Real angle, Real least, Real most) {
   const Vec3 up_slope{-std::cos(dip), 0, std::sin(dip)};
   const Vec3 axis = std::cos(angle) * up_slope - std::sin(angle) * mass.contacts[0].normal;
   return {{0, none}, mass.bodies[0].centre, axis, least, most, "bolt"};
-}
-
-struct Factors {
-  Bound bound;
-  Sliding sliding;
-};
-
-Factors factors_of(const RigidMass& mass) {
-  Progress silent;
-  Factors found;
-  found.bound = find_bound(mass, silent);
-  found.sliding = find_sliding(mass, found.bound, silent);
-  const Verdict verdict = verify(
-      {mass, found.bound.below, found.bound.above, found.sliding.balance, found.sliding.mechanism});
-  EXPECT_TRUE(verdict.holds()) << verdict.wrong;
-  EXPECT_TRUE(found.sliding.proved());
-  return found;
 }
 
 /// What holds the block over what drives it along its plane, the joint's share of strength divided by the factor.
