@@ -93,7 +93,8 @@ class BoundSearch {
   /// Strength is a share of what there is: too little up to `low_`, enough from `high_` on. Newton's step from the lower side, a little
   /// beyond so that it may end; where that leaves the bracket, its middle.
   Real next_share() const {
-    const Real slope = low_ > 0 || programs_ == 1 ? columns_.slope(solution_, above_.velocity) : 0;
+    const Real slope =
+        low_ > 0 || programs_ == 1 ? columns_.slope(low_, solution_, above_.velocity) : 0;
     const Real step = above_.factor * low_ == 1 && slope > 0 ? solution_.cost / slope : 0;
     const Real newton = (low_ + step) * (1 + 0.25 * bound_tolerance);
     const Real most = std::isfinite(high_) ? high_ : most_strength;

@@ -26,7 +26,7 @@ ContactColumns::ContactColumns(const ScaledMass& scaled) : scaled_(scaled), rows
     const Index edges = scaled.contact(point).friction > 0 ? first_edges : 1;
     for (Index k = 0; k < edges; ++k)
       columns_.push_back({p, ContactColumn::Kind::edge, part_of_circle(k, edges)});
-    const bool has_disc = disc_radius(point) > 0;
+    const bool has_disc = scaled.contact(point).cohesion * point.area > 0;
     disc_row_.push_back(has_disc ? rows_++ : none);
     for (Index k = 0; has_disc && k < first_corners; ++k)
       columns_.push_back({p, ContactColumn::Kind::disc, part_of_circle(k, first_corners)});
@@ -35,16 +35,21 @@ ContactColumns::ContactColumns(const ScaledMass& scaled) : scaled_(scaled), rows
   ties_ = static_cast<Index>(scaled.mass().ties.size());
 }
 
-Real ContactColumns::tension_force(const ForcePoint& point) const {
+ContactColumns::Pull ContactColumns::pull(const ForcePoint& point, Real share) const {
   const ContactArea& area = scaled_.contact(point);
   const Real apex = area.friction > 0 ? area.cohesion / area.friction : unlimited;
-  return std::min(area.tension, apex) * point.area / scaled_.force_scale();
+  const bool cut_off = share * area.tension < apex;
+  const Real per_force = point.area / scaled_.force_scale();
+  const Real tension = cut_off ? share * area.tension * per_force : apex * per_force;
+  return {tension, cut_off ? area.tension * per_force : 0};
 }
 
-Real ContactColumns::disc_radius(const ForcePoint& point) const {
+ContactColumns::Pull ContactColumns::disc_radius(const ForcePoint& point, Real share) const {
   const ContactArea& area = scaled_.contact(point);
-  return std::max(0.0, area.cohesion * point.area / scaled_.force_scale() -
-                           area.friction * tension_force(point));
+  const Pull tension = pull(point, share);
+  const Real left =
+      area.cohesion * point.area / scaled_.force_scale() - area.friction * tension.force;
+  return {std::max(0.0, share * left), left - share * area.friction * tension.slope};
 }
 
 Vec3 ContactColumns::direction(const ContactColumn& column) const {
@@ -97,14 +102,14 @@ LinearProgram ContactColumns::program(Real share, Units units) const {
 std::vector<Real> ContactColumns::right_side(Real share) const {
   std::vector<Real> right = scaled_.right_side();
   right.resize(static_cast<std::size_t>(rows_), 0);
-  LinearProgram pull({});
+  LinearProgram pulls({});
   for (std::size_t p = 0; p < disc_row_.size(); ++p) {
     const ForcePoint& point = scaled_.points()[p];
-    if (disc_row_[p] != none) right[disc_row_[p]] = share * disc_radius(point);
-    if (const Real t = share * tension_force(point); t > 0)
-      scaled_.add_force(pull, point, -t * scaled_.contact(point).normal);
+    if (disc_row_[p] != none) right[disc_row_[p]] = disc_radius(point, share).force;
+    if (const Real t = pull(point, share).force; t > 0)
+      scaled_.add_force(pulls, point, -t * scaled_.contact(point).normal);
   }
-  for (std::size_t e = 0; e < pull.row.size(); ++e) right[pull.row[e]] -= pull.value[e];
+  for (std::size_t e = 0; e < pulls.row.size(); ++e) right[pulls.row[e]] -= pulls.value[e];
   for (const BoltTie& tie : scaled_.mass().ties) {
     LinearProgram always({});
     scaled_.add_tension(always, tie);
@@ -120,7 +125,7 @@ Real ContactColumns::imbalance(const LinearSolution& solution) const {
   return sum;
 }
 
-Real ContactColumns::slope(const LinearSolution& solution,
+Real ContactColumns::slope(Real share, const LinearSolution& solution,
                            const std::vector<BodyVelocity>& velocity) const {
   Real slope = 0;
   for (std::size_t c = 0; c < columns_.size(); ++c) {
@@ -131,9 +136,10 @@ Real ContactColumns::slope(const LinearSolution& solution,
   }
   for (std::size_t p = 0; p < disc_row_.size(); ++p) {
     const ForcePoint& point = scaled_.points()[p];
-    slope +=
-        tension_force(point) * dot(scaled_.contact(point).normal, scaled_.jump(point, velocity));
-    if (disc_row_[p] != none) slope -= solution.price[disc_row_[p]] * disc_radius(point);
+    slope += pull(point, share).slope *
+             dot(scaled_.contact(point).normal, scaled_.jump(point, velocity));
+    if (disc_row_[p] != none)
+      slope -= solution.price[disc_row_[p]] * disc_radius(point, share).slope;
   }
   return slope;
 }
@@ -155,7 +161,7 @@ std::vector<Vec3> ContactColumns::forces(Real share, const LinearSolution& solut
   std::vector<Vec3> force;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const ForcePoint& point = scaled_.points()[p];
-    const Real normal = parts[p].normal - share * tension_force(point);
+    const Real normal = parts[p].normal - pull(point, share).force;
     force.push_back(scaled_.force_scale() *
                     (normal * scaled_.contact(point).normal + parts[p].slip));
   }

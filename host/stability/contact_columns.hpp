@@ -29,7 +29,8 @@ class ContactColumns {
   /// Sum of what is added to the loads of a solution for a balance, each of the load of its body.
   Real imbalance(const LinearSolution& solution) const;
   /// What the dual of a solution takes up less for more strength: −d(cost)/d(share).
-  Real slope(const LinearSolution& solution, const std::vector<BodyVelocity>& velocity) const;
+  Real slope(Real share, const LinearSolution& solution,
+             const std::vector<BodyVelocity>& velocity) const;
   /// N on the first bodies, [points].
   std::vector<Vec3> forces(Real share, const LinearSolution& solution) const;
   /// N, of the ties.
@@ -46,8 +47,13 @@ class ContactColumns {
  private:
   std::vector<Real> right_side(Real share) const;
   Vec3 direction(const ContactColumn& column) const;
-  Real disc_radius(const ForcePoint& point) const;    ///< at full strength, of force_scale()
-  Real tension_force(const ForcePoint& point) const;  ///< likewise
+  /// Of force_scale(), and its derivative by the share of strength.
+  struct Pull {
+    Real force = 0, slope = 0;
+  };
+  /// What a point bears in tension: its strength, up to the apex of the cone, c / tan φ, which is the same at every share.
+  Pull pull(const ForcePoint& point, Real share) const;
+  Pull disc_radius(const ForcePoint& point, Real share) const;
 
   const ScaledMass& scaled_;
   std::vector<ContactColumn> columns_;

@@ -18,6 +18,7 @@ struct Seen {
   Real reach = 0;    ///< m
   Real largest = 0;  ///< N, of the forces on it
   std::set<std::string> slides, parts;
+  std::map<Index, bool> with;        ///< bodies that press on it: whether they go as it goes
   std::map<Index, Real> power_from;  ///< W, of the forces of other bodies
 };
 
@@ -29,14 +30,13 @@ class Movement {
     for (const ForcePoint& point : points)
       for (const Index body : mass.contacts[point.contact].body)
         fastest_ = std::max(fastest_, norm(velocity_at(body, point.at)));
-    for (const BodyVelocity& v : velocity_)
-      if (points.empty()) fastest_ = std::max(fastest_, norm(v.velocity));
+    for (const BodyVelocity& v : velocity_) fastest_ = std::max(fastest_, norm(v.velocity));
     for (std::size_t p = 0; p < balance.force.size(); ++p)
       for (const Index body : mass.contacts[points[p].contact].body)
         if (body != none)
           seen_[body].largest = std::max(seen_[body].largest, norm(balance.force[p]));
     for (std::size_t p = 0; p < points.size(); ++p)
-      look(points[p], balance.force.empty() ? Vec3{} : balance.force[p]);
+      look(points[p], balance.force.empty() ? nullptr : &balance.force[p]);
   }
 
   std::vector<MovingBlock> blocks() const {
@@ -58,22 +58,26 @@ class Movement {
     return velocity_[body].velocity + cross(velocity_[body].spin, x - mass_.bodies[body].centre);
   }
 
-  void look(const ForcePoint& point, const Vec3& force) {
+  /// Without a balance, what does not open is taken to press.
+  void look(const ForcePoint& point, const Vec3* force) {
     const ContactArea& contact = mass_.contacts[point.contact];
     const Vec3 jump =
         velocity_at(contact.body[0], point.at) - velocity_at(contact.body[1], point.at);
-    const Real pressure = dot(force, contact.normal);
+    const Real slow = at_rest * fastest_, opening = dot(jump, contact.normal);
     for (int side = 0; side < 2; ++side) {
       const Index body = contact.body[side], other = contact.body[1 - side];
       if (body == none) continue;
       Seen& seen = seen_[body];
-      const bool passes = pressure > at_rest * seen.largest;
+      const bool passes = force ? norm(*force) > at_rest * seen.largest : opening <= slow;
       const Vec3 own = velocity_at(body, point.at);
-      seen.moves = seen.moves || norm(own) > at_rest * fastest_;
+      seen.moves = seen.moves || norm(own) > slow;
       seen.reach = std::max(seen.reach, norm(point.at - mass_.bodies[body].centre));
-      if (passes && norm(jump) > at_rest * fastest_) seen.slides.insert(contact.joint);
-      if (dot(jump, contact.normal) > at_rest * fastest_) seen.parts.insert(contact.joint);
-      if (other != none && passes) seen.power_from[other] += dot(side == 0 ? force : -force, own);
+      if (passes && norm(jump) > slow) seen.slides.insert(contact.joint);
+      if (opening > slow) seen.parts.insert(contact.joint);
+      if (other == none || !passes) continue;
+      if (force) seen.power_from[other] += dot(side == 0 ? *force : -*force, own);
+      const auto [with, is_new] = seen.with.try_emplace(other, true);
+      with->second = with->second && norm(jump) <= slow;
     }
   }
 
@@ -86,12 +90,16 @@ class Movement {
                       {seen.slides.begin(), seen.slides.end()},
                       {seen.parts.begin(), seen.parts.end()},
                       {},
+                      {},
                       norm(v.spin) * seen.reach > counts * norm(v.velocity)};
     const RigidBody6& body = mass_.bodies[b];
     Real driven = std::max(0.0, dot(body.force, v.velocity) + dot(body.moment, v.spin));
     for (const auto& [other, power] : seen.power_from) driven += std::max(0.0, power);
     for (const auto& [other, power] : seen.power_from)
       if (power > counts * driven) block.pushed_by.push_back(other);
+    for (const auto& [other, goes] : seen.with)
+      if (goes) block.moves_with.push_back(other);
+    block.falls = dot(v.velocity, body.force) > (1 - counts) * norm(v.velocity) * norm(body.force);
     return block;
   }
 

@@ -36,8 +36,7 @@ std::vector<BodyVelocity> at_unit_speed(const ScaledMass& scaled,
   Real fastest = 0;
   for (const ForcePoint& point : scaled.points())
     fastest = std::max(fastest, norm(scaled.jump(point, velocity)));
-  for (const BodyVelocity& v : velocity)
-    if (scaled.points().empty()) fastest = std::max(fastest, norm(v.velocity));
+  for (const BodyVelocity& v : velocity) fastest = std::max(fastest, norm(v.velocity));
   for (BodyVelocity& v : velocity) {
     v.velocity = (1 / fastest) * v.velocity;
     v.spin = (1 / fastest) * v.spin;

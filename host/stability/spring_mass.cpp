@@ -340,11 +340,12 @@ void SpringMass::look(Step& step, bool with_tangents) const {
   step.drag = std::sqrt(drag);
   for (std::size_t c = 0; c < corners_.size(); ++c) {
     const Corner& corner = corners_[c];
-    const Real k = corner.stiffness, s = shear_share * k, pull = step.share * corner.tension;
+    const Real k = corner.stiffness, s = shear_share * k;
+    const Real pull = corner.pull(step.share);
     const Eigen::Vector3d jump = equations_->jump(c, step.now);
     const bool open = -k * jump[0] < -pull;
-    const Real normal = open ? -pull : -k * jump[0], pressure = std::max(0.0, normal);
-    const Real limit = step.share * (corner.friction * pressure + corner.cohesion);
+    const Real normal = open ? -pull : -k * jump[0];
+    const Real limit = std::max(0.0, step.share * (corner.friction * normal + corner.cohesion));
     const Eigen::Vector2d stretch = jump.tail<2>() - step.slipped[c];
     const Real length = stretch.norm();
     const bool slips = s * length > limit;
@@ -355,7 +356,7 @@ void SpringMass::look(Step& step, bool with_tangents) const {
     equations_->add(c, {normal, -secant * stretch[0], -secant * stretch[1]}, step.rest);
     if (with_tangents)
       step.tangent[c] = tangent_of(open ? 0 : k, secant, along, slips,
-                                   normal > 0 ? step.share * corner.friction * k : 0);
+                                   open || limit == 0 ? 0 : step.share * corner.friction * k);
   }
   pull(step);
 }
@@ -510,9 +511,14 @@ Real SpringMass::factor(const State& state) const {
     const Corner& corner = corners_[c];
     const Eigen::Vector3d jump = equations_->jump(c, velocity);
     const Index body = corner.body[0] == none ? corner.body[1] : corner.body[0];
-    resisted[root(body)] += (corner.friction * std::max(0.0, state.pressure[c]) + corner.cohesion) *
-                                std::hypot(jump[1], jump[2]) +
-                            corner.tension * std::max(0.0, jump[0]);
+    resisted[root(body)] += std::max(0.0, corner.friction * state.pressure[c] + corner.cohesion) *
+                            std::hypot(jump[1], jump[2]);
+    // No factor divides the apex of a cone.
+    const Real pull = corner.pull(1), opening = std::max(0.0, jump[0]);
+    if (pull < corner.tension)
+      driven[root(body)] -= pull * opening;
+    else
+      resisted[root(body)] += pull * opening;
   }
   constexpr Real counts = 1e-3;  // of all power: the rest is noise of blocks at rest
   const Real all = std::accumulate(driven.begin(), driven.end(), 0.0);

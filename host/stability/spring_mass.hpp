@@ -8,6 +8,7 @@
 // as friction takes energy alone; steps go on from there with such slips.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -51,6 +52,11 @@ class SpringMass {
     std::array<Index, 2> body{};
     Real stiffness = 0;                            ///< along the normal; half of it across
     Real friction = 0, cohesion = 0, tension = 0;  ///< tan φ; forces
+
+    /// What it bears in tension at a share of its strength, up to the apex of its cone.
+    Real pull(Real share) const {
+      return friction > 0 ? std::min(share * tension, cohesion / friction) : share * tension;
+    }
   };
   struct Step;
   struct Equations;

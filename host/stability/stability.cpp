@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "host/stability/rock_mass.hpp"
+#include "host/stability/verify.hpp"
 #include "src/base/error.hpp"
 
 namespace rockfold {
@@ -13,8 +14,9 @@ StageKeys keys_of_stability() {
   return {
       "stability",
       {"gravity", "material.density", "joint_material.friction_angle", "joint_material.cohesion",
-       "joint_material.tensile_strength", "support.seismic_coefficient", "support.water_pressure",
-       "water", "point_load", "traction", "fixed.where", "fixed.components"}};
+       "contact_pair", "bolt_type", "bolt", "bolt_pattern", "joint_material.tensile_strength",
+       "support.seismic_coefficient", "support.water_pressure", "water", "point_load", "traction",
+       "fixed.where", "fixed.components"}};
 }
 
 Index moving_block_count(const BlockArrays& blocks, const Model& model) {
@@ -44,6 +46,9 @@ StabilityReport find_stability(const Cutting& cutting, const BlockArrays& blocks
     return report;
   }
   report.bound = find_bound(report.mass, progress);
+  report.bound_proved =
+      !report.bound.below.force.empty() &&
+      verify({report.mass, report.bound.below, report.bound.above, {}, {}}).holds();
   report.sliding = find_sliding(report.mass, report.bound, progress);
   report.at_bound = moving_blocks(report.mass, report.bound.above, report.bound.below);
   report.at_sliding = moving_blocks(report.mass, report.sliding.mechanism, report.sliding.balance);

@@ -32,6 +32,7 @@ struct StabilityReport {
   std::vector<Index>
       partly_held;  ///< blocks that a [[fixed]] holds in some directions alone: they count as free
   Bound bound;
+  bool bound_proved = false;  ///< in rational arithmetic, from both sides or from below alone
   Sliding sliding;
   std::vector<MovingBlock> at_bound, at_sliding;  ///< how its mechanisms move
 

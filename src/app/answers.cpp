@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generated/version.hpp"
+#include "src/app/certificates.hpp"
 #include "src/app/examples.hpp"
 #include "src/app/process/limits.hpp"
 #include "src/app/process/signals.hpp"
@@ -131,7 +132,7 @@ std::string answer_text(const Answer& answer, const PhaseSeconds& seconds) {
   for (const DesignFile& file : design_files(answer.model, answer.path, made))
     text += fact("drawing or table", file.path);
   for (const auto& path : answer.options.exports) text += fact("export", path);
-  if (!answer.options.certificate.empty())
+  if (!answer.options.certificate.empty() && has_certificate(*answer.stability))
     text += fact("certificate", answer.options.certificate + "  (rockfold verify)");
   if (demo && has_page()) text += page_fact(page_path(answer.options));
   if (answer.options.report) text += report_fact(report_path(answer.options));

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -72,10 +73,18 @@ std::string verdict_text(const Certificate& certificate, const Verdict& verdict)
 
 }  // namespace
 
+bool has_certificate(const StabilityReport& report) {
+  return !report.bound.below.force.empty() && !std::isinf(report.bound.factor);
+}
+
 void write_certificate(const std::string& path, const StabilityReport& report, Terminal& terminal) {
-  if (report.bound.below.force.empty() || std::isinf(report.bound.factor))
-    return terminal.warn(
-        fmt::format("{} is not written: a mass without a bound needs no proof of one", path));
+  if (!has_certificate(report)) {
+    const char* why = report.bound.factor == 0 ? "no forces balance this mass at any strength"
+                                               : "this mass stands without any strength";
+    return terminal.warn(fmt::format(
+        "{} is not written, as {}{}", path, why,
+        std::filesystem::exists(path) ? "; the file of that name is of another run" : ""));
+  }
   const Certificate certificate = report.certificate();
   if (const Verdict verdict = verify(certificate); !verdict.holds())
     throw Error(ErrorKind::analysis, "the bound could not be proved: " + verdict.wrong);

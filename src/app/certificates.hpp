@@ -9,6 +9,9 @@
 
 namespace rockfold {
 
+/// Whether there is a bound to prove: forces that balance the mass at some factor, and not at all.
+bool has_certificate(const StabilityReport& report);
+
 /// Writes what proves the bound, once it has been checked. Throws Error(io) where the file cannot be written, Error(analysis) where the
 /// certificate does not hold: then the search went wrong. Of a mass without a bound there is none, and a warning says so.
 void write_certificate(const std::string& path, const StabilityReport& report, Terminal& terminal);

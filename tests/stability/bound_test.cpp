@@ -61,6 +61,33 @@ TEST(Bound, TensionHoldsABlockUnderARoof) {
   EXPECT_NEAR(bound_of(hanging.mass()).factor, 40e3 / 25e3, 1e-5);
 }
 
+// Cohesion and friction divided by the same factor leave the cone's apex, c / tan φ, where it is: tension strength counts up to there.
+TEST(Bound, TensionHoldsABlockUnderARoofUpToTheApexOfTheCone) {
+  const auto factor_of = [](Real cohesion, Real tension) {
+    PlanarMass hanging;
+    hanging.add_block({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    hanging.add_contact(0, none, {1, 1}, {0, 1}, 0.5, cohesion, tension);
+    return bound_of(hanging.mass()).factor;
+  };
+  EXPECT_NEAR(factor_of(20e3, 60e3), 60e3 / 25e3, 1e-4);  // apex at 40 kPa, weight 25 kPa
+  EXPECT_EQ(factor_of(12e3, 60e3), 0);                    // apex at 24 kPa
+}
+
+// It leans on a bonded wall: what the joint bears in shear grows as its tension is cut off lower, t / F.
+TEST(Bound, ShearBesideTensionIsThatOfTheConeAtTheFactor) {
+  PlanarMass leaning;
+  leaning.add_block({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  leaning.add_contact(0, none, {0, 0}, {0, 1}, 0.5, 60e3, 20e3);
+  RigidMass mass = leaning.mass();
+  mass.contacts[0].normal = {1, 0, 0};
+  mass.bodies[0].centre = {0, 0.5, 0.5};  // weight without a moment
+  mass.bodies[0].force = {10e3, 0, -25e3};
+  // At F: normal −10 kN of at most 20 kN / F, shear 25 kN = (60 − 0.5 · 10) kN / F, or the cut-off at F = 2 first.
+  EXPECT_NEAR(bound_of(mass).factor, 2, 1e-4);
+  mass.bodies[0].force = {10e3, 0, -40e3};
+  EXPECT_NEAR(bound_of(mass).factor, 55e3 / 40e3, 1e-4);
+}
+
 TEST(Bound, OfABilinearSlopeIsThatOfTwoWedges) {
   for (const Real angle : {25.0, 35.0}) {
     const Real friction = std::tan(angle * degree), expected = two_wedge_factor(friction);

@@ -43,6 +43,7 @@ Json stability_json(const StabilityReport& report) {
   Json bound{
       {"factor", report.bound.factor},  // infinite is written as null
       {"below", report.bound.below.factor},
+      {"proved", report.bound_proved},
       {"above", report.bound.above.velocity.empty() ? Json() : Json(report.bound.above.factor)},
       {"mechanism", mechanism_json(report.mass, report.at_bound)}};
   if (report.bound.below.force.empty()) bound["below"] = nullptr;

@@ -23,8 +23,9 @@ std::string bound_text(const StabilityReport& report) {
     return fmt::format("more than {:g}: forces that press on each other hold the mass",
                        most_factor);
   if (bound.factor == 0) return "0: no strength of the joints balances the mass";
-  return fmt::format("{:.4f}  ({:.6f} to {:.6f} proved): the upper limit of any factor of safety",
-                     bound.factor, bound.below.factor, bound.above.factor);
+  return fmt::format("{:.4f}  ({:.6f} to {:.6f}{}): the upper limit of any factor of safety",
+                     bound.factor, bound.below.factor, bound.above.factor,
+                     report.bound_proved ? " proved" : ", not proved");
 }
 
 std::string sliding_text(const Sliding& sliding) {
@@ -50,18 +51,20 @@ std::string moving_table(const StabilityReport& report, const std::vector<Moving
   for (std::size_t k = 0; k < std::min(most, moving.size()); ++k) {
     const MovingBlock& m = moving[k];
     const Index b = report.mass.bodies[m.body].block;
-    const Vec3& v = m.velocity;
+    Vec3 v = m.velocity;
+    for (Real& x : v) x = std::round(1e3 * x) / 1e3 + 0.0;  // no "-0.000"
     std::vector<std::string> pushed_by;
     for (const Index other : m.pushed_by)
       pushed_by.push_back(fmt::format("{}", report.mass.bodies[other].block + 1));
     rows.push_back({fmt::format("{}", b + 1), fixed_text(blocks.volume[b], 2),
-                    fmt::format("{:.3f} {:.3f} {:.3f}", v[0], v[1], v[2]), fixed_text(norm(v), 3),
-                    fixed_text(norm(m.spin), 3), joined_names(m.slides_on),
-                    joined_names(m.parts_from), joined_names(pushed_by)});
+                    fmt::format("{:.3f} {:.3f} {:.3f}", v[0], v[1], v[2]),
+                    fixed_text(norm(m.velocity), 3), fixed_text(norm(m.spin), 3),
+                    joined_names(m.slides_on), joined_names(m.parts_from),
+                    joined_names(pushed_by)});
   }
   std::string text = table_text({{"block", ""},
                                  {"volume", "m3"},
-                                 {"direction", "x y z"},
+                                 {"velocity", "x y z"},
                                  {"speed", "of the fastest"},
                                  {"turns", "rad/m"},
                                  {"slides on", "", true},
@@ -77,9 +80,10 @@ std::string moving_table(const StabilityReport& report, const std::vector<Moving
 
 std::string stability_summary(const StabilityReport& report, const BlockArrays& blocks,
                               std::size_t most) {
-  std::string text = fact("blocks that may move",
-                          fmt::format("{}, which touch in {} areas", report.mass.bodies.size(),
-                                      report.mass.contacts.size()));
+  std::string text =
+      fact("blocks that may move",
+           fmt::format("{}, which touch in {} area{}", report.mass.bodies.size(),
+                       report.mass.contacts.size(), report.mass.contacts.size() == 1 ? "" : "s"));
   text += fact("bound", bound_text(report));
   if (report.mass.bodies.empty()) return text;
   text += fact("sliding", sliding_text(report.sliding));
