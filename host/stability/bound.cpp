@@ -19,6 +19,8 @@ constexpr Index most_rounds = 40;
 constexpr Real coarse = 1e-3, fine = 1e-9;
 /// Sum of forces that are left over, each of the load of its body.
 constexpr Real balanced = 1e-9;
+/// Of a share: a basis that near is a good start.
+constexpr Real near_share = 0.2;
 
 /// Brings the two sides of the bound together, for a mass that is solved as a whole each time.
 class BoundSearch {
@@ -29,8 +31,11 @@ class BoundSearch {
 
   /// Whether it stands with this share 1/F of its strength, by cones that are round to `gap`; keeps what proves the answer.
   bool stands(Real share, Real gap, Units units) {
-    const LinearSolution* before =
-        nullptr;  // the basis of another share is a worse start than none
+    // The basis of a share that is far off, or in other units, is a worse start than none.
+    const bool near_by = units == units_ && std::abs(share - share_) < near_share * share_;
+    const LinearSolution* before = near_by ? &solution_ : nullptr;
+    share_ = share;
+    units_ = units;
     for (Index round = 0;; ++round) {
       solution_ = solve(columns_.program(share, units), before);
       before = &solution_;
@@ -112,6 +117,8 @@ class BoundSearch {
   ScaledMass scaled_;
   ContactColumns columns_;
   LinearSolution solution_;  ///< of the share looked at last
+  Real share_ = 0;
+  Units units_ = Units::own;
   Balance below_;
   Mechanism above_;
   Real low_ = 0, high_ = std::numeric_limits<Real>::infinity();
