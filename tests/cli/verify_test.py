@@ -84,6 +84,8 @@ class Verify(ProgramTest):
         self.assertEqual(error["key"], "contacts[1].normal")
         self.write("half.json", json.dumps(certificate)[:-9])
         self.assertIn("half.json: is no JSON document", self.run_program("verify", "half.json", status=3).stderr)
+        self.write("empty.json", "")
+        self.assertIn("empty.json: is empty", self.run_program("verify", "empty.json", status=3).stderr)
 
     def test_no_file(self):
         self.assertIn("none.json: cannot be opened", self.run_program("verify", "none.json", status=3).stderr)

@@ -1,7 +1,9 @@
 #include "src/report/documents/certificate_document.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -227,7 +229,11 @@ Certificate certificate_from(const std::string& text, const std::string& file) {
 }
 
 Certificate read_certificate(const std::string& file) {
-  return certificate_from(read_data_file(Place{file, 0, 0, ""}), file);
+  const Place place{file, 0, 0, ""};
+  std::error_code none_such;
+  if (std::filesystem::is_regular_file(file, none_such) && std::filesystem::file_size(file) == 0)
+    throw Error(ErrorKind::io, "is empty: it holds no certificate", place);
+  return certificate_from(read_data_file(place), file);
 }
 
 }  // namespace rockfold
