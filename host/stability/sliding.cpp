@@ -30,7 +30,7 @@ struct Failure {
   Real stood_at = 0;  ///< the factor at which it was seen to stand
 };
 
-/// The fastest point of a contact moves with 1 m/s.
+/// The fastest point of a contact, or centre of a body, moves with 1 m/s.
 std::vector<BodyVelocity> at_unit_speed(const ScaledMass& scaled,
                                         std::vector<BodyVelocity> velocity) {
   Real fastest = 0;
