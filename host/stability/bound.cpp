@@ -19,8 +19,6 @@ constexpr Index most_rounds = 40;
 constexpr Real coarse = 1e-3, fine = 1e-9;
 /// Sum of forces that are left over, each of the load of its body.
 constexpr Real balanced = 1e-9;
-/// Of a share: a basis that near is a good start.
-constexpr Real near_share = 0.2;
 
 /// Brings the two sides of the bound together, for a mass that is solved as a whole each time.
 class BoundSearch {
@@ -29,25 +27,30 @@ class BoundSearch {
 
   using Units = ContactColumns::Units;
 
-  /// Whether it stands with this share 1/F of its strength, by cones that are round to `gap`; keeps what proves the answer.
-  bool stands(Real share, Real gap, Units units) {
-    // The basis of a share that is far off, or in other units, is a worse start than none.
-    const bool near_by = units == units_ && std::abs(share - share_) < near_share * share_;
-    const LinearSolution* before = near_by ? &solution_ : nullptr;
-    share_ = share;
+  enum class Until : std::uint8_t { round, proved };
+
+  /// Whether it stands with this share 1/F of its strength, by cones that are round to `gap`, or as round as the answer needs; keeps what
+  /// proves the answer.
+  bool stands(Real share, Real gap, Units units, Until until = Until::round) {
+    const bool near_by = units == units_ && basis_.near_by(share);
+    LinearSolution& solution = basis_.solution;
+    const LinearSolution* before = near_by ? &solution : nullptr;
+    basis_.share = share;
     units_ = units;
     for (Index round = 0;; ++round) {
-      solution_ = solve(columns_.program(share, units), before);
-      before = &solution_;
+      const LinearProgram program = columns_.program(share, units);
+      solution = before ? solve(program, before) : columns_.solve_anew(program);
+      before = &solution;
       ++programs_;
-      if (columns_.imbalance(solution_) <= balanced) {
-        below_ = {1 / share, columns_.forces(share, solution_), columns_.tensions(solution_)};
+      if (columns_.imbalance(solution) <= balanced) {
+        below_ = {1 / share, columns_.forces(share, solution), columns_.tensions(solution)};
         return true;
       }
-      std::vector<Real> reversed = solution_.price;
+      std::vector<Real> reversed = solution.price;
       for (Real& y : reversed) y = -y;
       above_ = {1 / share, scaled_.velocities(reversed)};
-      if (columns_.round_off(share, above_.velocity, gap) == 0 || round == most_rounds)
+      const Real enough = until == Until::proved ? std::max(gap, proving_gap()) : gap;
+      if (columns_.round_off(share, above_.velocity, enough) == 0 || round == most_rounds)
         return false;
     }
   }
@@ -77,6 +80,7 @@ class BoundSearch {
   }
 
   const Balance& below() const { return below_; }
+  BalanceBasis basis() const { return {basis_.share, columns_.columns(), basis_.solution}; }
   const Mechanism& above() const { return above_; }
   Index programs() const { return programs_; }
 
@@ -86,21 +90,25 @@ class BoundSearch {
     for (Real margin = 0.5 * bound_tolerance; margin < 0.5; margin *= 4) {
       low_ = share * (1 - margin);
       if (stands(low_, fine, Units::common)) return false;
-      Real fastest = 0;
-      for (const ForcePoint& point : scaled_.points())
-        fastest = std::max(fastest, norm(scaled_.jump(point, above_.velocity)));
-      const Real hidden = fine * fastest * static_cast<Real>(scaled_.mass().bodies.size());
-      if (solution_.cost > 2 * hidden) break;
+      if (fine < proving_gap()) break;
     }
     return true;
+  }
+
+  /// Of the largest jump: slips that dilate that much too little could hide half of what the mechanism gains.
+  Real proving_gap() const {
+    Real fastest = 0;
+    for (const ForcePoint& point : scaled_.points())
+      fastest = std::max(fastest, norm(scaled_.jump(point, above_.velocity)));
+    return basis_.solution.cost / (2 * fastest * static_cast<Real>(scaled_.mass().bodies.size()));
   }
 
   /// Strength is a share of what there is: too little up to `low_`, enough from `high_` on. Newton's step from the lower side, a little
   /// beyond so that it may end; where that leaves the bracket, its middle.
   Real next_share() const {
     const Real slope =
-        low_ > 0 || programs_ == 1 ? columns_.slope(low_, solution_, above_.velocity) : 0;
-    const Real step = above_.factor * low_ == 1 && slope > 0 ? solution_.cost / slope : 0;
+        low_ > 0 || programs_ == 1 ? columns_.slope(low_, basis_.solution, above_.velocity) : 0;
+    const Real step = above_.factor * low_ == 1 && slope > 0 ? basis_.solution.cost / slope : 0;
     const Real newton = (low_ + step) * (1 + 0.25 * bound_tolerance);
     const Real most = std::isfinite(high_) ? high_ : most_strength;
     if (step > 0 && newton < most) return newton;
@@ -108,7 +116,7 @@ class BoundSearch {
   }
 
   Bound bound(Real factor) {
-    Bound bound{factor, std::move(below_), std::move(above_), programs_};
+    Bound bound{factor, std::move(below_), std::move(above_), programs_, basis()};
     if (factor >= most_factor) bound.above = {};
     if (factor == 0) bound.below = {};
     return bound;
@@ -116,8 +124,7 @@ class BoundSearch {
 
   ScaledMass scaled_;
   ContactColumns columns_;
-  LinearSolution solution_;  ///< of the share looked at last
-  Real share_ = 0;
+  BalanceBasis basis_;  ///< of the share looked at last; its columns are columns_
   Units units_ = Units::own;
   Balance below_;
   Mechanism above_;
@@ -136,14 +143,15 @@ class WholeSearch {
     std::vector<Index> last;
     while (factor_ > 0 && std::isfinite(factor_)) {
       const Real share = (1 + 0.25 * bound_tolerance) / below_factor_;
-      if (whole_.stands(share, fine, ContactColumns::Units::own))
-        return {0.5 * (1 / share + above_.factor), whole_.below(), std::move(above_), programs()};
+      if (whole_.stands(share, fine, ContactColumns::Units::own, BoundSearch::Until::proved))
+        return {0.5 * (1 / share + above_.factor), whole_.below(), std::move(above_), programs(),
+                whole_.basis()};
       std::vector<Index> moving = moving_bodies();
       if (moving == last || moving.size() == mass_.bodies.size()) break;
       last = moving;
       look_at_part(std::move(moving));
     }
-    if (factor_ == 0) return {0, {}, std::move(above_), programs()};
+    if (factor_ == 0) return {0, {}, std::move(above_), programs(), {}};
     Bound bound = whole_.find();
     bound.programs = programs();
     return bound;

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "host/stability/certificate.hpp"
+#include "host/stability/contact_columns.hpp"
 #include "host/stability/rigid_mass.hpp"
 #include "src/base/progress.hpp"
 
@@ -24,6 +25,7 @@ struct Bound {
   Balance below;
   Mechanism above;
   Index programs = 0;  ///< linear programmes solved
+  BalanceBasis basis;  ///< of `below`
 };
 
 /// Relative distance of the two sides that is sought.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "host/stability/contact_columns.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -37,27 +36,31 @@ bool overlaps(const ScaledMass& scaled, const std::vector<BodyVelocity>& slips) 
 
 }  // namespace
 
-std::optional<Balance> find_collapse_forces(const RigidMass& mass, const Mechanism& mechanism) {
+std::optional<Balance> find_collapse_forces(const RigidMass& mass, const Mechanism& mechanism,
+                                            const BalanceBasis& start) {
   const ScaledMass scaled(mass);
   if (!(mechanism.factor >= least_of_all) || scaled.power(mechanism.velocity) <= 0 ||
       overlaps(scaled, mechanism.velocity))
     return std::nullopt;
-  ContactColumns columns(scaled);
+  Real factor = mechanism.factor;
+  const bool near_by = start.near_by(1 / factor);
+  ContactColumns columns = near_by ? ContactColumns(scaled, start.columns) : ContactColumns(scaled);
+  LinearSolution solution = start.solution;
+  const LinearSolution* before = near_by ? &solution : nullptr;
   const std::vector<BodyVelocity>& slips = mechanism.velocity;
   const Real power = scaled.power(slips) / scaled.force_scale();
   Real at_their_most = 0;  // power of ties that lengthen
   for (const BoltTie& tie : mass.ties)
     at_their_most += std::max(0.0, scaled.lengthening(tie, slips)) * (tie.most - tie.least) /
                      scaled.force_scale();
-  Real factor = mechanism.factor;
   columns.round_off(1 / factor, slips, gap);
   for (Index n = 0; n < most_tries; ++n) {
-    LinearSolution solution;
     Real left = 0, unused = 0, cost = 0;
     for (Index round = 0; round < most_rounds; ++round) {
       LinearProgram program = columns.program(1 / factor, ContactColumns::Units::own);
       columns.price(program, 1 / factor, slips, unbalanced);
-      solution = solve(program, round > 0 ? &solution : nullptr);
+      solution = before ? solve(program, before) : columns.solve_anew(program);
+      before = &solution;
       left = columns.imbalance(solution);
       unused = solution.cost - unbalanced * left + at_their_most;
       if (left <= balanced && unused <= used_up * power)

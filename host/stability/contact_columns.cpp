@@ -1,10 +1,14 @@
 #include "host/stability/contact_columns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
+#include "host/stability/layered_program.hpp"
 #include "src/base/vector.hpp"
 
 namespace rockfold {
@@ -12,25 +16,40 @@ namespace {
 
 constexpr Index first_edges = 4;    ///< of a friction polygon, one of them down the slope
 constexpr Index first_corners = 8;  ///< of a polygon of cohesion, likewise
+/// Fewer pass on forces that the next layer cannot bear, more cost as much as the whole: 50 to 140 serve.
+constexpr Index bodies_of_layer = 100;
 constexpr Real unlimited = std::numeric_limits<Real>::infinity();
 
 Real part_of_circle(Index k, Index parts) {
   return 2 * std::numbers::pi * k / parts;
 }
 
-}  // namespace
+bool has_disc(const ScaledMass& scaled, const ForcePoint& point) {
+  return scaled.contact(point).cohesion * point.area > 0;
+}
 
-ContactColumns::ContactColumns(const ScaledMass& scaled) : scaled_(scaled), rows_(scaled.rows()) {
+std::vector<ContactColumn> first_columns(const ScaledMass& scaled) {
+  std::vector<ContactColumn> columns;
   for (Index p = 0; p < static_cast<Index>(scaled.points().size()); ++p) {
     const ForcePoint& point = scaled.points()[p];
     const Index edges = scaled.contact(point).friction > 0 ? first_edges : 1;
     for (Index k = 0; k < edges; ++k)
-      columns_.push_back({p, ContactColumn::Kind::edge, part_of_circle(k, edges)});
-    const bool has_disc = scaled.contact(point).cohesion * point.area > 0;
-    disc_row_.push_back(has_disc ? rows_++ : none);
-    for (Index k = 0; has_disc && k < first_corners; ++k)
-      columns_.push_back({p, ContactColumn::Kind::disc, part_of_circle(k, first_corners)});
+      columns.push_back({p, ContactColumn::Kind::edge, part_of_circle(k, edges)});
+    for (Index k = 0; has_disc(scaled, point) && k < first_corners; ++k)
+      columns.push_back({p, ContactColumn::Kind::disc, part_of_circle(k, first_corners)});
   }
+  return columns;
+}
+
+}  // namespace
+
+ContactColumns::ContactColumns(const ScaledMass& scaled)
+    : ContactColumns(scaled, first_columns(scaled)) {}
+
+ContactColumns::ContactColumns(const ScaledMass& scaled, std::vector<ContactColumn> columns)
+    : scaled_(scaled), columns_(std::move(columns)), rows_(scaled.rows()) {
+  for (const ForcePoint& point : scaled.points())
+    disc_row_.push_back(has_disc(scaled, point) ? rows_++ : none);
   slack_ = scaled.rows() + rows_;
   ties_ = static_cast<Index>(scaled.mass().ties.size());
 }
@@ -119,6 +138,33 @@ std::vector<Real> ContactColumns::right_side(Real share) const {
   return right;
 }
 
+/// [rows] the bodies on top first, as the loads go.
+std::vector<Index> ContactColumns::layer_of_rows() const {
+  const std::vector<RigidBody6>& bodies = scaled_.mass().bodies;
+  Vec3 load{};
+  for (const RigidBody6& body : bodies) load += body.force;
+  std::vector<Real> down;
+  for (const RigidBody6& body : bodies) down.push_back(dot(body.centre, load));
+  std::vector<Index> order(bodies.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return down[a] < down[b]; });
+  std::vector<Index> layer(static_cast<std::size_t>(rows_), 0);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    std::fill_n(layer.begin() + 6 * order[k], 6, static_cast<Index>(k) / bodies_of_layer);
+  for (std::size_t p = 0; p < disc_row_.size(); ++p) {
+    if (disc_row_[p] == none) continue;
+    const auto [a, b] = scaled_.contact(scaled_.points()[p]).body;
+    const Index of_a = layer[6 * (a != none ? a : b)], of_b = layer[6 * (b != none ? b : a)];
+    layer[disc_row_[p]] = std::min(of_a, of_b);
+  }
+  return layer;
+}
+
+LinearSolution ContactColumns::solve_anew(const LinearProgram& program) const {
+  if (scaled_.mass().bodies.size() <= bodies_of_layer) return solve(program);
+  return solve_in_layers(program, layer_of_rows());
+}
+
 Real ContactColumns::imbalance(const LinearSolution& solution) const {
   Real sum = 0;
   for (Index c = 0; c < 2 * scaled_.rows(); ++c) sum += solution.x[c] / scaled_.load(c / 12);
@@ -204,27 +250,34 @@ Index ContactColumns::round_off(Real share, const std::vector<BodyVelocity>& vel
                                 const std::vector<BodyVelocity>* priced) {
   Real largest = 0;
   std::vector<Vec3> jumps;
+  std::vector<Real> angles;  // against the slip
   for (const ForcePoint& point : scaled_.points()) {
     jumps.push_back(scaled_.jump(point, velocity));
     largest = std::max(largest, norm(jumps.back()));
+    const auto& t = scaled_.tangents(point);
+    angles.push_back(std::atan2(-dot(jumps.back(), t[1]), -dot(jumps.back(), t[0])));
   }
-  std::vector<Real> taken_up(jumps.size(), 0);  // by polygons, for radius 1
-  for (const ContactColumn& column : columns_)
+  std::vector<Real> taken_up(jumps.size(), 0);              // by polygons, for radius 1
+  std::vector<std::array<bool, 2>> is_there(jumps.size());  // [kinds] what would be added
+  for (const ContactColumn& column : columns_) {
+    is_there[column.point][static_cast<std::size_t>(column.kind)] |=
+        column.angle == angles[column.point];
     if (column.kind == ContactColumn::Kind::disc)
       taken_up[column.point] =
           std::max(taken_up[column.point], -dot(direction(column), jumps[column.point]));
+  }
   Index added = 0;
   for (std::size_t p = 0; p < jumps.size(); ++p) {
     const ForcePoint& point = scaled_.points()[p];
     const ContactArea& area = scaled_.contact(point);
-    const auto& t = scaled_.tangents(point);
-    const Real a = -dot(jumps[p], t[0]), b = -dot(jumps[p], t[1]), slip = std::hypot(a, b);
+    const Real slip = scaled_.slip(point, jumps[p]);
     const Vec3 of_priced = priced ? scaled_.jump(point, *priced) : Vec3{};
     const Real paid = scaled_.slip(point, of_priced);
     const Real opening = dot(jumps[p], area.normal) +
                          2 * std::max(0.0, -dot(of_priced, area.normal));  // overlaps are paid for
     const auto add = [&](ContactColumn::Kind kind) {
-      columns_.push_back({static_cast<Index>(p), kind, std::atan2(b, a)});
+      if (is_there[p][static_cast<std::size_t>(kind)]) return;
+      columns_.push_back({static_cast<Index>(p), kind, angles[p]});
       ++added;
     };
     if (opening < share * area.friction * (slip - paid) - gap * largest)

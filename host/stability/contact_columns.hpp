@@ -3,6 +3,7 @@
 // there. The corners of a polygon share its radius: a row more for each.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "host/stability/mass_scale.hpp"
@@ -17,15 +18,33 @@ struct ContactColumn {
   Real angle = 0;  ///< from the contact's first tangent
 };
 
+/// Where the search for a balance may start: columns with their programme's solution, in units of each body's own.
+struct BalanceBasis {
+  Real share = 0;
+  std::vector<ContactColumn> columns;
+  LinearSolution solution;
+
+  /// The basis of a share that is far off is a worse start than none.
+  bool near_by(Real other_share) const {
+    constexpr Real near_share = 0.2;
+    return std::abs(other_share - share) < near_share * share;
+  }
+};
+
 class ContactColumns {
  public:
   explicit ContactColumns(const ScaledMass& scaled);
+  /// Those that a search for the same mass ended with.
+  ContactColumns(const ScaledMass& scaled, std::vector<ContactColumn> columns);
 
   /// What a programme's numbers count in: forces in loads of each body, so that light ones balance as well as heavy ones, or in a mean load, so
   /// that velocities are as exact for all.
   enum class Units : std::uint8_t { own, common };
+  const std::vector<ContactColumn>& columns() const { return columns_; }
   /// The programme at strength times `share` = 1/F: the least sum of forces to add to the loads for a balance, each in these units.
   LinearProgram program(Real share, Units units) const;
+  /// Of a programme for which no basis is near by.
+  LinearSolution solve_anew(const LinearProgram& program) const;
   /// Sum of what is added to the loads of a solution for a balance, each of the load of its body.
   Real imbalance(const LinearSolution& solution) const;
   /// What the dual of a solution takes up less for more strength: −d(cost)/d(share).
@@ -46,6 +65,7 @@ class ContactColumns {
 
  private:
   std::vector<Real> right_side(Real share) const;
+  std::vector<Index> layer_of_rows() const;
   Vec3 direction(const ContactColumn& column) const;
   /// Of force_scale(), and its derivative by the share of strength.
   struct Pull {

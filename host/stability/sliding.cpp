@@ -46,7 +46,9 @@ std::vector<BodyVelocity> at_unit_speed(const ScaledMass& scaled,
 
 class FailureSearch {
  public:
-  explicit FailureSearch(const RigidMass& mass) : scaled_(mass), springs_(scaled_) {}
+  /// `basis`: of a balance of this mass.
+  explicit FailureSearch(const RigidMass& mass, const BalanceBasis& basis = {})
+      : scaled_(mass), springs_(scaled_), basis_(basis) {}
 
   /// From `first` down: the creeping mass tells what its own motion can bear, and a little below is tried next, until it stands; then between
   /// the two. Joints that stick may hold a mass a little above what its motion can bear, as friction at rest does; that motion is its failure all
@@ -71,7 +73,7 @@ class FailureSearch {
       if (!tried && own > 0.5 * stood_at_ && own < stood_at_) {
         tried = true;
         Failure moves = motion(own);
-        if (find_collapse_forces(scaled_.mass(), at_unit_speed(moves))) return moves;
+        if (find_collapse_forces(scaled_.mass(), at_unit_speed(moves), basis_)) return moves;
       }
       next = between(own);
     }
@@ -102,6 +104,7 @@ class FailureSearch {
 
   ScaledMass scaled_;
   SpringMass springs_;
+  BalanceBasis basis_;
   Real stood_at_ = 0, fails_ = unlimited;
   SpringMass::State creeping_;  ///< at fails_
 };
@@ -126,13 +129,14 @@ Failure weakest_block(const RigidMass& mass, Real most, Progress& progress) {
   return weakest;
 }
 
-Sliding failing(const RigidMass& mass, const Failure& failure, bool stands_below) {
+Sliding failing(const RigidMass& mass, const Failure& failure, const BalanceBasis& basis,
+                bool stands_below) {
   const std::vector<BodyVelocity> velocity =
       at_unit_speed(ScaledMass(mass), failure.mechanism.velocity);
   if (failure.factor == 0) return {Sliding::Answer::falls, 0, {0, velocity}, {}, false};
   Sliding sliding{
       Sliding::Answer::fails, failure.factor, {failure.factor, velocity}, {}, stands_below};
-  std::optional<Balance> balance = find_collapse_forces(mass, sliding.mechanism);
+  std::optional<Balance> balance = find_collapse_forces(mass, sliding.mechanism, basis);
   if (balance) {
     Mechanism mechanism{balance->factor, sliding.mechanism.velocity};
     if (verify_sliding(mass, *balance, mechanism).holds()) {
@@ -153,20 +157,21 @@ Sliding find_sliding(const RigidMass& mass, const Bound& bound, Progress& progre
   if (std::isinf(bound.factor)) return {Sliding::Answer::stands, bound.factor, {}, {}, true};
   if (bound.factor == 0) return {Sliding::Answer::falls, 0, bound.above, {}, false};
   const Failure block = weakest_block(mass, bound.factor, progress);
-  if (block.answer == Answer::fails && block.factor == 0) return failing(mass, block, false);
+  if (block.answer == Answer::fails && block.factor == 0)
+    return failing(mass, block, bound.basis, false);
   Sliding alone;
-  if (block.answer == Answer::fails) alone = failing(mass, block, false);
+  if (block.answer == Answer::fails) alone = failing(mass, block, bound.basis, false);
   // What others put on a block may hold it: then its motion is none of the mass, and the mass is looked at from its bound on, where it
   // fails for sure.
   const Real first =
       alone.proved() ? alone.factor * (1 - a_little) : bound.factor * (1 + 2 * sliding_tolerance);
   progress.begin("the whole mass without dilation", 0, "trials");
-  const Failure whole = FailureSearch(mass).find(first, unlimited);
+  const Failure whole = FailureSearch(mass, bound.basis).find(first, unlimited);
   progress.end();
   const bool settled = whole.answer != Answer::undecided;
   if (whole.answer == Answer::fails &&
       (!alone.proved() || whole.factor < block.factor * (1 - sliding_tolerance)))
-    return failing(mass, whole, whole.stood_at > 0);
+    return failing(mass, whole, bound.basis, whole.stood_at > 0);
   alone.stands_below = settled && alone.proved();
   return alone;
 }
