@@ -27,11 +27,8 @@ class BoundSearch {
 
   using Units = ContactColumns::Units;
 
-  enum class Until : std::uint8_t { round, proved };
-
-  /// Whether it stands with this share 1/F of its strength, by cones that are round to `gap`, or as round as the answer needs; keeps what
-  /// proves the answer.
-  bool stands(Real share, Real gap, Units units, Until until = Until::round) {
+  /// Whether it stands with this share 1/F of its strength, by cones that are round to `gap`; keeps what proves the answer.
+  bool stands(Real share, Real gap, Units units) {
     const bool near_by = units == units_ && basis_.near_by(share);
     LinearSolution& solution = basis_.solution;
     const LinearSolution* before = near_by ? &solution : nullptr;
@@ -49,8 +46,7 @@ class BoundSearch {
       std::vector<Real> reversed = solution.price;
       for (Real& y : reversed) y = -y;
       above_ = {1 / share, scaled_.velocities(reversed)};
-      const Real enough = until == Until::proved ? std::max(gap, proving_gap()) : gap;
-      if (columns_.round_off(share, above_.velocity, enough) == 0 || round == most_rounds)
+      if (columns_.round_off(share, above_.velocity, gap) == 0 || round == most_rounds)
         return false;
     }
   }
@@ -58,12 +54,17 @@ class BoundSearch {
   Bound find() {
     if (stands(0, coarse, Units::common)) return bound(std::numeric_limits<Real>::infinity());
     if (stands(1 / most_factor, coarse, Units::own)) return bound(most_factor);
-    low_ = 1 / most_factor;
+    return find_from(1 / most_factor);
+  }
+
+  /// It failed with this share, which was looked at last.
+  Bound find_from(Real share) {
+    low_ = share;
     for (;;) {
       while (!std::isfinite(high_) || high_ - low_ > bound_tolerance * high_) {
         if (low_ >= most_strength && !std::isfinite(high_)) return bound(0);
-        const Real share = next_share();
-        (stands(share, coarse, Units::common) ? high_ : low_) = share;
+        const Real next = next_share();
+        (stands(next, coarse, Units::common) ? high_ : low_) = next;
       }
       if (proves_failure_below(low_)) break;
       // Rounder cones bear it. What they bear less of is not far.
@@ -90,17 +91,13 @@ class BoundSearch {
     for (Real margin = 0.5 * bound_tolerance; margin < 0.5; margin *= 4) {
       low_ = share * (1 - margin);
       if (stands(low_, fine, Units::common)) return false;
-      if (fine < proving_gap()) break;
+      Real fastest = 0;
+      for (const ForcePoint& point : scaled_.points())
+        fastest = std::max(fastest, norm(scaled_.jump(point, above_.velocity)));
+      const Real hidden = fine * fastest * static_cast<Real>(scaled_.mass().bodies.size());
+      if (basis_.solution.cost > 2 * hidden) break;
     }
     return true;
-  }
-
-  /// Of the largest jump: slips that dilate that much too little could hide half of what the mechanism gains.
-  Real proving_gap() const {
-    Real fastest = 0;
-    for (const ForcePoint& point : scaled_.points())
-      fastest = std::max(fastest, norm(scaled_.jump(point, above_.velocity)));
-    return basis_.solution.cost / (2 * fastest * static_cast<Real>(scaled_.mass().bodies.size()));
   }
 
   /// Strength is a share of what there is: too little up to `low_`, enough from `high_` on. Newton's step from the lower side, a little
@@ -108,7 +105,7 @@ class BoundSearch {
   Real next_share() const {
     const Real slope =
         low_ > 0 || programs_ == 1 ? columns_.slope(low_, basis_.solution, above_.velocity) : 0;
-    const Real step = above_.factor * low_ == 1 && slope > 0 ? basis_.solution.cost / slope : 0;
+    const Real step = basis_.share == low_ && slope > 0 ? basis_.solution.cost / slope : 0;
     const Real newton = (low_ + step) * (1 + 0.25 * bound_tolerance);
     const Real most = std::isfinite(high_) ? high_ : most_strength;
     if (step > 0 && newton < most) return newton;
@@ -139,11 +136,12 @@ class WholeSearch {
   explicit WholeSearch(const RigidMass& mass) : mass_(mass), parts_(mass), whole_(mass) {}
 
   Bound find() {
+    Real share = 0;
     for (Index b = 0; b < static_cast<Index>(mass_.bodies.size()); ++b) look_at_part({b});
     std::vector<Index> last;
     while (factor_ > 0 && std::isfinite(factor_)) {
-      const Real share = (1 + 0.25 * bound_tolerance) / below_factor_;
-      if (whole_.stands(share, fine, ContactColumns::Units::own, BoundSearch::Until::proved))
+      share = (1 + 0.25 * bound_tolerance) / below_factor_;
+      if (whole_.stands(share, fine, ContactColumns::Units::own))
         return {0.5 * (1 / share + above_.factor), whole_.below(), std::move(above_), programs(),
                 whole_.basis()};
       std::vector<Index> moving = moving_bodies();
@@ -152,7 +150,7 @@ class WholeSearch {
       look_at_part(std::move(moving));
     }
     if (factor_ == 0) return {0, {}, std::move(above_), programs(), {}};
-    Bound bound = whole_.find();
+    Bound bound = share > 0 ? whole_.find_from(share) : whole_.find();
     bound.programs = programs();
     return bound;
   }

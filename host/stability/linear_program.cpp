@@ -61,7 +61,7 @@ LinearSolution solve(const LinearProgram& program, const LinearSolution* before)
       0);  // the programme comes scaled; with warm starts, CLP's own scaling ended with columns that price in
   clp.loadProblem(matrix, lower.data(), sized.upper.data(), sized.cost.data(), sized.right.data(),
                   sized.right.data());
-  clp.setPrimalTolerance(1e-9);
+  clp.setPrimalTolerance(1e-11);  // a hundredth of the imbalance that the verifier allows
   clp.setDualTolerance(1e-9);
   clp.createStatus();
   if (before) {
