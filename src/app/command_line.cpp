@@ -91,6 +91,10 @@ void add_common_options(CLI::App& app, Options& options) {
     if (name.empty()) reject("--log needs the name of a file");
     options.log_file = name;
   });
+  app.add_option_function<std::string>("--progress-fd", [&options](const std::string& text) {
+    options.progress_descriptor =
+        static_cast<int>(whole_number("--progress-fd", text, 1, std::numeric_limits<int>::max()));
+  });
 }
 
 void add_output_option(CLI::App& command, Options& options) {
@@ -223,6 +227,15 @@ void require_input(const Options& options) {
     reject(fmt::format("no file given: rockfold {} {}", help.name, help.input));
 }
 
+/// A model from standard input has no name that its result could have.
+void require_output(const Options& options) {
+  if (options.input != "-" || !writes_results(options.command)) return;
+  if (options.output.empty() && !options.no_result)
+    reject(
+        "a model from standard input has no name: say with -o where its result goes, or that "
+        "there is none with --no-result");
+}
+
 std::string help_asked(const CLI::App& app) {
   const auto given = app.get_subcommands();
   if (given.empty()) return program_help();
@@ -280,6 +293,7 @@ Options parse_command_line(int argc, const char* const* argv) {
   }
   reject_unknown(app);
   require_input(options);
+  require_output(options);
   require_one_mode(options);
   for (const auto& path : options.exports) export_format(path);  // throws for one that is not known
   return options;

@@ -46,6 +46,7 @@ struct Options {
   std::string table;                   ///< --table: the key blocks as CSV; empty = none
   std::string json_file;               ///< --json-file; empty = none
   std::string log_file;                ///< --log; empty = none
+  int progress_descriptor = 0;         ///< --progress-fd; 0 = none
   bool report = false;                 ///< --report: of support and run, the printable report too
   bool no_result = false;              ///< --no-result: no result file, the answer alone
   bool yes = false;                    ///< --yes: as many blocks as the model makes are meant

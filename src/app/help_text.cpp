@@ -1,6 +1,7 @@
 #include "src/app/help_text.hpp"
 
 #include <array>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -144,11 +145,16 @@ constexpr const char* common_options =
     "  --max-memory SIZE      likewise where the program needs more memory: \"4 GB\"\n"
     "  --json-file FILE       the document in a file, beside the summary\n"
     "  --log FILE             phases with their times, warnings and errors in a file too\n"
+    "  --progress-fd N        how far each phase is, for other programs: JSON, a line each\n"
     "  --set KEY.PATH=VALUE   override a value of the model, e.g. cover.spacing=0.5 (repeatable);\n"
     "                         without a value, take the key or entry out: bolt_pattern.roof=\n"
     "  -y, --yes              cut a model into more than 100,000 blocks, knowingly\n"
     "  --ignore LOAD          a load that the command does not use, knowingly: traction, water, …\n"
     "  -h, --help             this text\n";
+
+constexpr const char* standard_input =
+    "MODEL.toml may be -, for standard input: files that it names lie in the current folder "
+    "then.\n\n";
 
 constexpr const char* output_option =
     "Options:\n"
@@ -230,6 +236,10 @@ const CommandHelp& command_help(Command command) {
   return helps.front();  // every command is in the list
 }
 
+bool takes_model(Command command) {
+  return std::string_view(command_help(command).input) == "MODEL.toml";
+}
+
 bool writes_results(Command command) {
   return command == Command::demo || command == Command::cut || command == Command::support ||
          command == Command::stability || command == Command::run;
@@ -260,6 +270,7 @@ std::string program_help() {
 std::string command_help_text(const CommandHelp& help) {
   std::string text = fmt::format("Usage: rockfold {}{}{} [OPTIONS]\n\n{}\n", help.name,
                                  *help.input ? " " : "", help.input, help.text);
+  if (takes_model(help.command)) text += standard_input;
   if (writes_results(help.command)) text += output_option;
   if (lists_keyblocks(help.command)) text += table_option;
   if (help.command == Command::stability) text += certificate_option;

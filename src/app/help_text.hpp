@@ -20,6 +20,8 @@ struct CommandHelp {
 std::span<const CommandHelp> command_helps();
 const CommandHelp& command_help(Command command);
 
+/// Whether it reads a model file.
+bool takes_model(Command command);
 bool writes_results(Command command);
 /// Whether it has --table.
 bool lists_keyblocks(Command command);

@@ -56,6 +56,7 @@ int answer(int argc, char** argv, bool json, Terminal& terminal) {
     const Options options = parse_command_line(argc, argv);
     terminal.set_progress(!options.quiet);
     if (!options.log_file.empty()) terminal.log_to(options.log_file, call_text(argc, argv));
+    if (options.progress_descriptor > 0) terminal.tell_progress_to(options.progress_descriptor);
     return run_command(options, terminal);
   } catch (const Notice& notice) {
     std::fputs(notice.text.c_str(), stdout);

@@ -26,6 +26,7 @@
 #include "src/app/answers.hpp"
 #include "src/app/certificates.hpp"
 #include "src/app/estimate.hpp"
+#include "src/app/help_text.hpp"
 #include "src/app/process/limits.hpp"
 #include "src/app/process/memory.hpp"
 #include "src/app/process/signals.hpp"
@@ -490,7 +491,8 @@ void look_at_supports_of_cut_rock(const Model& model, Terminal& terminal) {
 }
 
 int check_model(const Options& options, Terminal& terminal) {
-  const Model model = read_whole_model(options.input, options.overrides, Purpose::check);
+  const Model model =
+      read_whole_model(options.input, options.model_text, options.overrides, Purpose::check);
   check_output_names(options, model);
   if (!model.solids.empty()) check_rock(model, most_blocks(options, model));
   warn_of_model(model, terminal);
@@ -538,7 +540,21 @@ int tell_info(const Options& options) {
 
 }  // namespace
 
-int run_command(const Options& options, Terminal& terminal) {
+namespace {
+
+/// A model from standard input is read once, and keeps no file's name.
+Options with_input_read(Options options) {
+  if (options.input == "-" && takes_model(options.command)) {
+    options.model_text = model_file_text(options.input);
+    options.input = "<stdin>";
+  }
+  return options;
+}
+
+}  // namespace
+
+int run_command(const Options& given, Terminal& terminal) {
+  const Options options = with_input_read(given);
   exit_at_once_when_interrupted(options.json);
   use_threads(options.threads);
   const LimitWatch watch(options);

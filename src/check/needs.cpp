@@ -119,9 +119,7 @@ Model load_model(const Options& options, Terminal& terminal) {
   Model model =
       options.command == Command::demo
           ? parse_model(find_example("slope").text, "slope.toml", options.overrides, purpose)
-      : options.model_text
-          ? parse_model(*options.model_text, options.input, options.overrides, purpose, file_bodies)
-          : read_whole_model(options.input, options.overrides, purpose);
+          : read_whole_model(options.input, options.model_text, options.overrides, purpose);
   if (options.seed) reseed(model, *options.seed);
   load_files(model);
   if (options.command == Command::support && !model.support) {

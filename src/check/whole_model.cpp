@@ -15,9 +15,10 @@ Error both(const Error& model, const Error& files) {
 
 }  // namespace
 
-Model read_whole_model(const std::string& path, const std::vector<std::string>& overrides,
-                       Purpose purpose) {
-  ReadModel read = try_read_model(path, overrides, purpose, file_bodies);
+Model read_whole_model(const std::string& path, const std::optional<std::string>& text,
+                       const std::vector<std::string>& overrides, Purpose purpose) {
+  ReadModel read = text ? try_parse_model(*text, path, overrides, purpose, file_bodies)
+                        : try_read_model(path, overrides, purpose, file_bodies);
   try {
     load_files(read.model);
   } catch (const Error& files) {

@@ -89,6 +89,7 @@ void Terminal::begin(std::string_view phase, std::int64_t total, std::string_vie
   logged_ = false;
   if (!view_.phase.empty())
     view_.phase[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(view_.phase[0])));
+  if (told_) told_->tell(view_);
   if (settings_.progress && settings_.interactive) draw();
 }
 
@@ -96,6 +97,7 @@ void Terminal::done(std::int64_t count) {
   if (!running_) return;
   view_.count = count;
   view_.seconds = phase_timer_.seconds();
+  if (told_) told_->tell(view_);
   if (!settings_.progress || view_.seconds < next_line_) return;
   if (settings_.interactive) {
     draw();
@@ -113,6 +115,7 @@ void Terminal::end() {
   view_.seconds = phase_timer_.seconds();
   clear_bar();
   log(phase_end_line(view_));
+  if (told_) told_->tell_end(view_);
   if (settings_.progress && (settings_.interactive || logged_)) write_line(phase_end_line(view_));
 }
 

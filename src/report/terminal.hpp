@@ -4,12 +4,14 @@
 #pragma once
 
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "src/base/progress.hpp"
 #include "src/base/timer.hpp"
 #include "src/report/progress_line.hpp"
+#include "src/report/progress_stream.hpp"
 
 namespace rockfold {
 
@@ -35,6 +37,8 @@ class Terminal : public Progress {
   /// From now on writes what it tells, and how long each phase took, to a file too, below a title. Throws Error(io) where it
   /// cannot be written, Error(usage) where a file is there that is no log.
   void log_to(const std::string& path, const std::string& title);
+  /// From now on tells how far each phase is to another program too. Throws Error(usage) where the descriptor is not open.
+  void tell_progress_to(int descriptor) { told_.emplace(descriptor); }
   /// A line for the log alone; nothing without one.
   void log(const std::string& text);
 
@@ -58,6 +62,7 @@ class Terminal : public Progress {
 
   std::FILE* stream_;
   std::FILE* log_ = nullptr;
+  std::optional<ProgressStream> told_;
   TerminalSettings settings_;
   std::vector<std::string> warnings_;
   PhaseView view_;

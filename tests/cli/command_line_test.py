@@ -59,6 +59,44 @@ class Log(ProgramTest):
         self.run_program("support", "wedge.toml", "--log", "none/wedge.log", status=3)
 
 
+class StandardInput(ProgramTest):
+    def test_is_a_model_as_from_a_file(self):
+        path = self.copy_case("wedge")
+        text = path.read_text(encoding="utf-8")
+        for command in ("check", "cut", "support", "stability"):
+            none = () if command == "check" else ("--no-result",)
+            from_input = json.loads(self.run_program(command, "-", "--json", *none, input=text).stdout)
+            from_file = json.loads(self.run_program(command, "wedge.toml", "--json", *none).stdout)
+            for document in (from_input, from_file):
+                document.pop("seconds", None)
+            self.assertEqual(from_input, from_file)
+
+    def test_names_no_result(self):
+        text = self.copy_case("wedge").read_text(encoding="utf-8")
+        self.assertIn("say with -o where its result goes", self.run_program("cut", "-", input=text, status=2).stderr)
+        self.run_program("cut", "-", "-o", "other.vtkhdf", input=text)
+        self.assertTrue((self.folder / "other.vtkhdf").exists())
+
+    def test_errors_name_it(self):
+        self.assertIn("<stdin>:1:1: gravty: unknown key", self.run_program("check", "-", input="gravty = 3\n", status=2).stderr)
+
+
+class ProgressOnADescriptor(ProgramTest):
+    def test_tells_begin_and_end_of_each_phase(self):
+        self.copy_case("wedge")
+        reads, writes = os.pipe()
+        self.run_program("support", "wedge.toml", "--quiet", "--progress-fd", writes, pass_fds=[writes])
+        os.close(writes)
+        with open(reads, encoding="utf-8") as lines:
+            told = [json.loads(line) for line in lines]
+        self.assertEqual([line["phase"] for line in told if line["ended"]][:3], ["Cutting", "Joining blocks", "Finding key blocks"])
+        self.assertEqual((told[0]["done"], told[0]["total"], told[0]["ended"]), (0, None, False))
+
+    def test_needs_one_that_is_open(self):
+        self.copy_case("wedge")
+        self.assertIn("file descriptor 77 is not open", self.run_program("check", "wedge.toml", "--progress-fd", "77", status=2).stderr)
+
+
 class UsageErrors(ProgramTest):
     CASES = [
         ([], "no command given"),

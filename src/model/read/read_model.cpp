@@ -25,31 +25,6 @@ constexpr std::size_t largest_file = std::size_t{64} << 20;
   throw Error(ErrorKind::io, why, Place{path, 0, 0, ""});
 }
 
-std::string file_text(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    reject_file(path, "cannot be read: is a directory");
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    reject_file(path, std::string("cannot be read: ") +
-                          (errno ? std::strerror(errno) : "cannot be opened") +
-                          file_hint(path, ".toml"));
-  std::string text;
-  std::vector<char> chunk(std::size_t{1} << 20);
-  while (file.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || file.gcount() > 0) {
-    text.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > largest_file)
-      reject_file(path,
-                  "is larger than " + std::to_string(largest_file >> 20) + " MiB: no model file");
-  }
-  if (file.bad()) reject_file(path, "cannot be read: input error");
-  if (const auto kind = kind_of_binary(text); !kind.empty())
-    throw Error(ErrorKind::model, "is " + kind + "; must be a model, TOML text in UTF-8",
-                Place{path, 0, 0, ""});
-  return text;
-}
-
 void read_title_and_gravity(TableReader& in, Model& model) {
   in.read("title", model.title, Need::optional);
   in.read("gravity", model.gravity, any_number("m/s2"), Need::optional);
@@ -187,9 +162,35 @@ ReadModel try_parse(std::string_view text, const std::string& name,
 
 }  // namespace
 
+std::string model_file_text(const std::string& name) {
+  const std::string path = name == "-" ? "/dev/stdin" : name;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    reject_file(path, "cannot be read: is a directory");
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    reject_file(path, std::string("cannot be read: ") +
+                          (errno ? std::strerror(errno) : "cannot be opened") +
+                          file_hint(path, ".toml"));
+  std::string text;
+  std::vector<char> chunk(std::size_t{1} << 20);
+  while (file.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || file.gcount() > 0) {
+    text.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > largest_file)
+      reject_file(path,
+                  "is larger than " + std::to_string(largest_file >> 20) + " MiB: no model file");
+  }
+  if (file.bad()) reject_file(path, "cannot be read: input error");
+  if (const auto kind = kind_of_binary(text); !kind.empty())
+    throw Error(ErrorKind::model, "is " + kind + "; must be a model, TOML text in UTF-8",
+                Place{path, 0, 0, ""});
+  return text;
+}
+
 Model read_model(const std::string& path, const std::vector<std::string>& overrides,
                  Purpose purpose, const BodyReader& bodies) {
-  return parse_model(file_text(path), path, overrides, purpose, bodies);
+  return parse_model(model_file_text(path), path, overrides, purpose, bodies);
 }
 
 Model parse_model(std::string_view text, const std::string& name,
@@ -202,7 +203,13 @@ Model parse_model(std::string_view text, const std::string& name,
 
 ReadModel try_read_model(const std::string& path, const std::vector<std::string>& overrides,
                          Purpose purpose, const BodyReader& bodies) {
-  return try_parse(file_text(path), path, overrides, purpose, bodies);
+  return try_parse(model_file_text(path), path, overrides, purpose, bodies);
+}
+
+ReadModel try_parse_model(std::string_view text, const std::string& name,
+                          const std::vector<std::string>& overrides, Purpose purpose,
+                          const BodyReader& bodies) {
+  return try_parse(text, name, overrides, purpose, bodies);
 }
 
 }  // namespace rockfold

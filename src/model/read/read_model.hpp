@@ -29,6 +29,9 @@ Model parse_model(std::string_view text, const std::string& name,
                   const std::vector<std::string>& overrides = {}, Purpose purpose = Purpose::cut,
                   const BodyReader& bodies = {});
 
+/// The text of a model file; of standard input for "-". Throws Error(io) where it cannot be read, Error(model) where it is no text.
+std::string model_file_text(const std::string& path);
+
 /// A model as far as it could be read.
 struct ReadModel {
   Model model;
@@ -38,5 +41,9 @@ struct ReadModel {
 /// Throws only where there is no model at all: no such file, no TOML, a malformed override.
 ReadModel try_read_model(const std::string& path, const std::vector<std::string>& overrides,
                          Purpose purpose, const BodyReader& bodies = {});
+/// The same for a text in memory; `name` stands for the file in messages.
+ReadModel try_parse_model(std::string_view text, const std::string& name,
+                          const std::vector<std::string>& overrides, Purpose purpose,
+                          const BodyReader& bodies = {});
 
 }  // namespace rockfold
