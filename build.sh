@@ -34,7 +34,7 @@ TEXT
 packages=(
   g++ cmake ninja-build ccache dpkg-dev ca-certificates
   libcgal-dev libmpfr-dev libgmp-dev libeigen3-dev libmetis-dev coinor-libclp-dev libhdf5-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
-  libgtest-dev libbenchmark-dev python3 python3-h5py
+  libgtest-dev libbenchmark-dev python3 python3-h5py python3-tomli-w
 )
 
 # The page of `rockfold view` is made with npm. Without it, or where it cannot be installed, everything else is built.
