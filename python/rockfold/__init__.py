@@ -17,12 +17,12 @@ from rockfold.errors import AnalysisError, Fault, FileError, ModelError, Rockfol
 from rockfold.examples import example, examples
 from rockfold.models import Model
 from rockfold.pages import report, view
-from rockfold.program import Progress, program, use_program, version
+from rockfold.program import Progress, kept_loaded, program, use_program, version
 from rockfold.results import Blocks, Mesh, Result, open_result
 from rockfold.sweeps import Sweep, sweep
 
 __all__ = [
     "AnalysisError", "Answer", "Blocks", "Fault", "FileError", "Mesh", "Model", "ModelError", "Progress", "Result",
-    "RockfoldError", "Sweep", "UsageError", "check", "cut", "example", "examples", "open_result", "program", "report",
+    "RockfoldError", "Sweep", "UsageError", "check", "cut", "example", "examples", "kept_loaded", "open_result", "program", "report",
     "resume", "run", "stability", "support", "sweep", "theory", "use_program", "verify", "version", "view",
 ]

@@ -8,14 +8,17 @@ import shutil
 import signal
 import subprocess
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from rockfold.errors import Fault, FileError, RockfoldError, error_of
+from rockfold.server import Server
 
 _chosen: str | None = None
+_server: Server | None = None
 
 
 @dataclass(frozen=True)
@@ -58,6 +61,30 @@ def version() -> str:
     return subprocess.run([program(), "--version"], check=True, capture_output=True, text=True).stdout.strip()
 
 
+@contextmanager
+def kept_loaded() -> Iterator[None]:
+    """Within it, questions without `progress` go to one program that stays loaded: for many small ones.
+
+        with rockfold.kept_loaded():
+            factors = [rockfold.support(model, {"joint_material.1.friction_angle": angle}, output=False) for angle in range(20, 40)]
+    """
+    global _server
+    before, _server = _server, Server(program(), _environment())
+    try:
+        yield
+    finally:
+        _server.end()
+        _server = before
+
+
+def _environment() -> dict[str, str]:
+    """With what the program would set, and start itself anew for (src/app/process/threads.cpp)."""
+    environment = dict(os.environ)
+    if "OMP_WAIT_POLICY" not in environment:
+        environment.setdefault("GOMP_SPINCOUNT", "1000")
+    return environment
+
+
 def ask(arguments: list[str], text: str | None = None, folder: str | os.PathLike[str] | None = None,
         progress: ProgressCallback | None = None) -> dict[str, Any]:
     """Runs the program with --json and gives its document; `text` is its standard input, `folder` where it runs.
@@ -65,13 +92,16 @@ def ask(arguments: list[str], text: str | None = None, folder: str | os.PathLike
     Throws RockfoldError where it ends with an error. An exception of `progress`, or Ctrl-C, ends the program as Ctrl-C on a terminal
     does: a run leaves a checkpoint.
     """
+    if _server and not progress:
+        said, status = _server.ask([*arguments, "--json", "--quiet"], text, os.path.abspath(folder or "."))
+        return _document(said, "", status)
     command = [program(), *arguments, "--json", "--quiet"]
     listener = _Listener(progress) if progress else None
     if listener:
         command += ["--progress-fd", str(listener.writes)]
     # In a session of its own, so that Ctrl-C on a terminal reaches it once, by this process: twice would end it at once.
     process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                               encoding="utf-8", errors="replace", cwd=folder, start_new_session=True,
+                               encoding="utf-8", errors="replace", cwd=folder, env=_environment(), start_new_session=True,
                                pass_fds=[listener.writes] if listener else [])
     try:
         if listener:

@@ -25,7 +25,8 @@ enum class Command {
   view,
   report,
   info,
-  examples
+  examples,
+  serve
 };
 
 struct Options {

@@ -9,7 +9,7 @@ namespace rockfold {
 
 namespace {
 
-constexpr std::array<CommandHelp, 14> helps{{
+constexpr std::array<CommandHelp, 15> helps{{
     {Command::demo, "demo", "", "the built-in rock slope: blocks, key blocks, what slides",
      "Takes a jointed rock slope that is part of the program through all stages: blocks, key "
      "blocks with\n"
@@ -131,6 +131,16 @@ constexpr std::array<CommandHelp, 14> helps{{
      "alone, and\n"
      "nothing is written (exit status 3).\n",
      "  rockfold examples slope && rockfold run slope.toml\n"},
+    {Command::serve, "serve", "", "answer one request after another, for other programs",
+     "Reads requests from standard input, a line of JSON each: \"arguments\" as on a command line, "
+     "the\n"
+     "\"folder\" to work in, and what the command reads as its own \"input\". Answers each with a "
+     "line\n"
+     "{\"status\": 0, \"bytes\": 1234} and then so many bytes of its output. For many small "
+     "questions:\n"
+     "the program is loaded once.\n",
+     "  rockfold serve < requests.jsonl\n"
+     "      where a line is, say, {\"arguments\": [\"check\", \"slope.toml\", \"--json\"]}\n"},
 }};
 
 constexpr const char* common_options =

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <cstring>
 #include <new>
+#include <string>
+#include <vector>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -11,6 +13,7 @@
 #include "generated/version.hpp"
 #include "src/app/pipeline.hpp"
 #include "src/app/process/threads.hpp"
+#include "src/app/serve.hpp"
 #include "src/base/error.hpp"
 #include "src/report/error_text.hpp"
 #include "src/report/names.hpp"
@@ -51,12 +54,20 @@ std::string call_text(int argc, char** argv) {
   return fmt::format("{} ({}): {}", version, commit, fmt::join(argv + 1, argv + argc, " "));
 }
 
+int run_program(int argc, char** argv);
+
 int answer(int argc, char** argv, bool json, Terminal& terminal) {
   try {
     const Options options = parse_command_line(argc, argv);
     terminal.set_progress(!options.quiet);
     if (!options.log_file.empty()) terminal.log_to(options.log_file, call_text(argc, argv));
     if (options.progress_descriptor > 0) terminal.tell_progress_to(options.progress_descriptor);
+    if (options.command == Command::serve)
+      return serve_requests([&](std::vector<std::string> arguments) {
+        std::vector<char*> words{argv[0]};
+        for (std::string& argument : arguments) words.push_back(argument.data());
+        return run_program(static_cast<int>(words.size()), words.data());
+      });
     return run_command(options, terminal);
   } catch (const Notice& notice) {
     std::fputs(notice.text.c_str(), stdout);
@@ -71,6 +82,13 @@ int answer(int argc, char** argv, bool json, Terminal& terminal) {
   }
 }
 
+int run_program(int argc, char** argv) {
+  Terminal terminal(stderr, detect_terminal(stderr));
+  const int status = close_stdout(answer(argc, argv, wants_json(argc, argv), terminal), terminal);
+  terminal.log(fmt::format("exit status {}", status));
+  return status;
+}
+
 }  // namespace
 }  // namespace rockfold
 
@@ -79,8 +97,5 @@ int main(int argc, char** argv) {
   keep_waits_short(argv);
   open_standard_streams();
   std::signal(SIGPIPE, SIG_IGN);
-  Terminal terminal(stderr, detect_terminal(stderr));
-  const int status = close_stdout(answer(argc, argv, wants_json(argc, argv), terminal), terminal);
-  terminal.log(fmt::format("exit status {}", status));
-  return status;
+  return run_program(argc, argv);
 }

@@ -7,7 +7,7 @@ import unittest
 
 from program import BINARY, CASES, SANITIZED, ProgramTest, files_of_case
 
-COMMANDS = ["demo", "check", "cut", "support", "stability", "verify", "theory", "run", "info", "examples"]
+COMMANDS = ["demo", "check", "cut", "support", "stability", "verify", "theory", "run", "info", "examples", "serve"]
 
 
 class Help(ProgramTest):
@@ -97,11 +97,45 @@ class ProgressOnADescriptor(ProgramTest):
         self.assertIn("file descriptor 77 is not open", self.run_program("check", "wedge.toml", "--progress-fd", "77", status=2).stderr)
 
 
+class Serve(ProgramTest):
+    def replies(self, *requests):
+        """Exit status and output of each."""
+        lines = "".join((request if isinstance(request, str) else json.dumps(request)) + "\n" for request in requests)
+        said = self.run_program("serve", input=lines).stdout.encode()
+        replies = []
+        while said:
+            header, _, said = said.partition(b"\n")
+            bytes_of = json.loads(header)["bytes"]
+            replies.append((json.loads(header)["status"], said[:bytes_of].decode()))
+            said = said[bytes_of:]
+        return replies
+
+    def test_answers_one_after_another_as_the_command_line_does(self):
+        text = self.copy_case("wedge").read_text(encoding="utf-8")
+        (self.folder / "other").mkdir()
+        replies = self.replies({"arguments": ["cut", "wedge.toml", "--no-result", "--json"]},
+                               {"arguments": ["support", "-", "--no-result", "--json"], "input": text, "folder": "other"},
+                               {"arguments": ["check", "none.toml", "--json"]},
+                               {"arguments": ["--version"]})
+        self.assertEqual([status for status, _ in replies], [0, 0, 3, 0])
+        for (_, output), command in zip(replies, ("cut", "support")):
+            mine = json.loads(output)
+            alone = self.json_of(command, "wedge.toml", "--no-result")
+            mine.pop("seconds"), alone.pop("seconds")
+            self.assertEqual(mine, alone)
+        self.assertEqual(json.loads(replies[2][1])["error"]["file"], "none.toml")
+        self.assertEqual(replies[3][1], self.run_program("--version").stdout)
+
+    def test_what_is_no_request_hurts_no_other(self):
+        replies = self.replies("nonsense", {"arguments": "check"}, {"arguments": ["--version"], "folder": "nowhere"}, {"arguments": ["--version"]})
+        self.assertEqual([status for status, _ in replies], [2, 2, 3, 0])
+
+
 class UsageErrors(ProgramTest):
     CASES = [
         ([], "no command given"),
         (["ctu", "m.toml"], 'did you mean "cut"?'),
-        (["picture", "m.vtkhdf"], "the commands are: demo, check, cut, support, stability, verify, theory, run, resume, sweep, view, report, info, examples"),
+        (["picture", "m.vtkhdf"], "the commands are: demo, check, cut, support, stability, verify, theory, run, resume, sweep, view, report, info, examples, serve"),
         (["cut"], "no file given: rockfold cut MODEL.toml"),
         (["cut", "m.toml", "--jsno"], 'unknown option \'--jsno\', did you mean "--json"?'),
         (["cut", "m.toml", "n.toml"], "unexpected argument 'n.toml'"),

@@ -1,5 +1,6 @@
 """The Python package: models, answers, results, errors, progress and sweeps of the program."""
 import os
+import re
 import sys
 import tempfile
 import unittest
@@ -67,6 +68,12 @@ class ModelTest(PackageTest):
             rockfold.cut(model)
 
 
+class VersionTest(unittest.TestCase):
+    def test_is_that_of_the_program(self):
+        text = (SOURCE / "python" / "pyproject.toml").read_text(encoding="utf-8")
+        self.assertRegex(rockfold.version(), "^rockfold " + re.search(r'^version = "(.+)"$', text, re.M).group(1) + " ")
+
+
 class ErrorTest(PackageTest):
     def test_tells_all_that_is_wrong(self):
         with self.assertRaises(rockfold.ModelError) as caught:
@@ -116,6 +123,27 @@ class AnswerTest(PackageTest):
         with self.assertRaises(AttributeError):
             _ = rockfold.cut(CUBE, output=False).result
         self.assertEqual(list(self.folder.iterdir()), [])
+
+
+class KeptLoadedTest(PackageTest):
+    def test_answers_are_the_same(self):
+        alone = rockfold.support(CUBE, output=False)
+        with rockfold.kept_loaded():
+            kept = [rockfold.support(CUBE, output=False) for _ in range(3)]
+            with self.assertRaises(rockfold.ModelError):
+                rockfold.check({**CUBE, "gravty": 3})
+            self.assertEqual(len(rockfold.cut(CUBE).result.blocks), 2)
+        for answer in kept:
+            self.assertEqual({**answer, "seconds": 0}, {**alone, "seconds": 0})
+
+    def test_files_lie_in_the_current_folder_of_each_question(self):
+        rockfold.Model(CUBE).write("cube.toml")
+        with rockfold.kept_loaded():
+            self.assertTrue(rockfold.check("cube.toml")["ok"])
+            (self.folder / "other").mkdir()
+            os.chdir("other")
+            with self.assertRaises(rockfold.FileError):
+                rockfold.check("cube.toml")
 
 
 class ResultTest(PackageTest):
