@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include <fmt/format.h>
+
+#include "src/sweep/statistics.hpp"
 
 namespace rockfold::sweep {
 
@@ -55,7 +58,9 @@ Real share_below(const Variable& v, Real x) {
   using Kind = Variable::Kind;
   if (std::isinf(x)) return x > 0 ? 1 : 0;
   if (v.kind == Kind::normal) return normal_share((x - v.mean) / v.standard_deviation);
+  if (v.kind == Kind::exponential && v.mean < 0) return x < 0 ? std::exp(-x / v.mean) : 1;
   if (x <= 0) return 0;
+  if (v.kind == Kind::weibull) return -std::expm1(-std::pow(x / v.scale, v.shape));
   if (v.kind == Kind::exponential) return -std::expm1(-x / v.mean);
   const auto [mean, deviation] = of_logarithm(v);
   return normal_share((std::log(x) - mean) / deviation);
@@ -66,6 +71,12 @@ Real power_law_quantile(const Variable& v, Real u) {
   if (power == 0) return v.min * std::pow(v.max / v.min, u);
   const Real low = std::pow(v.min, power), high = std::pow(v.max, power);
   return std::pow(low + u * (high - low), 1 / power);
+}
+
+Real triangular_quantile(const Variable& v, Real u) {
+  const Real width = v.max - v.min, left = v.mode - v.min, right = v.max - v.mode;
+  return u * width < left ? v.min + std::sqrt(u * width * left)
+                          : v.max - std::sqrt((1 - u) * width * right);
 }
 
 /// The order of the slices of one parameter (Fisher & Yates).
@@ -83,6 +94,42 @@ std::string text_at(const Parameter& parameter, Real u) {
   const auto& list = std::get<std::vector<std::string>>(parameter.values);
   const auto i = static_cast<std::size_t>(u * static_cast<Real>(list.size()));
   return list[std::min(i, list.size() - 1)];
+}
+
+/// Of normal variables whose ranks have Spearman's correlation: Pearson's is 2 sin(π/6 of it) (Pearson 1907), and so that of a second one
+/// made of the first and of one of its own.
+Real correlated_share(Real rank, Real of_first, Real own) {
+  const Real pearson = std::clamp(2 * std::sin(std::numbers::pi / 6 * rank), -1.0, 1.0);
+  return normal_share(pearson * normal_quantile(of_first) +
+                      std::sqrt(1 - pearson * pearson) * normal_quantile(own));
+}
+
+/// The place of each among all.
+std::vector<Index> ranks_of(const std::vector<Real>& values) {
+  std::vector<Index> order(values.size()), rank(values.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return values[a] < values[b]; });
+  for (std::size_t k = 0; k < order.size(); ++k) rank[order[k]] = static_cast<Index>(k);
+  return rank;
+}
+
+/// [runs] of one parameter: the share of its values that lies below the one that is drawn. `before`: of those before it.
+std::vector<Real> drawn_shares(const SweepSpec& spec, std::size_t p,
+                               const std::vector<std::vector<Real>>& before) {
+  const auto& correlation = spec.parameters[p].correlation;
+  const bool latin = spec.sampling == Sampling::latin_hypercube;
+  std::vector<Real> share;
+  for (Index r = 0; r < spec.runs; ++r) share.push_back(fraction(number(spec.seed, 2 * p, r)));
+  const std::vector<Real> within = share;
+  if (correlation)
+    for (Index r = 0; r < spec.runs; ++r)
+      share[r] = correlated_share(correlation->rank, before[correlation->with][r], share[r]);
+  if (!latin) return share;
+  const std::vector<Index> slice =
+      correlation ? ranks_of(share) : shuffled(spec.runs, spec.seed, 2 * p + 1);
+  for (Index r = 0; r < spec.runs; ++r) share[r] = (slice[r] + within[r]) / spec.runs;
+  return share;
 }
 
 std::vector<std::vector<std::string>> combinations(const SweepSpec& spec) {
@@ -114,11 +161,15 @@ Real real_quantile(const Variable& v, Real u) {
   if (v.kind == Kind::constant) return v.mean;
   if (v.kind == Kind::uniform) return v.min + u * (v.max - v.min);
   if (v.kind == Kind::power_law) return power_law_quantile(v, u);
+  if (v.kind == Kind::triangular) return triangular_quantile(v, u);
+  if (v.kind == Kind::beta) return v.min + (v.max - v.min) * beta_quantile(v.alpha, v.beta, u);
   const Real low = share_below(v, v.min), high = share_below(v, v.max);
   const Real share = low + u * (high - low);
   Real x = 0;
   if (v.kind == Kind::normal) x = v.mean + v.standard_deviation * normal_quantile(share);
-  if (v.kind == Kind::exponential) x = -v.mean * std::log1p(-share);
+  if (v.kind == Kind::exponential)
+    x = -v.mean * (v.mean > 0 ? std::log1p(-share) : std::log(share));
+  if (v.kind == Kind::weibull) x = v.scale * std::pow(-std::log1p(-share), 1 / v.shape);
   if (v.kind == Kind::log_normal) {
     const auto [mean, deviation] = of_logarithm(v);
     x = std::exp(mean + deviation * normal_quantile(share));
@@ -139,14 +190,10 @@ std::vector<std::vector<std::string>> sample(const SweepSpec& spec) {
   if (spec.sampling == Sampling::all) return combinations(spec);
   std::vector<std::vector<std::string>> rows(spec.runs,
                                              std::vector<std::string>(spec.parameters.size()));
+  std::vector<std::vector<Real>> shares;
   for (std::size_t p = 0; p < spec.parameters.size(); ++p) {
-    const bool latin = spec.sampling == Sampling::latin_hypercube;
-    const std::vector<Index> slice =
-        latin ? shuffled(spec.runs, spec.seed, 2 * p + 1) : std::vector<Index>{};
-    for (Index r = 0; r < spec.runs; ++r) {
-      const Real within = fraction(number(spec.seed, 2 * p, r));
-      rows[r][p] = text_at(spec.parameters[p], latin ? (slice[r] + within) / spec.runs : within);
-    }
+    shares.push_back(drawn_shares(spec, p, shares));
+    for (Index r = 0; r < spec.runs; ++r) rows[r][p] = text_at(spec.parameters[p], shares[p][r]);
   }
   return rows;
 }

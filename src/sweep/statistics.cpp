@@ -51,16 +51,6 @@ Real beta_fraction(Real a, Real b, Real x) {
   return value;
 }
 
-/// The x with I_x(a, b) = share. By halving: 60 halvings of [0, 1] are below rounding.
-Real beta_quantile(Real a, Real b, Real share) {
-  Real low = 0, high = 1;
-  for (int i = 0; i < 60; ++i) {
-    const Real middle = (low + high) / 2;
-    (incomplete_beta(a, b, middle) < share ? low : high) = middle;
-  }
-  return (low + high) / 2;
-}
-
 constexpr Real beyond = 0.025;  // on each side of 95 % bounds
 
 Bounds wilson_bounds(Real met, Real n) {
@@ -119,6 +109,16 @@ Chance chance_of(Index met, Index count) {
   c.wilson = wilson_bounds(met, count);
   c.exact = exact_bounds(met, count);
   return c;
+}
+
+/// By halving: 60 halvings of [0, 1] are below rounding.
+Real beta_quantile(Real a, Real b, Real share) {
+  Real low = 0, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const Real middle = (low + high) / 2;
+    (incomplete_beta(a, b, middle) < share ? low : high) = middle;
+  }
+  return (low + high) / 2;
 }
 
 Real rank_correlation(const std::vector<Real>& x, const std::vector<Real>& y) {

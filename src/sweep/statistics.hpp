@@ -31,6 +31,9 @@ Chance chance_of(Index met, Index count);
 /// I_x(a, b), the regularised incomplete beta function; a, b > 0, 0 ≤ x ≤ 1. Good to some 1e-12.
 Real incomplete_beta(Real a, Real b, Real x);
 
+/// The x with I_x(a, b) = share.
+Real beta_quantile(Real a, Real b, Real share);
+
 /// Spearman's: Pearson's correlation of ranks, ties sharing theirs; pairs with a NaN are left out. NaN where one does not vary.
 Real rank_correlation(const std::vector<Real>& x, const std::vector<Real>& y);
 

@@ -32,7 +32,8 @@ std::vector<std::string> overrides_of(const Options& options, const SweepSpec& s
                                       const std::vector<std::string>& values) {
   std::vector<std::string> all = options.overrides;
   for (std::size_t p = 0; p < values.size(); ++p)
-    all.push_back(spec.parameters[p].key + "=" + values[p]);
+    for (std::string& change : changes_of(spec.parameters[p], values[p]))
+      all.push_back(std::move(change));
   return all;
 }
 
@@ -46,11 +47,14 @@ bool draws_fractions(const Parameter& parameter) {
 std::vector<Diagnostic> wrong_keys(const SweepSpec& spec, const std::vector<std::string>& changes,
                                    const Error& error) {
   std::vector<Diagnostic> wrong;
-  const std::size_t first = changes.size() - spec.parameters.size();
+  std::vector<const Parameter*> parameter_of;
+  for (const Parameter& p : spec.parameters)
+    parameter_of.resize(parameter_of.size() + std::max<std::size_t>(p.keys.size(), 1), &p);
+  const std::size_t first = changes.size() - parameter_of.size();
   for (Diagnostic found : error.diagnostics())
     for (std::size_t i = 0; i < changes.size(); ++i) {
       if (found.place.file != override_name(changes[i])) continue;
-      const bool fraction = i >= first && draws_fractions(spec.parameters[i - first]) &&
+      const bool fraction = i >= first && draws_fractions(*parameter_of[i - first]) &&
                             found.message.find("must be an integer") != std::string::npos;
       if (fraction) found.message += "; integer = true in its [[parameter]] draws whole numbers";
       if (fraction || found.message.starts_with("unknown key")) wrong.push_back(found);
@@ -77,7 +81,9 @@ Identity identity_of(const Options& options, const SweepSpec& spec, const std::s
                      const std::vector<std::vector<std::string>>& values) {
   Identity identity{model, spec.command, {}, "", static_cast<Index>(values.size()), {}};
   for (const std::string& change : options.overrides) identity.model += "\n# --set " + change;
-  for (const Parameter& p : spec.parameters) identity.keys.push_back(p.key);
+  for (const Parameter& p : spec.parameters)
+    identity.keys.push_back(
+        p.keys.empty() ? p.key : fmt::format("{} = {}", p.key, fmt::join(p.keys, ", ")));
   for (const Result& r : spec.results) identity.paths.push_back(r.name + " = " + r.path);
   Hash hash;
   for (const auto& row : values)

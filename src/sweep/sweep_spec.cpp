@@ -41,17 +41,29 @@ std::string toml_text(const Value& value) {
 void read_variable(TableReader& in, Variable& v) {
   using Kind = Variable::Kind;
   const auto kind =
-      in.choose("distribution",
-                {{"constant", "exponential", "log_normal", "power_law", "normal", "uniform"}, {}});
+      in.choose("distribution", {{"constant", "exponential", "log_normal", "power_law", "normal",
+                                  "uniform", "triangular", "beta", "weibull"},
+                                 {}});
   if (!kind) return in.give_up();
   v.kind = static_cast<Kind>(*kind);
-  const bool bounded = v.kind == Kind::power_law || v.kind == Kind::uniform;
-  const bool positive =
-      v.kind == Kind::exponential || v.kind == Kind::log_normal || v.kind == Kind::power_law;
-  if (!bounded) in.read("mean", v.mean, positive ? above_zero("") : Range{});
+  const bool bounded = v.kind == Kind::power_law || v.kind == Kind::uniform ||
+                       v.kind == Kind::triangular || v.kind == Kind::beta;
+  if (!bounded && v.kind != Kind::weibull)
+    in.read("mean", v.mean, v.kind == Kind::log_normal ? above_zero("") : Range{});
+  if (v.kind == Kind::exponential && v.mean == 0)
+    in.wrong("mean", "found 0, must be above 0, or below where all values are");
   if (v.kind == Kind::normal || v.kind == Kind::log_normal)
     in.read("standard_deviation", v.standard_deviation, above_zero(""));
   if (v.kind == Kind::power_law) in.read("exponent", v.exponent, above_zero(""));
+  if (v.kind == Kind::triangular) in.read("mode", v.mode, Range{});
+  if (v.kind == Kind::beta) {
+    in.read("alpha", v.alpha, above_zero(""));
+    in.read("beta", v.beta, above_zero(""));
+  }
+  if (v.kind == Kind::weibull) {
+    in.read("shape", v.shape, above_zero(""));
+    in.read("scale", v.scale, above_zero(""));
+  }
   if (v.kind == Kind::constant) return;
   const Range limit = v.kind == Kind::power_law ? above_zero("") : Range{};
   const Need need = bounded ? Need::required : Need::optional;
@@ -59,6 +71,8 @@ void read_variable(TableReader& in, Variable& v) {
   in.read("max", v.max, limit, need);
   if (!(v.min < v.max))
     in.wrong("max", "found " + number_text(v.max) + ", must be > min's " + number_text(v.min));
+  if (v.kind == Kind::triangular && (v.mode < v.min || v.mode > v.max))
+    in.wrong("mode", "found " + number_text(v.mode) + ", must lie from min to max");
   in.read("integer", v.integer, Need::optional);
   if (!v.integer) return;
   for (const auto& [key, end] : {std::pair{"min", v.min}, std::pair{"max", v.max}})
@@ -66,9 +80,51 @@ void read_variable(TableReader& in, Variable& v) {
       in.wrong(key, "found " + number_text(end) + ", must be a whole number where integer = true");
 }
 
+/// `key`, or `keys` with a `name` if one is wanted.
+void read_keys(TableReader& in, Parameter& parameter) {
+  if (!in.has("keys")) {
+    in.read("key", parameter.key);
+    return;
+  }
+  if (in.has("key")) in.wrong("keys", "must not stand beside key: they say the same");
+  const Value* value = in.find("keys");
+  const auto* list = std::get_if<Array>(&value->data);
+  if (list != nullptr)
+    for (const Value& item : *list)
+      if (const auto* key = std::get_if<std::string>(&item.data)) parameter.keys.push_back(*key);
+  if (list == nullptr || list->empty() || parameter.keys.size() != list->size()) {
+    in.wrong("keys", "found " + described(*value) + ", must be a list of keys as for --set");
+    return;
+  }
+  parameter.key = parameter.keys.front();
+  in.read("name", parameter.key, Need::optional);
+}
+
+void read_correlation(TableReader& in, const SweepSpec& spec, Parameter& parameter) {
+  const Value* value = in.find("correlation");
+  if (value == nullptr) return;
+  TableReader of(*value, in.path_of("correlation"), in.out());
+  Correlation correlation;
+  std::string with;
+  of.read("with", with);
+  of.read("rank", correlation.rank, Range{.low = -1, .high = 1});
+  std::vector<std::string> drawn;
+  for (const Parameter& p : spec.parameters)
+    if (std::holds_alternative<Variable>(p.values)) drawn.push_back(p.key);
+  const auto found = std::find_if(spec.parameters.begin(), spec.parameters.end(),
+                                  [&](const Parameter& p) { return p.key == with; });
+  if (!std::holds_alternative<Variable>(parameter.values))
+    in.wrong("correlation", "is of values that are drawn from a distribution");
+  else if (std::find(drawn.begin(), drawn.end(), with) == drawn.end())
+    of.wrong("with", fmt::format("'{}' is no parameter with a distribution before this one{}", with,
+                                 suggestion(with, drawn, "there are")));
+  correlation.with = static_cast<std::size_t>(found - spec.parameters.begin());
+  parameter.correlation = correlation;
+}
+
 void read_parameter(TableReader& in, SweepSpec& spec) {
   Parameter parameter;
-  in.read("key", parameter.key);
+  read_keys(in, parameter);
   const Value* values = in.find("values");
   if (values == nullptr) {
     if (!in.has("distribution")) {
@@ -86,6 +142,7 @@ void read_parameter(TableReader& in, SweepSpec& spec) {
       for (const Value& item : *list) texts.push_back(toml_text(item));
     }
   }
+  read_correlation(in, spec, parameter);
   spec.parameters.push_back(std::move(parameter));
 }
 
@@ -139,7 +196,7 @@ void require_own_names(const SweepSpec& spec, TableReader& root) {
 
 void read_root(TableReader& root, SweepSpec& spec) {
   root.read("model", spec.model);
-  static const std::vector<std::string> commands{"cut", "support", "theory", "run"};
+  static const std::vector<std::string> commands{"cut", "support", "stability", "theory", "run"};
   if (const auto command = root.choose("command", {commands, {}}))
     spec.command = commands[*command];
   if (const auto sampling =
@@ -175,7 +232,15 @@ void read_root(TableReader& root, SweepSpec& spec) {
 }  // namespace
 
 bool is_seed(const Parameter& parameter) {
-  return parameter.key == "seed" || parameter.key.ends_with(".seed");
+  const std::string& key = parameter.keys.empty() ? parameter.key : parameter.keys.front();
+  return key == "seed" || key.ends_with(".seed");
+}
+
+std::vector<std::string> changes_of(const Parameter& parameter, const std::string& value) {
+  if (parameter.keys.empty()) return {parameter.key + "=" + value};
+  std::vector<std::string> changes;
+  for (const std::string& key : parameter.keys) changes.push_back(key + "=" + value);
+  return changes;
 }
 
 const char* null_name(NullMeans null) {

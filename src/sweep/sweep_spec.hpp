@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,22 +15,48 @@ namespace rockfold::sweep {
 
 /// A number drawn at random, inside [min, max] alone.
 struct Variable {
-  enum class Kind { constant, exponential, log_normal, power_law, normal, uniform };
+  enum class Kind {
+    constant,
+    exponential,
+    log_normal,
+    power_law,
+    normal,
+    uniform,
+    triangular,
+    beta,
+    weibull
+  };
   Kind kind = Kind::constant;
-  Real mean = 0;  ///< of all values, those outside [min, max] too; not of uniform, power_law
+  /// Constant, normal, log-normal, exponential: of all values, those outside [min, max] too. Of an exponential variable < 0: it is below 0.
+  Real mean = 0;
   Real standard_deviation = 0;  ///< normal, log_normal; > 0
   Real exponent = 0;            ///< power law: density ∝ x^−exponent on [min, max]
   Real min = -std::numeric_limits<Real>::infinity();
   Real max = std::numeric_limits<Real>::infinity();
   bool integer =
       false;  ///< whole numbers alone: uniform draws each of [min, max] alike, others are rounded
+  Real mode = 0;  ///< triangular: the most likely value, in [min, max]
+  Real alpha = 1,
+       beta = 1;  ///< beta: density ∝ t^(alpha − 1) (1 − t)^(beta − 1), t from 0 at min to 1 at max
+  Real shape = 1, scale = 1;  ///< Weibull: P(x < X) = 1 − exp(−(X/scale)^shape)
+};
+
+/// Spearman's rank correlation with a parameter before it.
+struct Correlation {
+  std::size_t with = 0;
+  Real rank = 0;
 };
 
 struct Parameter {
-  std::string key;  ///< as for --set
+  std::string key;  ///< as for --set; where there are `keys`, its name
   /// TOML texts, or what is drawn.
   std::variant<std::vector<std::string>, Variable> values;
+  std::vector<std::string> keys = {};  ///< all that get its value; empty: `key`
+  std::optional<Correlation> correlation = {};
 };
+
+/// The changes of the model that a value makes, as for --set.
+std::vector<std::string> changes_of(const Parameter& parameter, const std::string& value);
 
 /// Whether its values are the seeds of random numbers ("….seed"): names of samples, which have no size.
 bool is_seed(const Parameter& parameter);

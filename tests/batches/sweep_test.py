@@ -274,6 +274,26 @@ class Sweep(ProgramTest):
         self.write("cube.toml", CUBE + "# changed\n")
         self.assertIn("other model", self.json_of("sweep", "sweep.toml", status=2)["error"]["message"])
 
+    def test_one_value_for_several_keys_of_the_whole_mass(self):
+        self.copy_case("driving_wedge")
+        self.write("sweep.toml", """
+model = "driving_wedge.toml"
+command = "stability"
+[[parameter]]
+name = "g"
+keys = ["support.seismic_coefficient"]
+values = [[0, 0, 0], [-0.1, 0, 0], [0.1, 0, 0]]
+[[result]]
+name = "factor"
+path = "stability.sliding.factor"
+""")
+        self.run_program("sweep", "sweep.toml")
+        rows = list(csv.DictReader(io.StringIO((self.folder / "sweep" / "sweep.csv").read_text(encoding="utf-8"))))
+        self.assertEqual([row["g"] for row in rows], ["[0, 0, 0]", "[-0.1, 0, 0]", "[0.1, 0, 0]"])
+        still, one_way, other_way = (float(row["factor"]) for row in rows)
+        self.assertLess(min(one_way, other_way), still)
+        self.assertGreater(max(one_way, other_way), still)
+
     def test_whole_numbers_are_drawn_as_such(self):
         sweep = ('model = "cube.toml"\ncommand = "cut"\nsampling = "monte_carlo"\nruns = 2\n[[parameter]]\nkey = "joint_set.J.random.seed"\n'
                  'distribution = "uniform"\nmin = 1\nmax = 9\n')
