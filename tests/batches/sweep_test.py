@@ -288,7 +288,7 @@ name = "factor"
 path = "stability.sliding.factor"
 """)
         self.run_program("sweep", "sweep.toml")
-        rows = list(csv.DictReader(io.StringIO((self.folder / "sweep" / "sweep.csv").read_text(encoding="utf-8"))))
+        rows = self.table()
         self.assertEqual([row["g"] for row in rows], ["[0, 0, 0]", "[-0.1, 0, 0]", "[0.1, 0, 0]"])
         still, one_way, other_way = (float(row["factor"]) for row in rows)
         self.assertLess(min(one_way, other_way), still)
