@@ -33,7 +33,7 @@ TEXT
 # What CMake, the compiler and the tests need. The names are the same in Debian 12, 13 and Ubuntu 24.04.
 packages=(
   g++ cmake ninja-build ccache dpkg-dev ca-certificates
-  libcgal-dev libmpfr-dev libgmp-dev libeigen3-dev libmetis-dev coinor-libclp-dev libhdf5-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
+  libcgal-dev libmpfr-dev libgmp-dev libeigen3-dev libmetis-dev coinor-libclp-dev libhdf5-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libmuparser-dev
   libgtest-dev libbenchmark-dev python3 python3-h5py python3-tomli-w
 )
 

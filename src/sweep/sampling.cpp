@@ -1,12 +1,15 @@
 #include "src/sweep/sampling.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 
 #include <fmt/format.h>
 
+#include "src/sweep/formula.hpp"
 #include "src/sweep/statistics.hpp"
 
 namespace rockfold::sweep {
@@ -132,10 +135,28 @@ std::vector<Real> drawn_shares(const SweepSpec& spec, std::size_t p,
   return share;
 }
 
+std::int64_t list_length(const Parameter& parameter) {
+  const auto* list = std::get_if<std::vector<std::string>>(&parameter.values);
+  return list == nullptr ? 1 : std::ssize(*list);
+}
+
+/// Of one run, in their order: each may use what stands before it.
+void evaluate_expressions(const SweepSpec& spec, std::vector<std::string>& row) {
+  std::map<std::string, Real> before;
+  for (std::size_t p = 0; p < row.size(); ++p) {
+    const Parameter& parameter = spec.parameters[p];
+    if (const auto* expression = std::get_if<Expression>(&parameter.values))
+      row[p] = fmt::format("{}", value_of(expression->formula, before));
+    Real number = 0;
+    const auto [end, fault] = std::from_chars(row[p].data(), row[p].data() + row[p].size(), number);
+    if (fault == std::errc{} && is_name(parameter.key)) before[parameter.key] = number;
+  }
+}
+
 std::vector<std::vector<std::string>> combinations(const SweepSpec& spec) {
   std::int64_t count = 1;
   for (const Parameter& p : spec.parameters) {
-    count *= std::ssize(std::get<std::vector<std::string>>(p.values));
+    count *= list_length(p);
     if (count > most_runs)
       throw Error(ErrorKind::model,
                   fmt::format("has more than {} combinations: draw some of them, by sampling = "
@@ -148,10 +169,12 @@ std::vector<std::vector<std::string>> combinations(const SweepSpec& spec) {
     rows[r].resize(spec.parameters.size());
     std::int64_t rest = r;
     for (std::size_t p = spec.parameters.size(); p-- > 0;) {
-      const auto& list = std::get<std::vector<std::string>>(spec.parameters[p].values);
-      rows[r][p] = list[rest % std::ssize(list)];
-      rest /= std::ssize(list);
+      const auto* list = std::get_if<std::vector<std::string>>(&spec.parameters[p].values);
+      if (list == nullptr) continue;
+      rows[r][p] = (*list)[rest % std::ssize(*list)];
+      rest /= std::ssize(*list);
     }
+    evaluate_expressions(spec, rows[r]);
   }
   return rows;
 }
@@ -193,8 +216,10 @@ std::vector<std::vector<std::string>> sample(const SweepSpec& spec) {
   std::vector<std::vector<Real>> shares;
   for (std::size_t p = 0; p < spec.parameters.size(); ++p) {
     shares.push_back(drawn_shares(spec, p, shares));
+    if (std::holds_alternative<Expression>(spec.parameters[p].values)) continue;
     for (Index r = 0; r < spec.runs; ++r) rows[r][p] = text_at(spec.parameters[p], shares[p][r]);
   }
+  for (auto& row : rows) evaluate_expressions(spec, row);
   return rows;
 }
 

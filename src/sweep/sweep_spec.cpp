@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include "src/model/text/nearest.hpp"
 #include "src/model/text/parse_toml.hpp"
 #include "src/model/text/table_reader.hpp"
+#include "src/sweep/formula.hpp"
 
 namespace rockfold::sweep {
 
@@ -80,10 +82,12 @@ void read_variable(TableReader& in, Variable& v) {
       in.wrong(key, "found " + number_text(end) + ", must be a whole number where integer = true");
 }
 
-/// `key`, or `keys` with a `name` if one is wanted.
+/// `key` or `keys`, with a `name` if one is wanted.
 void read_keys(TableReader& in, Parameter& parameter) {
   if (!in.has("keys")) {
     in.read("key", parameter.key);
+    if (in.has("name")) parameter.keys = {parameter.key};
+    in.read("name", parameter.key, Need::optional);
     return;
   }
   if (in.has("key")) in.wrong("keys", "must not stand beside key: they say the same");
@@ -122,13 +126,45 @@ void read_correlation(TableReader& in, const SweepSpec& spec, Parameter& paramet
   parameter.correlation = correlation;
 }
 
+bool has_numbers(const Parameter& parameter) {
+  const auto* texts = std::get_if<std::vector<std::string>>(&parameter.values);
+  return texts == nullptr || std::all_of(texts->begin(), texts->end(), [](const std::string& text) {
+           Real number = 0;
+           const auto [end, fault] =
+               std::from_chars(text.data(), text.data() + text.size(), number);
+           return fault == std::errc{} && end == text.data() + text.size();
+         });
+}
+
+void read_expression(TableReader& in, const SweepSpec& spec, Parameter& parameter) {
+  auto& expression = parameter.values.emplace<Expression>();
+  if (!in.read("expression", expression.formula)) return;
+  std::vector<std::string> known;
+  for (const Parameter& p : spec.parameters)
+    if (has_numbers(p)) known.push_back(p.key);
+  try {
+    for (const std::string& name : names_in(expression.formula))
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        in.wrong("expression", fmt::format("'{}' is the name of no parameter with numbers before "
+                                           "this one{}",
+                                           name, suggestion(name, known, "there are")));
+  } catch (const std::invalid_argument& error) {
+    in.wrong("expression", error.what());
+  }
+}
+
 void read_parameter(TableReader& in, SweepSpec& spec) {
   Parameter parameter;
   read_keys(in, parameter);
   const Value* values = in.find("values");
-  if (values == nullptr) {
+  if (in.has("expression")) {
+    for (const char* other : {"values", "distribution"})
+      if (in.has(other)) in.wrong("expression", fmt::format("must not stand beside {}", other));
+    read_expression(in, spec, parameter);
+  } else if (values == nullptr) {
     if (!in.has("distribution")) {
-      in.missing({"values", "distribution"}, "must be given: values = [...] or distribution");
+      in.missing({"values", "distribution", "expression"},
+                 "must be given: values = [...], distribution or expression");
       in.give_up();
       return;
     }

@@ -47,10 +47,15 @@ struct Correlation {
   Real rank = 0;
 };
 
+/// Of parameters before it, by their names (formula.hpp).
+struct Expression {
+  std::string formula;
+};
+
 struct Parameter {
   std::string key;  ///< as for --set; where there are `keys`, its name
-  /// TOML texts, or what is drawn.
-  std::variant<std::vector<std::string>, Variable> values;
+  /// TOML texts, or what is drawn, or what follows from others.
+  std::variant<std::vector<std::string>, Variable, Expression> values;
   std::vector<std::string> keys = {};  ///< all that get its value; empty: `key`
   std::optional<Correlation> correlation = {};
 };

@@ -207,6 +207,37 @@ TEST(Parameter, TellsOfWrongDistributionsAndCorrelations) {
                  "above 0, or below");
 }
 
+TEST(Expression, IsOfWhatStandsBeforeIt) {
+  SweepSpec spec = sweep_of(
+      "[[parameter]]\nname = \"c\"\nkey = \"a.c\"\ndistribution = \"uniform\"\nmin = 1\nmax = 2\n"
+      "[[parameter]]\nname = \"half\"\nkey = \"a.d\"\nexpression = \"0.5 * c\"\n"
+      "[[parameter]]\nkey = \"a.e\"\nexpression = \"sqrt(half) + c^2\"\n");
+  for (const auto& row : sample(spec)) {
+    const Real c = std::stod(row[0]);
+    EXPECT_EQ(std::stod(row[1]), 0.5 * c);
+    EXPECT_NEAR(std::stod(row[2]), std::sqrt(0.5 * c) + c * c, 1e-14);
+  }
+  spec.sampling = Sampling::all;
+  spec.parameters[0].values = std::vector<std::string>{"1", "2", "3"};
+  const auto rows = sample(spec);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(std::stod(rows[2][1]), 1.5);
+}
+
+TEST(Expression, TellsWhatIsWrong) {
+  const std::string first = "[[parameter]]\nname = \"depth\"\nkey = \"a\"\nvalues = [1, 2]\n";
+  expect_refused(first + "[[parameter]]\nkey = \"b\"\nexpression = \"2 * dept\"\n",
+                 "did you mean \"depth\"?");
+  expect_refused(first + "[[parameter]]\nkey = \"b\"\nexpression = \"2 * (depth\"\n",
+                 "parenthesis");
+  expect_refused(
+      "[[parameter]]\nname = \"x\"\nkey = \"a\"\nvalues = [\"wet\"]\n[[parameter]]\nkey = "
+      "\"b\"\nexpression = \"x\"\n",
+      "no parameter with numbers");
+  expect_refused(first + "[[parameter]]\nkey = \"b\"\nvalues = [1]\nexpression = \"depth\"\n",
+                 "beside values");
+}
+
 TEST(AllCombinations, ChangeTheLastParameterFirst) {
   SweepSpec spec;
   spec.parameters = {{"a", std::vector<std::string>{"1", "2"}},
