@@ -13,7 +13,7 @@ Units are SI, angles degrees; blocks are numbered from 1 in answers, from 0 in a
 
 from rockfold.commands import check, cut, resume, run, stability, support, theory, verify
 from rockfold.answers import Answer
-from rockfold.errors import AnalysisError, Fault, FileError, ModelError, RockfoldError, UsageError
+from rockfold.errors import AnalysisError, Fault, FileError, ModelError, RockfoldError, RockfoldWarning, UsageError
 from rockfold.examples import example, examples
 from rockfold.models import Model
 from rockfold.pages import report, view
@@ -23,6 +23,6 @@ from rockfold.sweeps import Sweep, sweep
 
 __all__ = [
     "AnalysisError", "Answer", "Blocks", "Fault", "FileError", "Mesh", "Model", "ModelError", "Progress", "Result",
-    "RockfoldError", "Sweep", "UsageError", "check", "cut", "example", "examples", "kept_loaded", "open_result", "program", "report",
+    "RockfoldError", "RockfoldWarning", "Sweep", "UsageError", "check", "cut", "example", "examples", "kept_loaded", "open_result", "program", "report",
     "resume", "run", "stability", "support", "sweep", "theory", "use_program", "verify", "version", "view",
 ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import json
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -39,6 +40,15 @@ class Answer(Mapping[str, Any]):
     def __repr__(self) -> str:
         return f"<Answer of {self.document.get('command')}: {', '.join(self.document)}>"
 
+    def __reduce__(self) -> tuple[Any, ...]:  # to another process: a result that goes with this answer stays here
+        return Answer, (self.document, None if self._keep_alive else self.path)
+
+    def __copy__(self) -> Answer:
+        return Answer(self.document, self.path, self._keep_alive)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Answer:
+        return Answer(copy.deepcopy(self.document, memo), self.path, self._keep_alive)
+
     @property
     def warnings(self) -> list[str]:
         return list(self.document.get("warnings", []))
@@ -48,7 +58,7 @@ class Answer(Mapping[str, Any]):
         """Its arrays, opened when they are asked for. Throws AttributeError where none was written."""
         if self.path is None:
             raise AttributeError(f"`{self.document.get('command')}` was asked for its answer alone: it wrote no result")
-        if self._result is None:
+        if self._result is None or self._result.closed:
             self._result = open_result(self.path)
             self._result._keep_alive = self._keep_alive
         return self._result
@@ -58,7 +68,9 @@ class Answer(Mapping[str, Any]):
         vectors, [rows][n]; NaN where a number is null. Values that are no numbers are arrays of objects."""
         entries = self._entries(name)
         keys = list(dict.fromkeys(key for entry in entries for key in entry))
-        return {key: _column([entry.get(key) for entry in entries]) for key in keys}
+        columns = _Columns({key: _column([entry.get(key) for entry in entries]) for key in keys})
+        columns.empty = not entries
+        return columns
 
     def table(self, name: str) -> pandas.DataFrame:
         """The same as a table of pandas; entries within entries stand as "rotation.axis". Throws ImportError without pandas."""
@@ -77,6 +89,17 @@ class Answer(Mapping[str, Any]):
         if not isinstance(found, list) or not all(isinstance(entry, dict) for entry in found):
             raise KeyError(f"{name} is no list of entries")
         return found
+
+
+class _Columns(dict[str, np.ndarray]):
+    """Of a list without entries every column is there, and empty."""
+
+    empty = False
+
+    def __missing__(self, key: str) -> np.ndarray:
+        if self.empty:
+            return np.empty(0)
+        raise KeyError(key)
 
 
 def _column(values: list[Any]) -> np.ndarray:

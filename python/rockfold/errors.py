@@ -32,11 +32,18 @@ class RockfoldError(Exception):
         self.status = status
         self.document = document  #: what there was of an answer, where it ended early
 
+    def __reduce__(self) -> tuple[Any, ...]:  # to another process as well
+        return type(self), (self.faults, self.status, self.document)
+
     def __getattr__(self, name: str) -> Any:
         # message, file, line, column and key of the first fault
         if name in Fault.__dataclass_fields__:
-            return getattr(self.faults[0], name)
+            return getattr(self.__dict__["faults"][0], name)
         raise AttributeError(name)
+
+
+class RockfoldWarning(UserWarning):
+    """What the program warns of; an answer's `warnings` has them too."""
 
 
 class ModelError(RockfoldError):

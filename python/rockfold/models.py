@@ -23,9 +23,13 @@ class Model(dict[str, Any]):
     `folder`: where files that it names lie.
     """
 
-    def __init__(self, values: Mapping[str, Any] | None = None, folder: str | os.PathLike[str] = ".", **keys: Any) -> None:
-        super().__init__(values or {}, **keys)
-        self.folder = Path(folder)
+    def __init__(self, values: Mapping[str, Any] | None = None, folder: str | os.PathLike[str] | None = None, **keys: Any) -> None:
+        super().__init__(copy.deepcopy(dict(values or {})), **keys)
+        of_values = values.folder if isinstance(values, Model) else "."
+        self.folder = Path(os.path.abspath(of_values if folder is None else folder))
+
+    def __or__(self, other: Mapping[str, Any]) -> Model:  # type: ignore[override]
+        return Model({**self, **other}, self.folder)
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Model:

@@ -8,13 +8,14 @@ import shutil
 import signal
 import subprocess
 import threading
+import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rockfold.errors import Fault, FileError, RockfoldError, error_of
+from rockfold.errors import Fault, FileError, RockfoldError, RockfoldWarning, error_of
 from rockfold.server import Server
 
 _chosen: str | None = None
@@ -49,7 +50,7 @@ def program() -> str:
     for candidate in (_chosen, os.environ.get("ROCKFOLD"), "rockfold", str(built)):
         found = shutil.which(candidate) if candidate else None
         if found:
-            return found
+            return os.path.abspath(found)
         if candidate and candidate in (_chosen, os.environ.get("ROCKFOLD")):
             raise FileError([Fault("is no program that could be run", candidate)], 3)
     raise FileError([Fault("the program was not found: put it on the PATH, name it in the variable ROCKFOLD, or call "
@@ -99,10 +100,12 @@ def ask(arguments: list[str], text: str | None = None, folder: str | os.PathLike
     listener = _Listener(progress) if progress else None
     if listener:
         command += ["--progress-fd", str(listener.writes)]
-    # In a session of its own, so that Ctrl-C on a terminal reaches it once, by this process: twice would end it at once.
-    process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                               encoding="utf-8", errors="replace", cwd=folder, env=_environment(), start_new_session=True,
-                               pass_fds=[listener.writes] if listener else [])
+    try:
+        process = _start(command, folder, listener)
+    except OSError as wrong:
+        if listener:
+            listener.close()
+        raise FileError([Fault(str(wrong.strerror), os.fspath(wrong.filename or command[0]))], 3) from None
     try:
         if listener:
             listener.listen(process)
@@ -116,6 +119,13 @@ def ask(arguments: list[str], text: str | None = None, folder: str | os.PathLike
     return _document(said, warned, process.returncode)
 
 
+def _start(command: list[str], folder: str | os.PathLike[str] | None, listener: _Listener | None) -> subprocess.Popen[str]:
+    # In a session of its own, so that Ctrl-C on a terminal reaches it once, by this process: twice would end it at once.
+    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                            encoding="utf-8", errors="replace", cwd=folder, env=_environment(), start_new_session=True,
+                            pass_fds=[listener.writes] if listener else [])
+
+
 def _document(said: str, warned: str, status: int) -> dict[str, Any]:
     try:
         document: dict[str, Any] = json.loads(said)
@@ -124,6 +134,8 @@ def _document(said: str, warned: str, status: int) -> dict[str, Any]:
         raise RockfoldError([Fault(why)], status) from None
     if "error" in document:
         raise error_of(document["error"], status, document)
+    for warning in document.get("warnings", []):
+        warnings.warn(warning, RockfoldWarning, stacklevel=4)
     return document
 
 
@@ -140,6 +152,11 @@ class _Listener:
         os.close(self.writes)
         self._thread = threading.Thread(target=self._read, args=(process,), daemon=True)
         self._thread.start()
+
+    def close(self) -> None:
+        """Where no process has been started."""
+        os.close(self._reads)
+        os.close(self.writes)
 
     def end(self) -> None:
         assert self._thread

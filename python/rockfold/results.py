@@ -28,9 +28,17 @@ class Arrays:
         self._name = name
 
     def __getattr__(self, name: str) -> h5py.Dataset:
-        if not name.startswith("_") and self._group is not None and name in self._group:
-            return self._group[name]
-        raise AttributeError(f"the result has no {self._name}.{name}; it has {', '.join(self) or 'none of them'}")
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            return self[name.removesuffix("_")]  # class_, since class is a word of Python
+        except KeyError as missing:
+            raise AttributeError(missing.args[0]) from None
+
+    def __getitem__(self, name: str) -> h5py.Dataset:
+        if self._group is None or name not in self._group:
+            raise KeyError(f"the result has no {self._name}.{name}; it has {', '.join(self) or 'none of them'}")
+        return self._group[name]
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self]
@@ -43,7 +51,7 @@ class Arrays:
 
     def read(self) -> dict[str, np.ndarray]:
         """All of them."""
-        return {name: getattr(self, name)[()] for name in self}
+        return {name: self[name][()] for name in self}
 
 
 class Blocks(Arrays):
@@ -55,12 +63,14 @@ class Blocks(Arrays):
 
     def vertices(self, block: int) -> np.ndarray:
         """[n][3] m, of a block counted from 0."""
+        block = self._counted(block)
         begin, end = self.vertex_begin[block : block + 2]
         return self.vertex[begin:end]
 
     def faces(self, block: int) -> list[list[np.ndarray]]:
         """The loops of each face of a block counted from 0: corners [n][3] m, counter-clockwise seen from outside; the first is the outer
         one, the others are holes."""
+        block = self._counted(block)
         first, last = self.face_begin[block : block + 2]
         loops = self.loop_begin[first : last + 1]
         corners = self.corner_begin[loops[0] : loops[-1] + 1]
@@ -68,6 +78,13 @@ class Blocks(Arrays):
         of_corner = self.corner_vertex[corners[0] : corners[-1]] - self.vertex_begin[block]
         found = [places[of_corner[a - corners[0] : b - corners[0]]] for a, b in zip(corners[:-1], corners[1:])]
         return [found[a - loops[0] : b - loops[0]] for a, b in zip(loops[:-1], loops[1:])]
+
+
+    def _counted(self, block: int) -> int:
+        count = len(self)
+        if not -count <= block < count:
+            raise IndexError(f"block {block}: there are {count}, counted from 0")
+        return block % count
 
 
 @dataclass
@@ -142,6 +159,10 @@ class Result:
 
     def close(self) -> None:
         self._file.close()
+
+    @property
+    def closed(self) -> bool:
+        return not self._file
 
     def __enter__(self) -> Result:
         return self

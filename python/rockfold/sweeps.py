@@ -22,7 +22,7 @@ class Sweep:
 
     def __init__(self, document: dict[str, Any], folder: Path) -> None:
         self.document = document
-        self.folder = folder
+        self.folder = Path(os.path.abspath(folder))
 
     def columns(self) -> dict[str, np.ndarray]:
         """The table by its headings (run, status, seconds, error, parameters, results, events), [runs]: numbers where all are, NaN where one is
@@ -41,6 +41,8 @@ class Sweep:
 def _column(name: str, texts: list[str]) -> np.ndarray:
     if name in ("status", "error"):
         return np.array(texts)
+    if texts and set(texts) <= {"true", "false"}:
+        return np.array([text == "true" for text in texts])
     for numbers in (int, lambda text: float(text) if text else np.nan):
         try:
             return np.array([numbers(text) for text in texts])
@@ -68,10 +70,14 @@ def sweep(plan: str | os.PathLike[str] | Mapping[str, Any], output: str | os.Pat
 def _written(plan: Mapping[str, Any], folder: Path, model: Mapping[str, Any] | None) -> Path:
     folder.mkdir(parents=True, exist_ok=True)
     values = dict(plan)
+    if isinstance(model, (str, os.PathLike)):
+        values["model"], model = model, None
     if model is not None:
         values["model"] = "model.toml"
         (folder / "model.toml").write_text(toml_of(_with_absolute_files(model)), encoding="utf-8")
     else:
+        if not isinstance(values.get("model"), (str, os.PathLike)):
+            raise ValueError("a plan needs a model: its path as plan[\"model\"], or model= a dictionary")
         values["model"] = os.path.abspath(values["model"])
     path = folder / "plan.toml"
     path.write_text(toml_of(values), encoding="utf-8")

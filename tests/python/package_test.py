@@ -1,5 +1,7 @@
 """The Python package: models, answers, results, errors, progress and sweeps of the program."""
+import copy
 import os
+import pickle
 import re
 import sys
 import tempfile
@@ -123,6 +125,52 @@ class AnswerTest(PackageTest):
         with self.assertRaises(AttributeError):
             _ = rockfold.cut(CUBE, output=False).result
         self.assertEqual(list(self.folder.iterdir()), [])
+
+
+class LifetimeTest(PackageTest):
+    def test_errors_and_answers_go_to_other_processes(self):
+        with self.assertRaises(rockfold.ModelError) as caught:
+            rockfold.check({**CUBE, "gravty": 3})
+        again = pickle.loads(pickle.dumps(caught.exception))
+        self.assertEqual((str(again), again.status), (str(caught.exception), 2))
+        answer = rockfold.cut(CUBE, output="cube.vtkhdf")
+        _ = answer.result
+        self.assertEqual(len(pickle.loads(pickle.dumps(answer)).result.blocks), 2)
+
+    def test_a_copy_keeps_the_result(self):
+        answer = rockfold.cut(CUBE)
+        other = copy.deepcopy(answer)
+        del answer
+        self.assertEqual(len(other.result.blocks), 2)
+        copy.copy(other.result.blocks)
+
+    def test_a_closed_result_is_opened_again(self):
+        answer = rockfold.cut(CUBE)
+        for _ in range(2):
+            with answer.result as result:
+                self.assertEqual(len(result.blocks), 2)
+
+    def test_a_folder_that_is_gone(self):
+        with self.assertRaises(rockfold.FileError):
+            rockfold.check(rockfold.Model(CUBE, self.folder / "gone"))
+        with self.assertRaises(rockfold.FileError):
+            rockfold.cut(rockfold.Model(CUBE, self.folder / "gone"), progress=print)
+
+    def test_models_keep_their_folder(self):
+        model = rockfold.Model(CUBE, self.folder / "far")
+        for other in (rockfold.Model(model), model | {"title": "other"}, model.copy()):
+            self.assertEqual(other.folder, self.folder / "far")
+        other = rockfold.Model(model)
+        other["material"][0]["density"] = 1
+        self.assertEqual(model["material"][0]["density"], 2700)
+
+    def test_warnings_are_told(self):
+        with self.assertWarns(rockfold.RockfoldWarning):
+            rockfold.support({**CUBE, "gravity": [0, 0, 9.81]}, output=False)
+
+    def test_without_key_blocks_columns_are_empty(self):
+        answer = rockfold.support(CUBE, {"joint_material.joint.friction_angle": 60}, output=False)
+        self.assertEqual(len(answer.columns("keyblocks")["factor_of_safety"]), 0)
 
 
 class KeptLoadedTest(PackageTest):
