@@ -91,7 +91,8 @@ class Blocks(Arrays):
 class Mesh:
     """Convex polygons: polygon c has the points connectivity[offsets[c]] to connectivity[offsets[c + 1] − 1].
 
-    `fields`: values of the polygons, [C] or [C][n], as block (from 1), volume, factor_of_safety.
+    `fields`: values of the polygons, [C] or [C][n], as ParaView shows them: block, origin and material count from 1 (0: unknown), unlike
+    the arrays of `Result`; factor_of_safety is NaN where there is none, and where nothing resists (class 3: a key block).
     """
 
     points: np.ndarray  #: [V][3] m
