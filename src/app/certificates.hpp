@@ -9,7 +9,7 @@
 
 namespace rockfold {
 
-/// Whether there is a bound to prove: forces that balance the mass at some factor, and not at all.
+/// Whether there is a bound to prove: forces that balance the mass at some factor, but not at every one.
 bool has_certificate(const StabilityReport& report);
 
 /// Writes what proves the bound, once it has been checked. Throws Error(io) where the file cannot be written, Error(analysis) where the

@@ -538,10 +538,6 @@ int tell_info(const Options& options) {
   return 0;
 }
 
-}  // namespace
-
-namespace {
-
 /// A model from standard input is read once, and keeps no file's name.
 Options with_input_read(Options options) {
   if (options.input == "-" && takes_model(options.command)) {
