@@ -273,9 +273,9 @@ bool is_seed(const Parameter& parameter) {
 }
 
 std::vector<std::string> changes_of(const Parameter& parameter, const std::string& value) {
-  if (parameter.keys.empty()) return {parameter.key + "=" + value};
+  if (parameter.keys.empty()) return {fmt::format("{}={}", parameter.key, value)};
   std::vector<std::string> changes;
-  for (const std::string& key : parameter.keys) changes.push_back(key + "=" + value);
+  for (const std::string& key : parameter.keys) changes.push_back(fmt::format("{}={}", key, value));
   return changes;
 }
 
