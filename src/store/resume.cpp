@@ -136,6 +136,9 @@ std::optional<Resumption> find_run(const Options& options) {
   require_changes_of_length(options.overrides);
   std::optional<JournalContents> journal = read_journal(result);
   if (!journal) {
+    if (std::filesystem::exists(journal_path(result)) && !std::filesystem::exists(result))
+      fail(ErrorKind::io, Place{journal_path(result), 0, 0, {}},
+           "is of a run that was stopped before it had kept anything: run its model again");
     std::optional<RunOrigin> origin = read_stored_origin(result);
     if (options.overrides.empty()) return {};
     if (!origin)

@@ -299,8 +299,18 @@ class Resume(ProgramTest):
         whole = self.whole_run()
         done = self.run_program("run", "stack.toml", "-o", "part.vtkhdf", "--max-memory", "1 MB", status=1)
         self.assertIn("--max-memory: the program needs more than 1 MB", done.stderr)
-        go_on = self.resumed if "part.vtkhdf.journal" in self.files() else self.whole_run  # it may have had nothing to keep yet
+        # It may have had nothing to keep yet: no journal, or an empty one.
+        journal = self.folder / "part.vtkhdf.journal"
+        kept = journal.exists() and any(journal.read_bytes()[8:16])  # of the first record, whose head is written last
+        go_on = self.resumed if kept else self.whole_run
         self.assertEqual(go_on("part.vtkhdf", "--max-memory", "20 GB"), whole)
+
+    def test_what_was_stopped_before_it_had_kept_anything_is_to_be_run_again(self):
+        for kept in (b"", b"RFJRNL01", b"RFJRNL01" + bytes(24)):
+            with self.subTest(kept=kept):
+                (self.folder / "part.vtkhdf.journal").write_bytes(kept)
+                error = self.json_of("resume", "part.vtkhdf", status=3)["error"]
+                self.assertIn("stopped before it had kept anything: run its model again", error["message"])
 
     def test_limits_of_the_program_are_amounts(self):
         for option, value in (("--max-time", "soon"), ("--max-time", "-1"), ("--max-time", "3 GB"), ("--max-memory", "0"),
