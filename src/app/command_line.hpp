@@ -39,7 +39,7 @@ struct Options {
   bool json = false;                 ///< one JSON document on stdout, nothing else there
   bool quiet = false;                ///< no progress and no summary; warnings and errors stay
   int threads = 0;                   ///< 0 = as many as the machine offers
-  /// of the first joint set; the n-th one gets seed + n − 1; recorded in the JSON
+  /// each random set gets seed_of_set() of it and of its number; recorded in the JSON
   std::optional<std::uint64_t> seed;
   std::vector<std::string> overrides;  ///< --set key.path=value, in order
   std::vector<std::string> ignored;    ///< --ignore KEY: loads that the command need not use

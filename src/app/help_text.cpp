@@ -148,7 +148,7 @@ constexpr const char* common_options =
     "  --json                 one JSON document on stdout, nothing else there\n"
     "  -q, --quiet            no progress and no summary; warnings and errors stay\n"
     "  --threads N            threads to use; default: OMP_NUM_THREADS, or all there are\n"
-    "  --seed N               seed of the first joint set where random; the next has N + 1, …\n"
+    "  --seed N               each random joint set draws anew, by a seed of N and of its number\n"
     "  --max-time TIME        stop after that much time: seconds, \"10 min\", \"8 h\"; a run "
     "leaves a\n"
     "                         checkpoint for `rockfold resume` and prints what there is\n"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@
 #include "src/app/process/signals.hpp"
 #include "src/base/error.hpp"
 #include "src/base/place_text.hpp"
+#include "src/base/seeds.hpp"
 #include "src/base/vector.hpp"
 #include "src/check/key_use.hpp"
 #include "src/check/whole_model.hpp"
@@ -58,12 +60,12 @@ void find_outside(const std::string& what, const Vec3& point, Index element, con
       {of_point, fmt::format("{}{} is not in the rock", given_place_text(point), what)});
 }
 
-/// Each random set gets a seed of its own: equal ones would draw alike.
+/// Each random set gets a seed of its own, which no set of another network has.
 void reseed(Model& model, std::uint64_t seed) {
   bool random = false;
   for (std::size_t s = 0; s < model.joint_sets.size(); ++s)
     if (auto& set = model.joint_sets[s]; set.random) {
-      set.random->seed = seed + s;
+      set.random->seed = seed_of_set(seed, s + 1);
       random = true;
     }
   if (model.theory && model.theory->monte_carlo) {
@@ -87,6 +89,23 @@ void add_table(Model& model, const Options& options) {
   TableFile table;
   table.file = folder.empty() ? options.table : std::filesystem::absolute(options.table).string();
   model.tables.push_back(table);
+}
+
+/// Of two sets that draw the same numbers: their joints have the same relative places.
+void warn_of_equal_seeds(const Model& model, Terminal& terminal) {
+  std::map<std::uint64_t, const JointSet*> first;
+  for (const JointSet& set : model.joint_sets) {
+    if (!set.random) continue;
+    const auto [before, is_new] = first.emplace(set.random->seed, &set);
+    if (is_new) continue;
+    Place place = set.place;
+    place.key += ".random.seed";
+    terminal.warn(diagnostic_line(
+        {place,
+         fmt::format("is {}, that of joint set '{}' too: both draw the same numbers, and their "
+                     "joints lie alike; give each set its own",
+                     set.random->seed, before->second->name)}));
+  }
 }
 
 void warn_of_stiffness_without_springs(const Model& model, Terminal& terminal) {
@@ -140,6 +159,7 @@ Model load_model(const Options& options, Terminal& terminal) {
 
 void warn_of_model(const Model& model, Terminal& terminal) {
   for (const Diagnostic& warning : model.warnings) terminal.warn(diagnostic_line(warning));
+  warn_of_equal_seeds(model, terminal);
 }
 
 void warn_of_joints_beside_rock(const Model& model, Terminal& terminal) {

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "src/base/seeds.hpp"
 #include "src/sweep/formula.hpp"
 #include "src/sweep/statistics.hpp"
 
@@ -17,14 +18,6 @@ namespace rockfold::sweep {
 namespace {
 
 constexpr std::int64_t most_runs = 10'000'000;
-
-/// SplitMix64 (Steele, Lea & Flood 2014): equal on all machines.
-std::uint64_t mixed(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-  return x ^ (x >> 31);
-}
 
 /// The n-th number of a stream.
 std::uint64_t number(std::uint64_t seed, std::uint64_t stream, std::uint64_t n) {

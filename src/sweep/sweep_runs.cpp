@@ -49,7 +49,7 @@ std::vector<Diagnostic> wrong_keys(const SweepSpec& spec, const std::vector<std:
   std::vector<Diagnostic> wrong;
   std::vector<const Parameter*> parameter_of;
   for (const Parameter& p : spec.parameters)
-    parameter_of.resize(parameter_of.size() + std::max<std::size_t>(p.keys.size(), 1), &p);
+    parameter_of.resize(parameter_of.size() + changes_of(p, "").size(), &p);
   const std::size_t first = changes.size() - parameter_of.size();
   for (Diagnostic found : error.diagnostics())
     for (std::size_t i = 0; i < changes.size(); ++i) {
@@ -171,6 +171,9 @@ Job SweepRuns::job_of(Index run) const {
   job.arguments.push_back(std::to_string(std::max(1, options_.threads)));
   for (const std::string& change : overrides_of(options_, spec_, values_[run - 1]))
     job.arguments.insert(job.arguments.end(), {"--set", change});
+  for (std::size_t p = 0; p < spec_.parameters.size(); ++p)
+    if (sets_seed_option(spec_.parameters[p]))
+      job.arguments.insert(job.arguments.end(), {seed_option, values_[run - 1][p]});
   if (options_.yes) job.arguments.emplace_back("--yes");
   for (const std::string& load : options_.ignored)
     job.arguments.insert(job.arguments.end(), {"--ignore", load});

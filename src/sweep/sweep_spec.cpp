@@ -153,6 +153,24 @@ void read_expression(TableReader& in, const SweepSpec& spec, Parameter& paramete
   }
 }
 
+/// Of values for --seed. Of an expression the runs tell.
+void require_seeds(TableReader& in, const Parameter& parameter) {
+  if (const auto* variable = std::get_if<Variable>(&parameter.values)) {
+    if (!variable->integer || variable->min < 0)
+      in.wrong("distribution",
+               "is of fractions or of numbers < 0: seeds need integer = true and a "
+               "min >= 0");
+    return;
+  }
+  const auto* texts = std::get_if<std::vector<std::string>>(&parameter.values);
+  for (const std::string& text : texts == nullptr ? std::vector<std::string>{} : *texts) {
+    std::uint64_t seed = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (fault != std::errc{} || end != text.data() + text.size())
+      return in.wrong("values", fmt::format("found '{}', seeds are whole numbers >= 0", text));
+  }
+}
+
 void read_parameter(TableReader& in, SweepSpec& spec) {
   Parameter parameter;
   read_keys(in, parameter);
@@ -179,6 +197,7 @@ void read_parameter(TableReader& in, SweepSpec& spec) {
     }
   }
   read_correlation(in, spec, parameter);
+  if (sets_seed_option(parameter)) require_seeds(in, parameter);
   spec.parameters.push_back(std::move(parameter));
 }
 
@@ -269,13 +288,20 @@ void read_root(TableReader& root, SweepSpec& spec) {
 
 bool is_seed(const Parameter& parameter) {
   const std::string& key = parameter.keys.empty() ? parameter.key : parameter.keys.front();
-  return key == "seed" || key.ends_with(".seed");
+  return key == "seed" || key == seed_option || key.ends_with(".seed");
+}
+
+bool sets_seed_option(const Parameter& parameter) {
+  const auto& keys = parameter.keys;
+  return keys.empty() ? parameter.key == seed_option
+                      : std::find(keys.begin(), keys.end(), seed_option) != keys.end();
 }
 
 std::vector<std::string> changes_of(const Parameter& parameter, const std::string& value) {
-  if (parameter.keys.empty()) return {fmt::format("{}={}", parameter.key, value)};
   std::vector<std::string> changes;
-  for (const std::string& key : parameter.keys) changes.push_back(fmt::format("{}={}", key, value));
+  for (const std::string& key :
+       parameter.keys.empty() ? std::vector{parameter.key} : parameter.keys)
+    if (key != seed_option) changes.push_back(fmt::format("{}={}", key, value));
   return changes;
 }
 

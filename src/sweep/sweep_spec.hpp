@@ -60,10 +60,15 @@ struct Parameter {
   std::optional<Correlation> correlation = {};
 };
 
+/// Among the keys of a parameter: its value is that of the option, a seed for all random joint sets.
+inline constexpr const char* seed_option = "--seed";
+/// Whether it is what a parameter gives its value to.
+bool sets_seed_option(const Parameter& parameter);
+
 /// The changes of the model that a value makes, as for --set.
 std::vector<std::string> changes_of(const Parameter& parameter, const std::string& value);
 
-/// Whether its values are the seeds of random numbers ("….seed"): names of samples, which have no size.
+/// Whether its values are the seeds of random numbers ("….seed", "--seed"): names of samples, which have no size.
 bool is_seed(const Parameter& parameter);
 
 /// A number of the command's document.

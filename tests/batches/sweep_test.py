@@ -304,6 +304,27 @@ path = "stability.sliding.factor"
         self.write("sweep.toml", sweep + "integer = true\n")
         self.run_program("sweep", "sweep.toml")
 
+    def test_seeds_of_all_sets_are_those_of_the_option(self):
+        disc = '[[joint_set]]\nname = "{}"\ndip = {}\ndip_direction = 90\nrandom = {{count = 5, radius = 3}}\n'
+        self.write("cube.toml", CUBE + disc.format("A", 40) + disc.format("B", 80))
+        self.write("sweep.toml", 'model = "cube.toml"\ncommand = "cut"\nsampling = "monte_carlo"\nruns = 3\n[[parameter]]\n'
+                   'key = "--seed"\ndistribution = "uniform"\nmin = 1\nmax = 100000\ninteger = true\n'
+                   '[[result]]\nname = "blocks"\npath = "totals.blocks"\n')
+        self.run_program("sweep", "sweep.toml")
+        rows = self.table()
+        self.assertEqual(len({row["--seed"] for row in rows}), 3)
+        for row in rows:
+            document = self.json_of("cut", "cube.toml", "--seed", row["--seed"])
+            self.assertEqual(row["blocks"], str(document["totals"]["blocks"]))
+        self.write("wrong.toml", 'model = "cube.toml"\ncommand = "cut"\n[[parameter]]\nkey = "--seed"\nvalues = [1, 2.5]\n')
+        self.assertIn("found '2.5', seeds are whole numbers", self.json_of("sweep", "wrong.toml", status=2)["error"]["message"])
+
+    def test_two_sets_of_one_seed_are_told(self):
+        disc = '[[joint_set]]\nname = "{}"\ndip = {}\ndip_direction = 90\nrandom = {{seed = 4, count = 5, radius = 3}}\n'
+        self.write("cube.toml", CUBE + disc.format("A", 40) + disc.format("B", 80))
+        self.assertIn("joint_set[3].random.seed: is 4, that of joint set 'A' too", self.run_program("check", "cube.toml").stderr)
+        self.assertNotIn("that of joint set", self.run_program("check", "cube.toml", "--seed", "4").stderr)
+
     def test_mistakes_are_told_all_at_once_with_their_places(self):
         self.write("sweep.toml", SWEEP.replace("sampling", "samplin").replace('"cut"', '"cute"').replace('"blocks > 4"', '"block > 4"')
                    + '[limits]\nmemory = "much"\n')

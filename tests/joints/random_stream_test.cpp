@@ -5,11 +5,13 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <set>
 
 #include <gtest/gtest.h>
 
 #include "host/exact/correctly_rounded.hpp"
 #include "host/joints/radius_near_box.hpp"
+#include "src/base/seeds.hpp"
 #include "src/base/vector.hpp"
 #include "tests/joints/statistics.hpp"
 
@@ -47,6 +49,24 @@ TEST(RandomStream, IsTheGeneratorThatTheStandardFixes) {
   Real u = 0;
   for (int i = 0; i < 10'000; ++i) u = random.uniform();
   EXPECT_EQ(u, static_cast<Real>(last >> 11) / 9007199254740992.0);
+}
+
+TEST(Mixed, GivesTheFirstNumbersOfSplitMix64) {
+  // From state 0, as its authors' program prints them: each step adds the odd constant and mixes.
+  constexpr std::uint64_t step = 0x9E3779B97F4A7C15u;
+  EXPECT_EQ(mixed(0), 0xE220A8397B1DCDAFu);
+  EXPECT_EQ(mixed(step), 0x6E789E6AA1B965F4u);
+  EXPECT_EQ(mixed(2 * step), 0x06C45D188009454Fu);
+}
+
+TEST(SeedOfSet, IsOfNoOtherSetOfAThousandNetworks) {
+  std::set<std::uint64_t> seeds;
+  for (std::uint64_t seed = 0; seed < 1000; ++seed)
+    for (std::size_t k = 1; k <= 10; ++k) {
+      EXPECT_LT(seed_of_set(seed, k), std::uint64_t{1} << 53);
+      seeds.insert(seed_of_set(seed, k));
+    }
+  EXPECT_EQ(seeds.size(), 10'000u);
 }
 
 TEST(RandomStream, GivesUniformNumbers) {

@@ -15,6 +15,7 @@
 #include "host/keyblock/theory/tunnel_block.hpp"
 #include "host/parallel.hpp"
 #include "host/refuse.hpp"
+#include "src/base/seeds.hpp"
 #include "src/base/sum.hpp"
 #include "src/base/vector.hpp"
 
@@ -22,15 +23,6 @@ namespace rockfold {
 namespace {
 
 constexpr std::size_t most_planes = 20'000;  // of a set in a realisation
-
-/// The bits of a counter spread over 64 (Steele, Lea & Flood 2014): streams of neighbouring
-/// realisations have nothing in common.
-std::uint64_t mixed(std::uint64_t x) {
-  x += 0x9E3779B97F4A7C15u;
-  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
-  x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
-  return x ^ (x >> 31);
-}
 
 /// What is drawn of a set, and how.
 struct SetLaw {
