@@ -32,7 +32,11 @@ constexpr std::array<const char*, column_count> column_names = {"dip",
                                                                 "nx",
                                                                 "ny",
                                                                 "nz",
-                                                                "d"};
+                                                                "d",
+                                                                "weight",
+                                                                "distance",
+                                                                "scanline_trend",
+                                                                "scanline_plunge"};
 
 /// What other programs and languages call them, as bare_name() has it; of x, y and z see axis_called().
 const std::array<WordList, column_count> other_names = {{
@@ -54,6 +58,10 @@ const std::array<WordList, column_count> other_names = {{
     {"normaly", "ynormal"},
     {"normalz", "znormal"},
     {},
+    {"quantity", "anzahl", "cantidad", "quantite"},
+    {"chainage", "measureddepth", "distanz", "distancia"},
+    {"traversetrend", "linetrend", "boreholetrend", "holetrend"},
+    {"traverseplunge", "lineplunge", "boreholeplunge", "holeplunge"},
 }};
 
 bool is_place(Column column) {
@@ -94,13 +102,18 @@ std::optional<std::array<Field, 2>> two_in_one(const Field& field) {
 const char* unit_of(JointColumn column) {
   if (column == Column::dip || column == Column::dip_direction || column == Column::strike)
     return "deg";
-  return column >= Column::x && column <= Column::length ? "m" : "";
+  if (column == Column::line_trend || column == Column::line_plunge) return "deg";
+  const bool is_length = column >= Column::x && column <= Column::length;
+  return is_length || column == Column::distance ? "m" : "";
 }
 
 Range range_of(JointColumn column) {
   if (column == Column::dip) return between(0, 90, "deg");
   if (column == Column::dip_direction || column == Column::strike) return between(0, 360, "deg");
+  if (column == Column::line_trend) return between(0, 360, "deg");
+  if (column == Column::line_plunge) return between(-90, 90, "deg");
   if (column >= Column::nx && column <= Column::d) return any_number("");
+  if (column == Column::weight) return positive("");
   return column >= Column::radius && column <= Column::length ? length() : coordinate();
 }
 
@@ -147,7 +160,9 @@ bool JointHeading::find(JointColumn column, const auto& wanted, Faults& faults) 
 }
 
 void JointHeading::find_columns(Faults& faults) {
-  for (std::size_t c = 0; c < column_count; ++c) {
+  const auto end =
+      use_ == TableUse::survey ? column_count : static_cast<std::size_t>(Column::weight);
+  for (std::size_t c = 0; c < end; ++c) {
     const auto column = static_cast<Column>(c);
     const std::string name = column_names[c];
     if (column != Column::d &&
@@ -217,12 +232,13 @@ void JointHeading::require_columns(Faults& faults) {
     need(Column::dip);
     if (!has(Column::strike)) need(Column::dip_direction);
   }
-  if (!is_planes())
+  if (!is_planes() && use_ == TableUse::joints)
     for (const Column column : {Column::x, Column::y, Column::z}) need(column);
   const auto geographic = std::find_if(fields_.begin(), fields_.end(), [](const Field& field) {
     return is_geographic(bare_name(field.text));
   });
-  if (geographic != fields_.end() && (!has(Column::x) || !has(Column::y)) && !is_planes())
+  const bool needs_places = use_ == TableUse::joints && !is_planes();
+  if (geographic != fields_.end() && (!has(Column::x) || !has(Column::y)) && needs_places)
     return faults.add(line_, geographic->column, geographic_advice);
   auto wanted = missing;
   bool any_extent = false;
@@ -276,7 +292,7 @@ void JointHeading::choose_extent(JointTable::Extent extent, Faults& faults) {
   for (const Column column :
        {Column::radius, Column::diameter, Column::extent, Column::trace_length, Column::length})
     if (!extent_ && has(column)) extent_ = column;
-  if (!extent_ && has(Column::persistence)) {
+  if (!extent_ && has(Column::persistence) && use_ == TableUse::joints) {
     extent_ = Column::persistence;
     if (is_share) faults.add(line_, fields_[*at(Column::persistence)].column, share_fault());
   }

@@ -33,13 +33,21 @@ enum class JointColumn {
   ny,
   nz,
   d,
+  weight,  // of surveys, as are the others from here on
+  distance,
+  line_trend,
+  line_plunge,
   count
 };
+
+/// What a table is read for: joints of a model, whose places must be there, or a survey of orientations, whose places may be, and
+/// whose columns from `weight` on are read too.
+enum class TableUse { joints, survey };
 
 /// The columns of a table by its heading. A heading that gives two values in one, "Dip/DipDir", counts as two fields.
 class JointHeading {
  public:
-  JointHeading() { factor_.fill(1); }
+  explicit JointHeading(TableUse use = TableUse::joints) : use_(use) { factor_.fill(1); }
   /// Adds to `faults` what is missing, twice there or near to a name that is missing.
   void read(std::vector<Field> fields, int line, Faults& faults);
   /// Of rows A B C D without a heading, whose planes are A x + B y + C z + D = 0.
@@ -66,6 +74,8 @@ class JointHeading {
   bool has_unit(JointColumn column) const;
   /// The column that names sets or joints.
   const std::optional<std::size_t>& name_column() const { return name_; }
+  /// As the heading calls that column; there must be one.
+  const std::string& name_heading() const { return fields_[*name_].text; }
   /// The column of extents that counts.
   const std::optional<JointColumn>& extent() const { return extent_; }
   /// Extents that may be a share: persistences without a unit.
@@ -93,6 +103,7 @@ class JointHeading {
     return place_[static_cast<std::size_t>(column)];
   }
 
+  TableUse use_;
   std::vector<Field> fields_;        ///< of the heading, expanded
   std::vector<ColumnUnit> unit_;     ///< [fields]
   std::vector<std::size_t> double_;  ///< fields of a line that are two

@@ -61,8 +61,14 @@ bool is_plane_equation(const std::vector<Field>& fields) {
 class TableReader {
  public:
   TableReader(const JointTable& table, const std::vector<JointMaterial>& materials,
-              const Place& place, std::vector<Diagnostic>* warnings)
-      : table_(table), faults_(place), place_of_file_(place), warnings_(warnings) {
+              const Place& place, std::vector<Diagnostic>* warnings,
+              SurveyColumns* survey = nullptr)
+      : table_(table),
+        faults_(place),
+        place_of_file_(place),
+        warnings_(warnings),
+        survey_(survey),
+        heading_(survey ? TableUse::survey : TableUse::joints) {
     for (const auto& entry : materials) material_names_.push_back(entry.name);
   }
 
@@ -86,6 +92,7 @@ class TableReader {
     tell_of_commas();
     tell_of_radians();
     faults_.throw_if_any();
+    if (survey_) describe_survey();
     return std::move(rows_);
   }
 
@@ -110,6 +117,9 @@ class TableReader {
   void begin_rows() {
     rows_begun_ = true;
     heading_.settle(table_.extent, faults_);
+    if (heading_.has(Column::line_trend) != heading_.has(Column::line_plunge))
+      faults_.add(heading_.line(), 0,
+                  "a scanline has a trend and a plunge: there is a column of one of them alone");
     faults_.throw_if_any();
   }
 
@@ -138,6 +148,7 @@ class TableReader {
 
   void tell_of_extents(std::vector<std::string>& notes) const {
     if (table_.extent == JointTable::Extent::through_going) return;  // the model says so
+    if (survey_) return;                                             // nothing is placed
     const auto& extent = heading_.extent();
     if (!extent)
       notes.emplace_back("without a column radius or diameter all joints are through-going");
@@ -176,13 +187,36 @@ class TableReader {
       row.orientation = orientation(fields);
       look_at_angles(row.orientation, fields);
     }
-    if (!heading_.is_planes())
+    if (!heading_.is_planes() && has_places())
       row.center = {number(fields, Column::x), number(fields, Column::y),
                     number(fields, Column::z)};
     row.radius = radius_of(fields);
     row.material = material_of(fields);
     if (const auto& name = heading_.name_column()) row.name = fields[*name].text;
     rows_.push_back(std::move(row));
+    if (survey_) read_survey(fields);
+  }
+
+  bool has_places() const {
+    return heading_.has(Column::x) && heading_.has(Column::y) && heading_.has(Column::z);
+  }
+
+  void read_survey(const std::vector<Field>& fields) {
+    const auto add = [&](Column column, std::vector<Real>& list) {
+      if (heading_.has(column)) list.push_back(number(fields, column));
+    };
+    add(Column::weight, survey_->weight);
+    add(Column::distance, survey_->distance);
+    add(Column::line_trend, survey_->line_trend);
+    add(Column::line_plunge, survey_->line_plunge);
+  }
+
+  void describe_survey() {
+    survey_->has_places = heading_.is_planes() || has_places();
+    if (!heading_.name_column()) return;
+    survey_->name_heading = heading_.name_heading();
+    const std::string name = bare_name(survey_->name_heading);
+    survey_->names_sets = name == "set" || name == "jointset" || name == "setname";
   }
 
   /// The normal, and of an equation the point of the plane nearest to the origin.
@@ -354,7 +388,7 @@ class TableReader {
   }
 
   Index material_of(const std::vector<Field>& fields) {
-    if (!heading_.has(Column::material)) return table_.material;
+    if (survey_ || !heading_.has(Column::material)) return table_.material;
     const Field& field = fields[*heading_.at(Column::material)];
     if (field.text.empty()) return table_.material;
     const auto found = std::find(material_names_.begin(), material_names_.end(), field.text);
@@ -369,6 +403,7 @@ class TableReader {
   Faults faults_;
   const Place& place_of_file_;
   std::vector<Diagnostic>* warnings_;
+  SurveyColumns* survey_;  ///< null where joints are read
   std::vector<std::string> material_names_;
   JointHeading heading_;
   char separator_ = ',';
@@ -395,6 +430,13 @@ std::vector<JointTable::Row> read_joint_table(std::string_view text, const Joint
                                               const Place& place,
                                               std::vector<Diagnostic>* warnings) {
   return TableReader(table, materials, place, warnings).read(text);
+}
+
+std::vector<JointTable::Row> read_survey_table(std::string_view text, const JointTable& table,
+                                               const Place& place, SurveyColumns& columns,
+                                               std::vector<Diagnostic>* warnings) {
+  columns = {};
+  return TableReader(table, {}, place, warnings, &columns).read(text);
 }
 
 }  // namespace rockfold

@@ -1,6 +1,7 @@
 // Tables of joints in memory.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,5 +22,22 @@ std::vector<JointTable::Row> read_joint_table(std::string_view text, const Joint
                                               const std::vector<JointMaterial>& materials,
                                               const Place& place,
                                               std::vector<Diagnostic>* warnings = nullptr);
+
+/// What a survey's table says beside orientations, extents and names. Lists are empty where the table has no such column.
+struct SurveyColumns {
+  bool has_places = false;     ///< x, y, z, or planes by their equations
+  bool names_sets = false;     ///< the rows' names are those of sets, not of joints
+  std::string name_heading;    ///< as the heading calls the column of names; "" without one
+  std::vector<Real> weight;    ///< [rows] > 0
+  std::vector<Real> distance;  ///< [rows] m along the scanline
+  std::vector<Real>
+      line_trend;  ///< [rows] deg, of the scanline that crossed the joint; both or none
+  std::vector<Real> line_plunge;
+};
+
+/// Likewise of a survey: places may be missing (then they are the origin), and materials are passed over. What stands in `columns` is replaced.
+std::vector<JointTable::Row> read_survey_table(std::string_view text, const JointTable& table,
+                                               const Place& place, SurveyColumns& columns,
+                                               std::vector<Diagnostic>* warnings = nullptr);
 
 }  // namespace rockfold
