@@ -10,6 +10,7 @@
 
 #include "src/base/vector.hpp"
 #include "src/report/drawings/joint_pyramids.hpp"
+#include "src/report/drawings/net_density.hpp"
 #include "src/report/drawings/projection.hpp"
 
 namespace rockfold {
@@ -229,16 +230,20 @@ void Net::draw_legend() {
     if (content_.with_poles)
       svg_.circle({legend_x + 13, y - 4}, 3.6,
                   {.stroke = "white", .width = 0.7, .fill = series_colour(i)});
-    row(fmt::format("{}  {:02.0f}/{:03.0f}", planes_[i].name, planes_[i].dip,
-                    planes_[i].dip_direction));
+    row(fmt::format("{}  {:02.0f}/{:03.0f}{}", planes_[i].name, planes_[i].dip,
+                    planes_[i].dip_direction, planes_[i].note));
   }
   const auto is_other = [&](const auto& pole) { return pole.plane >= planes_.size(); };
   if (content_.with_poles && std::any_of(content_.poles.begin(), content_.poles.end(), is_other)) {
     svg_.circle({legend_x + 13, y - 4}, 3.6, {.stroke = "none", .fill = series_colour(7)});
-    row("other joints");
+    row(content_.words_of_others);
   }
-  if (content_.with_poles) row("dots: poles of joints between blocks");
-  if (!content_.joint_pyramids) {
+  if (content_.with_poles) row(content_.words_of_poles);
+  if (!content_.means.empty()) {
+    svg_.circle({legend_x + 13, y - 4}, 5, {.stroke = "#333333", .width = 2});
+    row("ring: mean pole, dashed: its 95 % cone");
+  }
+  if (!content_.joint_pyramids && !content_.friction_angles.empty()) {
     svg_.line({legend_x, y - 4}, {legend_x + 26, y - 4},
               {.stroke = "#666666", .width = 1.2, .dash = "5 4"});
     row("friction angle, for poles");
@@ -252,6 +257,7 @@ void Net::draw_legend() {
     svg_.text({legend_x + 13, y}, "✶", {.size = 14, .anchor = "middle"});
     row("axis of " + content_.wall);
   }
+  y = draw_shade_legend(svg_, content_, legend_x, y);
   if (content_.joint_pyramids) draw_pyramid_legend(y);
 }
 
@@ -273,12 +279,15 @@ std::string Net::draw() {
     draw_pyramids();
     svg_.circle(net_.centre, net_radius, {.stroke = "#bbbbbb", .width = 1});
   } else {
+    draw_shades(svg_, net_, content_);
     draw_circles();
   }
   draw_frame();
   if (!content_.joint_pyramids) draw_friction();
   draw_wall();
   if (content_.with_poles) draw_poles();
+  draw_means(svg_, net_, content_);
+  if (content_.label_planes) draw_plane_labels(svg_, net_, planes_);
   draw_legend();
   return svg_.document(content_.title_of_document);
 }
