@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "generated/version.hpp"
+#include "host/survey/mixture.hpp"
 #include "src/app/help_text.hpp"
 #include "src/base/error.hpp"
 #include "src/io/exports/export.hpp"
@@ -136,6 +137,58 @@ void add_sweep_options(CLI::App& command, Options& options) {
   command.add_flag("--gather", options.gather);
 }
 
+/// "045/10", of a line that goes down by 10 deg.
+std::pair<Real, Real> line_from(const std::string& text) {
+  const auto number = [](const std::string& part) -> std::optional<Real> {
+    Real value = 0;
+    const auto [end, failure] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (failure != std::errc{} || end != part.data() + part.size()) return {};
+    return value;
+  };
+  const auto slash = text.find('/');
+  const auto trend = number(text.substr(0, slash));
+  const auto plunge =
+      slash == std::string::npos ? std::optional<Real>{} : number(text.substr(slash + 1));
+  if (!trend || !plunge || !(*trend >= 0 && *trend <= 360) || !(std::abs(*plunge) <= 90))
+    reject(
+        fmt::format("--scanline: '{}' is no trend and plunge as 045/10: 0 to 360 and -90 to 90 "
+                    "degrees",
+                    text));
+  return {*trend, *plunge};
+}
+
+/// deg
+Real blind_zone_from(const std::string& text) {
+  Real value = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failure != std::errc{} || end != text.data() + text.size() || !(value > 0 && value < 90))
+    reject(fmt::format("--blind-zone: '{}' is no angle above 0 and below 90 degrees", text));
+  return value;
+}
+
+void add_sets_options(CLI::App& command, Options& options) {
+  const auto file = [&](const std::string& name, const std::string& ending, std::string& target) {
+    return [name, ending, &target](const std::string& text) {
+      if (!text.ends_with(ending) || text == ending)
+        reject(
+            fmt::format("{}: '{}' must be the name of a file that ends in {}", name, text, ending));
+      target = text;
+    };
+  };
+  command.add_option_function<std::string>("-o,--output",
+                                           file("--output", ".toml", options.output));
+  command.add_option_function<std::string>("--picture", file("--picture", ".svg", options.picture));
+  command.add_option_function<std::string>(
+      "--scanline", [&](const std::string& text) { options.scanline = line_from(text); });
+  command.add_option_function<std::string>(
+      "--blind-zone", [&](const std::string& text) { options.blind_zone = blind_zone_from(text); });
+  command.add_option_function<std::string>("--sets", [&](const std::string& text) {
+    options.find_sets = true;
+    if (text != "auto") options.set_count = whole_number("--sets", text, 1, most_sets);
+  });
+  command.add_flag("--left-hand", options.left_hand);
+}
+
 /// What one call of `sweep` cannot do together.
 void require_one_mode(const Options& options) {
   const int modes = (options.part.first > 0) + (options.slurm_tasks > 0) + options.gather;
@@ -177,6 +230,7 @@ void add_commands(CLI::App& app, Options& options) {
     if (help.command == Command::report) add_output_option(*sub, options);
     if (makes_report(help.command)) sub->add_flag("--report", options.report);
     if (help.command == Command::sweep) add_sweep_options(*sub, options);
+    if (help.command == Command::sets) add_sets_options(*sub, options);
     if (help.command == Command::check) sub->add_flag("--estimate", options.estimate);
     if (help.command == Command::info) sub->add_flag("--hashes", options.hashes);
     add_common_options(*sub, options);

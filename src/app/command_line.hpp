@@ -19,6 +19,7 @@ enum class Command {
   stability,
   verify,
   theory,
+  sets,
   run,
   resume,
   sweep,
@@ -60,6 +61,12 @@ struct Options {
   std::pair<Index, Index> part{};      ///< sweep: this part of so many, from 1; 0: the whole
   int slurm_tasks = 0;  ///< sweep: write scripts for a job array of so many tasks, compute nothing
   bool gather = false;  ///< sweep: the table of what parts have computed
+  std::optional<std::pair<Real, Real>> scanline;  ///< sets: trend and plunge, deg
+  Real blind_zone = 15;                           ///< sets: deg
+  bool find_sets = false;                ///< sets: among the poles, whatever the table calls them
+  std::optional<std::size_t> set_count;  ///< sets: so many are looked for
+  bool left_hand = false;                ///< sets: planes dip to the left of their strikes
+  std::string picture;                   ///< sets: --picture; empty = none
   /// What stands in the model file, where `input` need not be there any more (resume).
   std::optional<std::string> model_text = {};
 };

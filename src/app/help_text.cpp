@@ -9,7 +9,7 @@ namespace rockfold {
 
 namespace {
 
-constexpr std::array<CommandHelp, 15> helps{{
+constexpr std::array<CommandHelp, 16> helps{{
     {Command::demo, "demo", "", "the built-in rock slope: blocks, key blocks, what slides",
      "Takes a jointed rock slope that is part of the program through all stages: blocks, key "
      "blocks with\n"
@@ -76,6 +76,16 @@ constexpr std::array<CommandHelp, 15> helps{{
      "random. Needs no [[solid]] and writes no result file.\n",
      "  rockfold theory adit.toml --json > adit.json\n"
      "      the same tables as one JSON document\n"},
+    {Command::sets, "sets", "TABLE",
+     "joint sets of a survey: means, scatter, spacings, a stereonet",
+     "Reads a table of measured joints (dip, dip_direction or strike, ...; places need not be "
+     "there)\n"
+     "and tells its sets: mean planes, Fisher's kappa and cones, spacings. A column set counts;\n"
+     "without one, sets are found among the poles, as many as the poles tell of. Where a scanline\n"
+     "is known, joints along it are weighed by Terzaghi's 1/|cos d|.\n",
+     "  rockfold sets scanline.csv --scanline 045/10 -o sets.toml --picture net.svg\n"
+     "      sets.toml has a [[joint_set]] for each; net.svg the poles, their density and the "
+     "means\n"},
     {Command::run, "run", "MODEL.toml", "covers and analysis; support too where [support] stands",
      "Cuts the rock, lays covers over it and carries out the model's [analysis]; finds key blocks "
      "too\n"
@@ -220,6 +230,18 @@ constexpr const char* check_options =
     "by\n"
     "                         doing its beginning: all stages and the first steps\n\n";
 
+constexpr const char* sets_options =
+    "Options:\n"
+    "  -o, --output FILE      the sets as a part of a model, FILE.toml\n"
+    "  --picture FILE         a stereonet, FILE.svg: lower hemisphere, equal area\n"
+    "  --scanline TREND/PLUNGE  of the line or borehole that crosses all joints, degrees\n"
+    "  --blind-zone DEG       joints nearer to their line are weighed as at this angle; default "
+    "15\n"
+    "  --sets N               look for N sets among the poles, or with \"auto\" for as many as "
+    "the\n"
+    "                         poles tell of, whatever the table's column set says\n"
+    "  --left-hand            planes dip to the left of their strikes\n\n";
+
 constexpr const char* info_options =
     "Options:\n"
     "  --hashes               a hash of each state: equal for equal motions\n\n";
@@ -292,6 +314,7 @@ std::string command_help_text(const CommandHelp& help) {
   if (help.command == Command::sweep) text += sweep_options;
   if (help.command == Command::check) text += check_options;
   if (help.command == Command::info) text += info_options;
+  if (help.command == Command::sets) text += sets_options;
   return text + common_options + "\nExample:\n" + help.example;
 }
 

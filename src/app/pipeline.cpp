@@ -27,6 +27,7 @@
 #include "src/app/certificates.hpp"
 #include "src/app/estimate.hpp"
 #include "src/app/help_text.hpp"
+#include "src/app/joint_sets.hpp"
 #include "src/app/process/limits.hpp"
 #include "src/app/process/memory.hpp"
 #include "src/app/process/signals.hpp"
@@ -559,6 +560,8 @@ int run_command(const Options& given, Terminal& terminal) {
       return check_model(options, terminal);
     case Command::theory:
       return tell_theory(options, terminal);
+    case Command::sets:
+      return tell_joint_sets(options, terminal);
     case Command::view:
       return view_result(options);
     case Command::report:

@@ -7,7 +7,7 @@ import unittest
 
 from program import BINARY, CASES, SANITIZED, ProgramTest, files_of_case
 
-COMMANDS = ["demo", "check", "cut", "support", "stability", "verify", "theory", "run", "info", "examples", "serve"]
+COMMANDS = ["demo", "check", "cut", "support", "stability", "verify", "theory", "sets", "run", "info", "examples", "serve"]
 
 
 class Help(ProgramTest):
@@ -135,7 +135,7 @@ class UsageErrors(ProgramTest):
     CASES = [
         ([], "no command given"),
         (["ctu", "m.toml"], 'did you mean "cut"?'),
-        (["picture", "m.vtkhdf"], "the commands are: demo, check, cut, support, stability, verify, theory, run, resume, sweep, view, report, info, examples, serve"),
+        (["picture", "m.vtkhdf"], "the commands are: demo, check, cut, support, stability, verify, theory, sets, run, resume, sweep, view, report, info, examples, serve"),
         (["cut"], "no file given: rockfold cut MODEL.toml"),
         (["cut", "m.toml", "--jsno"], 'unknown option \'--jsno\', did you mean "--json"?'),
         (["cut", "m.toml", "n.toml"], "unexpected argument 'n.toml'"),
