@@ -11,7 +11,7 @@
 Units are SI, angles degrees; blocks are numbered from 1 in answers, from 0 in arrays.
 """
 
-from rockfold.commands import check, cut, resume, run, stability, support, theory, verify
+from rockfold.commands import check, cut, resume, run, sets, stability, support, theory, verify
 from rockfold.answers import Answer
 from rockfold.errors import AnalysisError, Fault, FileError, ModelError, RockfoldError, RockfoldWarning, UsageError
 from rockfold.examples import example, examples
@@ -24,5 +24,5 @@ from rockfold.sweeps import Sweep, sweep
 __all__ = [
     "AnalysisError", "Answer", "Blocks", "Fault", "FileError", "Mesh", "Model", "ModelError", "Progress", "Result",
     "RockfoldError", "RockfoldWarning", "Sweep", "UsageError", "check", "cut", "example", "examples", "kept_loaded", "open_result", "program", "report",
-    "resume", "run", "stability", "support", "sweep", "theory", "use_program", "verify", "version", "view",
+    "resume", "run", "sets", "stability", "support", "sweep", "theory", "use_program", "verify", "version", "view",
 ]

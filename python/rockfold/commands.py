@@ -128,3 +128,24 @@ def resume(result: str | os.PathLike[str], *, threads: int | None = None, progre
 def verify(certificate: str | os.PathLike[str]) -> Answer:
     """Checks a certificate in rational arithmetic. Throws AnalysisError where it proves nothing, FileError where it is none."""
     return Answer(ask(["verify", os.fspath(certificate)]))
+
+
+def sets(table: str | os.PathLike[str], *, scanline: tuple[float, float] | None = None, blind_zone: float | None = None,
+         count: int | str | None = None, left_hand: bool = False, output: str | os.PathLike[str] | None = None,
+         picture: str | os.PathLike[str] | None = None) -> Answer:
+    """Joint sets of a survey, a table of orientations.
+
+    scanline: trend and plunge of the line that crossed all joints, degrees. blind_zone: degrees (15). count: so many sets are looked for among
+    the poles, "auto" as many as they tell of; None: those of the table's column, if it has one. left_hand: of strikes. output: a part of a
+    model, .toml. picture: a stereonet, .svg. Throws RockfoldError with all that is wrong.
+    """
+    arguments = ["sets", os.fspath(table)]
+    if scanline is not None:
+        arguments += ["--scanline", f"{scanline[0]}/{scanline[1]}"]
+    for name, option in (("--blind-zone", blind_zone), ("--sets", count)):
+        if option is not None:
+            arguments += [name, str(option)]
+    for name, path in (("--output", output), ("--picture", picture)):
+        if path is not None:
+            arguments += [name, os.path.abspath(path)]
+    return Answer(ask(arguments + (["--left-hand"] if left_hand else [])))

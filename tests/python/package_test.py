@@ -257,6 +257,22 @@ class ResultTest(PackageTest):
         self.assertIn("totals", caught.exception.document)
 
 
+class SurveyTest(PackageTest):
+    def test_sets(self):
+        """Six planes at 60 deg to a line to the east, 4 m apart along it."""
+        rows = "".join(f"A,90,30,{4 * k}\n" for k in range(6))
+        (self.folder / "survey.csv").write_text("set,dip,dip_direction,distance\n" + rows, encoding="utf-8")
+        answer = rockfold.sets("survey.csv", scanline=(90, 0), output="sets.toml", picture="net.svg")
+        columns = answer.columns("sets")
+        np.testing.assert_allclose([columns["dip"][0], columns["dip_direction"][0]], [90, 30], atol=1e-9)
+        self.assertAlmostEqual(answer["sets"][0]["spacing"]["normal"], 2)
+        self.assertEqual(rockfold.Model.read("sets.toml")["joint_set"][0]["name"], "A")
+        self.assertIn("<svg", (self.folder / "net.svg").read_text(encoding="utf-8"))
+        self.assertEqual(rockfold.sets("survey.csv", count=1)["grouping"], "poles")
+        with self.assertRaises(rockfold.UsageError):
+            rockfold.sets("survey.csv", blind_zone=90)
+
+
 class SweepTest(PackageTest):
     def test_table(self):
         plan = {"command": "support", "parameter": [{"key": "joint_material.joint.friction_angle", "values": [20, 30]}],
