@@ -492,8 +492,9 @@ void look_at_supports_of_cut_rock(const Model& model, Terminal& terminal) {
 }
 
 int check_model(const Options& options, Terminal& terminal) {
-  const Model model =
+  Model model =
       read_whole_model(options.input, options.model_text, options.overrides, Purpose::check);
+  if (options.seed) reseed(model, *options.seed);
   check_output_names(options, model);
   if (!model.solids.empty()) check_rock(model, most_blocks(options, model));
   warn_of_model(model, terminal);

@@ -60,24 +60,6 @@ void find_outside(const std::string& what, const Vec3& point, Index element, con
       {of_point, fmt::format("{}{} is not in the rock", given_place_text(point), what)});
 }
 
-/// Each random set gets a seed of its own, which no set of another network has.
-void reseed(Model& model, std::uint64_t seed) {
-  bool random = false;
-  for (std::size_t s = 0; s < model.joint_sets.size(); ++s)
-    if (auto& set = model.joint_sets[s]; set.random) {
-      set.random->seed = seed_of_set(seed, s + 1);
-      random = true;
-    }
-  if (model.theory && model.theory->monte_carlo) {
-    model.theory->monte_carlo->seed = seed;
-    random = true;
-  }
-  if (!random) return;
-  if (!model.text.empty() && model.text.back() != '\n') model.text += '\n';
-  model.text +=
-      fmt::format("\n# Random joint sets drawn with --seed {} on the command line.\n", seed);
-}
-
 /// The table of --table, which stands beside those of the model.
 void add_table(Model& model, const Options& options) {
   if (!wants_support(options, model))
@@ -131,6 +113,23 @@ bool wants_support(const Options& options, const Model& model) {
 bool wants_measures(const Options& options, const Model& model) {
   return options.command == Command::cut || model.cut.min_volume || model.cut.max_aspect_ratio ||
          (model.classification && wants_support(options, model));
+}
+
+void reseed(Model& model, std::uint64_t seed) {
+  bool random = false;
+  for (std::size_t s = 0; s < model.joint_sets.size(); ++s)
+    if (auto& set = model.joint_sets[s]; set.random) {
+      set.random->seed = seed_of_set(seed, s + 1);
+      random = true;
+    }
+  if (model.theory && model.theory->monte_carlo) {
+    model.theory->monte_carlo->seed = seed;
+    random = true;
+  }
+  if (!random) return;
+  if (!model.text.empty() && model.text.back() != '\n') model.text += '\n';
+  model.text +=
+      fmt::format("\n# Random joint sets drawn with --seed {} on the command line.\n", seed);
 }
 
 Model load_model(const Options& options, Terminal& terminal) {

@@ -24,6 +24,9 @@ bool wants_run(const Options& options);
 /// command lacks in it.
 Model load_model(const Options& options, Terminal& terminal);
 
+/// --seed: each random set gets a seed of its own, which no set of another network has; the model's text says so.
+void reseed(Model& model, std::uint64_t seed);
+
 /// What is allowed in the model and its files and hardly meant, each with its place.
 void warn_of_model(const Model& model, Terminal& terminal);
 /// And of files in other units.
