@@ -121,6 +121,18 @@ class Support(ProgramTest):
         self.assertAlmostEqual(key["weight"], 2700 * 9.81 * key["volume"], delta=1e-6 * key["weight"])
         self.assertEqual([block["class"] for block in document["blocks"]].count("key"), 1)
 
+    def test_tells_the_least_factor_of_what_moves_first_and_of_each_batch(self):
+        self.copy_case("rock_slope")
+        document = self.json_of("support", "rock_slope.toml", "--no-result")
+        totals, factors = document["totals"], {}
+        for key in document["keyblocks"]:
+            factors.setdefault(key["batch"], []).append(key["factor_of_safety"] or 0)
+        self.assertEqual(totals["least_factors_of_batches"], [min(factors[b + 1]) for b in range(len(totals["batches"]))])
+        # One of the second batch falls once the first is gone: that is no factor of the slope as it stands.
+        self.assertEqual(totals["least_factors_of_batches"][1], 0)
+        self.assertEqual(totals["least_factor_of_safety"], min(factors[1]))
+        self.assertGreater(totals["least_factor_of_safety"], 0)
+
     def test_of_a_falling_block_has_no_factor_of_safety(self):
         self.copy_case("wedge")
         roof = """

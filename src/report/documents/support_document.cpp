@@ -66,6 +66,42 @@ Json keyblock_json(const Keyblock& key, const BlockArrays& blocks) {
   return json;
 }
 
+/// The least of some blocks that are not too small to be listed, 0 where nothing resists.
+class LeastFactor {
+ public:
+  explicit LeastFactor(const KeyblockReport& report) : smallest_(report.smallest_block) {}
+  void look_at(const Keyblock& key) {
+    if (key.volume < smallest_) return;
+    least_ = std::min(least_, std::isfinite(key.factor_of_safety) ? key.factor_of_safety : 0);
+  }
+  Json json() const { return std::isfinite(least_) ? Json(least_) : Json(); }
+
+ private:
+  Real smallest_, least_ = std::numeric_limits<Real>::infinity();
+};
+
+Json least_factors_of_batches(const KeyblockReport& report) {
+  std::vector<LeastFactor> least(report.batches.size(), LeastFactor(report));
+  for (const Keyblock& key : report.keyblocks)
+    least[static_cast<std::size_t>(key.batch) - 1].look_at(key);
+  Json list = Json::array();
+  for (const LeastFactor& of_batch : least) list.push_back(of_batch.json());
+  return list;
+}
+
+/// Of what moves first: at each stage before anything else has moved. Blocks of later batches move because those before them have gone.
+Json least_factor_json(const KeyblockReport& report) {
+  const auto is_first = [&](Index batch) {
+    const auto b = static_cast<std::size_t>(batch) - 1;
+    return b == 0 || report.batch_stage[b] != report.batch_stage[b - 1];
+  };
+  LeastFactor least(report);
+  for (const Keyblock& key : report.keyblocks)
+    if (is_first(key.batch)) least.look_at(key);
+  for (const Keyblock& key : report.stable) least.look_at(key);
+  return least.json();
+}
+
 Json support_totals_json(const BlockArrays& blocks, const KeyblockReport& report) {
   struct Sums {
     std::size_t blocks = 0;
@@ -75,20 +111,13 @@ Json support_totals_json(const BlockArrays& blocks, const KeyblockReport& report
       return {{"keyblocks", blocks}, {"volume", volume}, {"support_force", force}};
     }
   } all, first, listed;
-  Real least = std::numeric_limits<Real>::infinity();
-  const auto look = [&](const Keyblock& key) {
-    if (key.volume < report.smallest_block) return;
-    least = std::min(least, std::isfinite(key.factor_of_safety) ? key.factor_of_safety : 0);
-  };
   for (const auto& key : report.keyblocks) {
     all.add(key);
     if (key.batch == 1) first.add(key);
     if (key.volume >= report.smallest_block) listed.add(key);
-    look(key);
   }
   Sums below_target;
   for (const auto& key : report.stable) {
-    look(key);
     if (key.support_force > 0) below_target.add(key);
   }
   const auto unexamined =
@@ -102,7 +131,8 @@ Json support_totals_json(const BlockArrays& blocks, const KeyblockReport& report
       {"support_force", all.force},
       {"first_batch", first.json()},
       {"listed", listed.json()},
-      {"least_factor_of_safety", std::isfinite(least) ? Json(least) : Json()},
+      {"least_factor_of_safety", least_factor_json(report)},
+      {"least_factors_of_batches", least_factors_of_batches(report)},
       {"below_target", {{"blocks", below_target.blocks}, {"support_force", below_target.force}}},
       {"further_batches", unexamined > 0 || report.groups_left ? "not_examined" : "none"}};
 }
