@@ -31,7 +31,8 @@ Principal principal_axis(std::span<const Vec3> poles, std::span<const Real> weig
     sum += weights[i];
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solved(tensor / sum);
-  const Eigen::Vector3d axis = solved.eigenvectors().col(2), values = solved.eigenvalues();
+  const Eigen::Vector3d axis = solved.eigenvectors().col(2);
+  const Eigen::Vector3d& values = solved.eigenvalues();
   return {{axis[0], axis[1], axis[2]}, {values[2], values[1], values[0]}};
 }
 

@@ -95,7 +95,8 @@ class Tracer {
     const auto [node, up] = edge;
     const Real here = grid_.value[node], there = grid_.value[node + (up ? grid_.size : 1)];
     const Real part = (level_ - here) / (there - here);
-    const auto i = static_cast<Real>(node % grid_.size), j = static_cast<Real>(node / grid_.size);
+    const std::size_t row = node / grid_.size, column = node % grid_.size;
+    const auto i = static_cast<Real>(column), j = static_cast<Real>(row);
     return {grid_.low[0] + grid_.step * (i + (up ? 0 : part)),
             grid_.low[1] + grid_.step * (j + (up ? part : 0))};
   }
